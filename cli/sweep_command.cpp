@@ -40,13 +40,16 @@ struct SweepCommand {
 /// As asked for; where nothing is, as the study that is gone on with has it.
 problems::SweepSettings settings_of(const SweepCommand& options,
                                     const std::optional<std::string>& study) {
-  const bool asks =
-      !options.settings.empty() || options.sample || options.evaluates || options.cold;
+  const bool asks = !options.settings.empty() || options.sample || options.evaluates ||
+                    options.cold || options.start || options.seed || !options.over.empty();
   if (!asks && options.resume && study && fs::exists(*study)) {
     const optim::StudySettings record = optim::StudyRecord::read(*study).settings();
     if (problems::SweepStudy::is_sweep(record)) {
       return problems::SweepStudy::of(record).plan().settings();
     }
+  }
+  if (options.seed && !options.sample) {
+    throw std::invalid_argument("--seed: it is that of the samples of lhs; add --sample 'lhs 64'");
   }
   problems::SweepSettings settings{.evaluates = options.evaluates, .is_cold = options.cold};
   for (const std::string& setting : options.settings) {

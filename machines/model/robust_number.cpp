@@ -241,8 +241,9 @@ Robust parse_robust(std::string_view text) {
   if (words.starts_with("quantile")) {
     const double share = read_robust_number(words.substr(8), text);
     if (!(share >= 1 - kLargestShare && share <= kLargestShare)) {
-      throw std::invalid_argument(fmt::format("a quantile lies between {:g} and {:g}, not at {:g}",
-                                              1 - kLargestShare, kLargestShare, share));
+      throw std::invalid_argument(
+          fmt::format("the share of a quantile is between {:g} and {:g}; {:g} is given",
+                      1 - kLargestShare, kLargestShare, share));
     }
     return {true, 0, share};
   }

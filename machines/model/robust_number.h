@@ -36,8 +36,7 @@ struct VaryingParameter {
   optim::Variation off;
 };
 
-/// Of a number, or of a part of a curve such as its peak. Its name is that of the response and what
-/// is taken of it.
+/// Of a number, or of a part of a curve such as its peak. Its name is that of the response.
 std::shared_ptr<const MechanismResponse> robust_number(std::shared_ptr<const Mechanism> mechanism,
                                                        const ResponseName& of,
                                                        const std::vector<VaryingParameter>& varying,

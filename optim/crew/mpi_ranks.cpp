@@ -90,6 +90,15 @@ class RankBench {
   }
 
  private:
+  /// What is not an answer is a search that is lost.
+  std::string answer_to(const std::string& order) {
+    try {
+      return service_(order, {.stop = &stop_}).value_or("");
+    } catch (const std::exception&) {
+      return "";
+    }
+  }
+
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -101,7 +110,7 @@ class RankBench {
       busy_ = true;
       lock.unlock();
       const double began = seconds_now();
-      for (std::string& text : parcel.texts) text = service_(text, {.stop = &stop_}).value_or("");
+      for (std::string& text : parcel.texts) text = answer_to(text);
       parcel.seconds = seconds_now() - began;
       lock.lock();
       busy_ = false;
@@ -142,6 +151,7 @@ MpiRanks::MpiRanks() : plugin_(std::make_unique<Plugin>()) {
     throw std::runtime_error(error);
   }
   under_way_.resize(static_cast<std::size_t>(size()));
+  heard_.resize(under_way_.size());
 }
 
 MpiRanks::~MpiRanks() {
@@ -191,6 +201,8 @@ void MpiRanks::serve(const std::function<Service(const std::string&)>& service_o
         if (bench) bench->cancel();
         break;
       case kProblem:
+        bench.reset();
+        refusal.clear();
         try {
           bench = std::make_unique<RankBench>(service_of(content));
         } catch (const std::exception& error) {
@@ -229,7 +241,11 @@ void MpiRanks::send(std::size_t parcel, const std::vector<std::string>& orders) 
   int least = 0;
   for (int other = 1; other < size(); ++other) {
     if (plugin_->mpi.is_gone(other) != 0) continue;
-    if (least == 0 || under_way_[other].size() < under_way_[least].size()) least = other;
+    const auto load = [&](int rank) {
+      const auto r = static_cast<std::size_t>(rank);
+      return std::pair(under_way_[r].size(), -heard_[r]);  // a rank that hangs is not heard
+    };
+    if (least == 0 || load(other) < load(least)) least = other;
   }
   if (least == 0) throw std::runtime_error("every rank but this one has ended");
   under_way_[least].push_back(parcel);
@@ -240,6 +256,7 @@ void MpiRanks::take(int rank, const std::string& bytes, std::vector<Arrival>& ar
   auto parcel = value_of_bytes<Parcel>(std::string_view(bytes).substr(1));
   if (!parcel) throw std::runtime_error(fmt::format("rank {} sent what is not an answer", rank));
   std::erase(under_way_[static_cast<std::size_t>(rank)], parcel->number);
+  heard_[static_cast<std::size_t>(rank)] = now();
   Arrival arrival{.parcel = parcel->number, .seconds = parcel->seconds};
   if (bytes[0] == kRefusal) {
     arrival.refused = parcel->texts.at(0);

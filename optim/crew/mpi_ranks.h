@@ -45,6 +45,7 @@ class MpiRanks final : public Transport {
 
   std::unique_ptr<Plugin> plugin_;
   std::vector<std::vector<std::size_t>> under_way_;  ///< of each rank, parcels
+  std::vector<double> heard_;                        ///< when each was last heard
 };
 
 }  // namespace camlaw::optim

@@ -173,17 +173,35 @@ class ParcelForce::Run {
     if (overdue_ > 0) forget_answered();
     if (transport_.now() < next_look_) return;
     next_look_ = transport_.now() + kLookForOverdue;
-    const double patience = std::max(rules_.patience, kOverdue * force_.longest_);
+    const double patience = patience_ * std::max(rules_.patience, kOverdue * force_.longest_);
+    bool is_stuck = !parcels_.empty() && waiting_.empty() && alone_.empty();
     for (auto& [name, parcel] : parcels_) {
-      if (parcel.is_overdue || transport_.now() - parcel.sent < patience) continue;
+      if (parcel.is_overdue) continue;
+      if (transport_.now() - parcel.sent < patience) {
+        is_stuck = false;
+        continue;
+      }
       parcel.is_overdue = true;
       ++overdue_;
       for (const std::size_t number : parcel.numbers) {
         if (!open_.contains(number) || ++copies_[number] >= rules_.copies) continue;
         alone_.push_back(number);
         ++force_.sent_again_;
+        is_stuck = false;
       }
     }
+    if (is_stuck) try_anew();
+  }
+
+  /// Every copy of what is left is overdue: it may have gone to workers that do not answer. Each is
+  /// sent once more, and gets twice the time.
+  void try_anew() {
+    patience_ *= 2;
+    for (const std::size_t number : open_) {
+      alone_.push_back(number);
+      ++force_.sent_again_;
+    }
+    std::sort(alone_.begin(), alone_.end());
   }
 
   /// Parcels of which another copy has brought every answer.
@@ -210,6 +228,7 @@ class ParcelForce::Run {
   std::map<std::size_t, Parcel> parcels_;  ///< under way
   std::size_t overdue_ = 0;                ///< of them
   std::map<std::size_t, int> copies_;      ///< of orders that were sent again unanswered
+  double patience_ = 1;                    ///< times what it is by the rules
   double next_look_ = 0;                   ///< for parcels that are overdue
 };
 

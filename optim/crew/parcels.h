@@ -52,8 +52,8 @@ struct ParcelRules {
   /// After so many deaths of an order's workers, when it travelled alone, the order is lost.
   int deaths = 3;
   /// A parcel that takes this long, s, and ten times the longest seen, is sent again, and the first
-  /// answer counts: its worker may have stopped answering. No order is under way more often than
-  /// `copies` times.
+  /// answer counts: its worker may have stopped answering. After `copies` times each further copy
+  /// waits twice as long as the one before.
   double patience = 30;
   int copies = 3;
 };

@@ -132,6 +132,13 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
       if (!response.is_curve() && !response.function().is_searched()) {
         return fmt::format("{} is met, but intervals do not prove it", a.limits[i].name);
       }
+      // Not even what a proof finds is more than a search: no cycle is proved of it.
+      if (!response.is_curve() && response.function().proved().is_searched()) {
+        return fmt::format(
+            "{} is met, but not proved: it is an estimate over a fixed set of parts, or over the "
+            "places that a search looked at",
+            a.limits[i].name);
+      }
       return fmt::format("{} is met wherever it was looked at, but not proved over the whole cycle",
                          a.limits[i].name);
     }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/sizes.h"
@@ -85,13 +87,15 @@ class Sampler {
 
   std::size_t dimensions() const { return varying_.size(); }
 
-  /// Adds the sums over the next `count` points about one of the mixture's centres.
-  void draw(const Mixture& mixture, std::size_t about, std::size_t count, SobolPoints& points,
-            Counts& counts) const {
+  /// Adds the sums over the next `count` points about one of the mixture's centres. Whether all of
+  /// them were drawn.
+  bool draw(const Mixture& mixture, std::size_t about, std::size_t count, SobolPoints& points,
+            Counts& counts, const std::function<bool()>& stopped) const {
     const std::size_t m = dimensions(), n = x_.size();
     const bool is_plain = mixture.centres.size() == 1;
     Numbers shares(kBlock * m), us(kBlock * m), designs(kBlock * n);
     for (std::size_t done = 0; done < count; done += kBlock) {
+      if (stopped()) return false;
       const std::size_t block = std::min(kBlock, count - done);
       points.next(std::span(shares).first(block * m));
       for (std::size_t k = 0; k < block; ++k) {
@@ -110,6 +114,7 @@ class Sampler {
       }
       count_block(mixture, is_plain, designs, us, block, counts);
     }
+    return true;
   }
 
  private:
@@ -179,16 +184,35 @@ std::vector<Repetition> repetitions(const Sampler& sampler, const Mixture& mixtu
   return all;
 }
 
-/// Draws `count` points more for each repetition; their order decides nothing.
-void draw_round(const Sampler& sampler, const Mixture& mixture, std::size_t count,
-                std::vector<Repetition>& all) {
+/// How many of `count` points are drawn about each centre: whole numbers, at least one. About what
+/// is meant no less than a fifth of all, so that rounding leaves no weight above five.
+std::vector<std::size_t> drawn_about(const Mixture& mixture, std::size_t count) {
+  std::vector<std::size_t> own;
+  for (const double share : mixture.shares) {
+    const double exact = share * static_cast<double>(count);
+    own.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(exact))));
+  }
+  const std::size_t others = std::accumulate(own.begin() + 1, own.end(), std::size_t{0});
+  own.front() = std::max(own.front(), (others + 3) / 4);
+  return own;
+}
+
+/// Draws about `count` points more for each repetition; their order decides nothing. The weights
+/// are of the mixture that is drawn in this round. Whether it was drawn to its end.
+bool draw_round(const Sampler& sampler, Mixture mixture, std::size_t count,
+                const std::function<bool()>& stopped, std::vector<Repetition>& all) {
+  const std::vector<std::size_t> own = drawn_about(mixture, count);
+  double sum = 0;
+  for (const std::size_t points : own) sum += static_cast<double>(points);
+  for (std::size_t j = 0; j < own.size(); ++j) {
+    mixture.shares[j] = static_cast<double>(own[j]) / sum;
+  }
   for (Repetition& one : all) {
-    for (std::size_t j = 0; j < mixture.centres.size(); ++j) {
-      const double share = mixture.shares[j] * static_cast<double>(count);
-      const auto own = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(share)));
-      sampler.draw(mixture, j, own, one.points[j], one.counts);
+    for (std::size_t j = 0; j < own.size(); ++j) {
+      if (!sampler.draw(mixture, j, own[j], one.points[j], one.counts, stopped)) return false;
     }
   }
+  return true;
 }
 
 void add_up(const std::vector<Repetition>& all, Yield& result) {
@@ -221,19 +245,28 @@ void repeat(const Sampler& sampler, const Mixture& mixture, const YieldOptions& 
   std::size_t done = 0;
   while (done < each && !result.stopped) {
     const std::size_t round = std::min({each - done, std::max(done, kFirstRound), kMostInRound});
-    draw_round(sampler, mixture, round, all);
+    std::vector<Counts> before;
+    for (const Repetition& one : all) before.push_back(one.counts);
+    if (!draw_round(sampler, mixture, round, options.stopped, all)) {
+      // A round counts as a whole, or not at all.
+      for (std::size_t r = 0; r < all.size(); ++r) all[r].counts = std::move(before[r]);
+      result.stopped = true;
+      break;
+    }
     done += round;
-    result.stopped = done < each && options.stopped();
   }
-  add_up(all, result);
+  if (done > 0) add_up(all, result);
 }
 
 /// The points of different limits; those of equations that cannot break are none.
 std::vector<DesignPoint> points_of(const std::vector<RoomSlopes>& slopes, Design x,
-                                   const std::vector<Variation>& variations, Yield& result) {
+                                   const std::vector<Variation>& variations,
+                                   const std::function<bool()>& stopped, Yield& result) {
   constexpr double kFarthest = 8;  // beyond that no share is left that counts
   std::vector<DesignPoint> points;
   for (const RoomSlopes& room : slopes) {
+    result.stopped = result.stopped || stopped();
+    if (result.stopped) break;
     const auto found = design_point(room, x, variations);
     result.indices.push_back(found ? std::optional(found->index) : std::nullopt);
     if (found && std::abs(found->index) < kFarthest) points.push_back(*found);
@@ -266,7 +299,7 @@ Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design 
   if (options.samples < 1) throw std::invalid_argument("samples: at least one is needed");
   Yield result;
   result.by_limit.assign(rows.limits(), 0.0);
-  std::vector<DesignPoint> points = points_of(slopes, x, variations, result);
+  std::vector<DesignPoint> points = points_of(slopes, x, variations, options.stopped, result);
   for (DesignPoint& point : points) point = varying_part(point, variations);
   constexpr std::size_t kFirst = 4096;
   constexpr double kRare = 0.01;
@@ -275,7 +308,9 @@ Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design 
   first.by_limit.resize(rows.limits());
   const Mixture as_meant = plain(sampler.dimensions());
   SobolPoints points_as_meant(sampler.dimensions(), mixed(options.seed, ~std::uint64_t{0}));
-  sampler.draw(as_meant, 0, tried, points_as_meant, first);
+  result.stopped =
+      result.stopped || !sampler.draw(as_meant, 0, tried, points_as_meant, first, options.stopped);
+  if (result.stopped) return result;
   const bool is_rare = first.failing < kRare * static_cast<double>(tried);
   result.by_importance = is_rare && !points.empty();
   repeat(sampler, result.by_importance ? about(points, sampler.dimensions()) : as_meant, options,

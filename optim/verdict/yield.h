@@ -49,7 +49,7 @@ struct Yield {
   std::size_t failures = 0;    ///< samples that break a limit
   std::size_t impossible = 0;  ///< of them, for which the model gives no number
   bool by_importance = false;  ///< drawn about the design points, for failures are rare
-  bool stopped = false;
+  bool stopped = false;        ///< before its end; with no samples where no round was done
 };
 
 /// Sobol points with random shifts, so many for each of 32 repetitions (TV2); where few of the

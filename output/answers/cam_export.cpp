@@ -118,11 +118,11 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
   if (o.drawing && format.format != ExportFormat::Dxf) {
     throw std::invalid_argument(fmt::format("--drawing is for dxf, not for {}", format.name));
   }
-  if (o.compensation && (!o.lead || o.curve.value_or("cutter") == "cutter")) {
+  const bool along_profile = o.curve == "profile" || o.curve == "second-profile";
+  if (o.compensation && (!along_profile || o.tool || !o.lead)) {
     throw std::invalid_argument(
-        "--compensation is for --curve profile or second-profile, with a --lead that is larger "
-        "than "
-        "the tool's radius");
+        "--compensation is for --curve profile or second-profile without --tool, with a --lead "
+        "that is larger than the tool's radius");
   }
   only(o.feed, "--feed", gcode, "gcode");
   only(o.clearance, "--clearance", gcode, "gcode");
@@ -172,7 +172,9 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
   const char* unit = accuracy.unit.name;
   accuracy.tolerance = quantity(o.tolerance, "--tolerance", unit, accuracy.tolerance * per_mm, 0,
                                 kMostTolerance * per_mm);
-  if (!o.step && accuracy.tolerance < 10 * digit) {
+  const bool within =
+      !o.step && format.format != ExportFormat::Table && format.format != ExportFormat::Inspection;
+  if (within && accuracy.tolerance < 10 * digit) {
     throw std::invalid_argument(fmt::format(
         "--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; at least {:.6g} {}, "
         "or more --decimals",
@@ -207,7 +209,7 @@ problems::GcodeSettings gcode_settings(const ExportOptions& o,
 /// The radius of the tool that was asked for, mm; none where it was not.
 std::optional<double> tool_radius(const ExportOptions& o) {
   if (!o.tool) return {};
-  return quantity(o.tool, "--tool", "mm", 0, 1e-3, 1e6);
+  return length_of(o.tool, "--tool", unit_of(o), 0, 1e-3, 1e6);
 }
 
 /// What writing moves arcs and cubics by, mm; lines are rounded before they are measured.
@@ -223,8 +225,8 @@ void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& sta
   if (!o.tool || asked == "pitch") return;
   if (!problems::cam_curves(statement, "cutter").empty()) {
     throw std::invalid_argument(fmt::format(
-        "--tool: {} has its tool's radius as cutter_radius; write --set 'cutter_radius={}'",
-        statement.mechanism->name, *o.tool));
+        "--tool: {} has its tool's radius as cutter_radius; write --set 'cutter_radius={:.6g} mm'",
+        statement.mechanism->name, *tool_radius(o)));
   }
   const auto profile =
       problems::cam_curves(statement, asked == "second-profile" ? "second-profile" : "profile");
@@ -278,6 +280,22 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
+/// What the cam's roller or a tool cuts into its profiles, whichever curves are asked for.
+std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
+                                 const std::vector<problems::PlaneCurve>& asked) {
+  std::vector<problems::PlaneCurve> curves = asked;
+  for (problems::PlaneCurve& own : problems::cam_curves(statement, "all")) {
+    const bool there = std::any_of(asked.begin(), asked.end(),
+                                   [&](const auto& c) { return c.name() == own.name(); });
+    if (!there) curves.push_back(std::move(own));
+  }
+  try {
+    return problems::cuts_into_profiles(curves);
+  } catch (const std::invalid_argument&) {  // one that was not asked for has no point somewhere
+    return problems::cuts_into_profiles(asked);
+  }
+}
+
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
@@ -296,7 +314,7 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
   }
   const std::vector<std::string> more =
-      e.passes.empty() ? problems::cuts_into_profiles(curves) : e.passes.back().path.doubts();
+      e.passes.empty() ? cuts_of(e.design.statement, curves) : e.passes.back().path.doubts();
   e.notes.insert(e.notes.end(), more.begin(), more.end());
 }
 
@@ -318,7 +336,10 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
     return motion_text(o, format, e);
   }
   if (format.format == ExportFormat::Inspection) {
-    return inspection_table(o, e, curves_asked(o, format, e.design.statement).front());
+    const auto curves = curves_asked(o, format, e.design.statement);
+    const auto cuts = cuts_of(e.design.statement, curves);
+    e.notes.insert(e.notes.end(), cuts.begin(), cuts.end());
+    return inspection_table(o, e, curves.front());
   }
   fit_curves(o, format, e);
   std::vector<std::string> comments = comments_of(e);

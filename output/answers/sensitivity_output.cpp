@@ -38,7 +38,9 @@ std::vector<std::size_t> by_size(std::size_t count, const Size& size) {
 }
 
 std::string slope_text(const Sensitivity& s) {
-  return s.is_kink() ? fmt::format("{} to {}", four(s.low), four(s.high)) : four(s.slope);
+  const std::string text =
+      s.is_kink() ? fmt::format("{} to {}", four(s.low), four(s.high)) : four(s.slope);
+  return s.by_difference ? "~" + text : text;
 }
 
 std::string per(const std::string& unit, const std::string& other) {
@@ -60,7 +62,14 @@ std::vector<Cell> local_cells(const NumberSensitivity& number, const DesignParam
           per(number.unit, parameter.unit),
           {four(s.elasticity), s.elasticity},
           datum(s.low),
-          datum(s.high)};
+          datum(s.high),
+          datum(!s.by_difference)};
+}
+
+bool any_of(const LocalSensitivity& local, bool (*is_so)(const Sensitivity&)) {
+  return std::any_of(local.numbers.begin(), local.numbers.end(), [&](const NumberSensitivity& n) {
+    return std::any_of(n.by.begin(), n.by.end(), is_so);
+  });
 }
 
 }  // namespace
@@ -72,7 +81,7 @@ Table local_sensitivity_table(const LocalSensitivity& local) {
                   names("parameter", "parameter"), numbers("is", "parameter_value"),
                   data("parameter_unit"), words("", "varies"), numbers("derivative", "derivative"),
                   words("in", "derivative_unit"), numbers("% per %", "elasticity"),
-                  data("least_derivative"), data("greatest_derivative")}};
+                  data("least_derivative"), data("greatest_derivative"), data("exact")}};
   std::vector<std::vector<Cell>> rest;
   for (const NumberSensitivity& number : local.numbers) {
     const auto order = by_size(number.by.size(), [&](std::size_t i) {
@@ -100,8 +109,8 @@ Table local_sensitivity_table(const LocalSensitivity& local) {
 
 std::string local_sensitivity_words(const LocalSensitivity& local) {
   std::string text =
-      "exact derivatives at this design, and by how many percent each number changes for one "
-      "percent of the parameter; what is left out is 0\n";
+      "derivatives at this design, exact unless marked, and by how many percent each number "
+      "changes for one percent of the parameter; what is left out is 0\n";
   const auto is_long = [](const NumberSensitivity& n) {
     const auto counts = [](const Sensitivity& s) { return s.low != 0 || s.high != 0; };
     return static_cast<std::size_t>(std::count_if(n.by.begin(), n.by.end(), counts)) > kMostShown;
@@ -110,14 +119,15 @@ std::string local_sensitivity_words(const LocalSensitivity& local) {
     text +=
         fmt::format("of each number the {} parameters that matter most are shown\n", kMostShown);
   }
-  const bool has_kinks =
-      std::any_of(local.numbers.begin(), local.numbers.end(), [](const NumberSensitivity& n) {
-        return std::any_of(n.by.begin(), n.by.end(), [](const auto& s) { return s.is_kink(); });
-      });
-  if (has_kinks) {
+  if (any_of(local, [](const Sensitivity& s) { return s.is_kink(); })) {
     text +=
-        "two values: several peaks are equally high, so that the derivative is another to each "
-        "side; the percentage is that of their middle\n";
+        "two values: the derivative is another to each side, as where several peaks are equally "
+        "high; the percentage is that of their middle\n";
+  }
+  if (any_of(local, [](const Sensitivity& s) { return s.by_difference; })) {
+    text +=
+        "~: by differences, since the extreme stands at a joint of the law that moves, or at a "
+        "kink of the formula, where the formula's own derivative is that of one side\n";
   }
   return text;
 }

@@ -113,7 +113,7 @@ Table spreads_table(const optim::ToleranceReport& report) {
 
 }  // namespace
 
-Document spreads_document(const optim::ToleranceReport& report) {
+Document spreads_document(const optim::ToleranceReport& report, bool with_yield) {
   Document document;
   document.add(spreads_table(report));
   if (report.impossible_corners + report.impossible_samples > 0) {
@@ -121,17 +121,22 @@ Document spreads_document(const optim::ToleranceReport& report) {
         "not possible: {} of the corners and {} of the samples; the model gives no number there\n",
         report.impossible_corners, report.impossible_samples));
   }
-  document.say(
-      fmt::format("lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
-                  "every limit (standard error {:.2g} %)\n",
-                  report.all_corners ? "every corner of the tolerances"
-                                     : "the corners that single changes point to",
-                  report.samples, 100 * report.yield, 100 * report.yield_error));
+  document.say(fmt::format("lowest and highest: over {} and the samples; the rest over {} samples",
+                           report.all_corners ? "every corner of the tolerances"
+                                              : "the corners that single changes point to",
+                           report.samples));
+  if (with_yield) {
+    document.say(fmt::format(", of which {:.1f} % meet every limit (standard error {:.2g} %)",
+                             100 * report.yield, 100 * report.yield_error));
+  }
+  document.say("\n");
   document.fact("samples", report.samples);
   document.fact("impossible_samples", report.impossible_samples);
   document.fact("impossible_corners", report.impossible_corners);
-  document.fact("yield", report.yield);
-  document.fact("yield_error", report.yield_error);
+  if (with_yield) {
+    document.fact("yield", report.yield);
+    document.fact("yield_error", report.yield_error);
+  }
   document.fact("all_corners", report.all_corners);
   return document;
 }

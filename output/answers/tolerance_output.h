@@ -20,8 +20,9 @@ std::vector<double> hundredths(const std::vector<optim::Variable>& variables, op
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments);
 
-/// What a design's objectives and margins become: for people a table and how it was made.
-Document spreads_document(const optim::ToleranceReport& report);
+/// What a design's objectives and margins become: for people a table and how it was made, with the
+/// share of the samples that meet every limit where the caller has no yield of its own.
+Document spreads_document(const optim::ToleranceReport& report, bool with_yield = true);
 
 /// What becomes of a point where its variables are off by up to `tolerances`, in the variables'
 /// units.

@@ -110,8 +110,9 @@ std::string part_text(const VariedDesign& varied, const WorstPart& worst) {
 }
 
 std::string factor_text(const problems::BreakFactor& factor) {
-  if (std::isinf(factor.factor)) return fmt::format("> {:.4g}", factor.tried);
-  return fmt::format("{:.4g}{}", factor.factor, factor.proved ? "" : " (not proved)");
+  const char* proof = factor.proved ? "" : " (not proved)";
+  if (std::isinf(factor.factor)) return fmt::format("> {:.4g}{}", factor.tried, proof);
+  return fmt::format("{:.4g}{}", factor.factor, proof);
 }
 
 Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
@@ -119,8 +120,8 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
       .key = "worst_cases",
       .columns = {names("worst of", "name"), numbers("value", "value"), numbers("bound", "bound"),
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
-                  words("of the part with", "part_text"), words("it", "holds"),
-                  numbers("breaks at times", "factor"), data("at_angle"), data("part"),
+                  words("for a part with", "part_text"), words("it", "holds"),
+                  numbers("breaks at factor", "factor"), data("at_angle"), data("part"),
                   data("side"), data("proved_within"), data("why_not"), data("factor_proved")}};
   for (std::size_t i = 0; i < answer.worst.size(); ++i) {
     const WorstPart& w = answer.worst[i];
@@ -195,14 +196,17 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
                   share_text(1 - y.failing), 100 * y.error, y.samples,
                   y.by_importance ? "weighted " : "", y.failures));
   if (y.failing_at_most > y.failing) {
-    document.say(fmt::format("  on the grid of angles no less than {} of these samples\n",
-                             share_text(1 - y.failing_at_most)));
+    document.say(
+        fmt::format("  counting the samples that the grid of angles cannot decide as "
+                    "failures, at least {}\n",
+                    share_text(1 - y.failing_at_most)));
   }
   if (y.failures == 0) {
+    constexpr double kLargestWeight = 5;  // drawn about what is meant is a fifth
     document.say(fmt::format(
         "  no sample fails: fewer than {:.2g} % of all parts do, at a confidence of 95 %, if the "
         "samples were independent\n",
-        300.0 / static_cast<double>(y.samples)));
+        (y.by_importance ? kLargestWeight : 1) * 300.0 / static_cast<double>(y.samples)));
   }
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;
@@ -214,22 +218,28 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   }
 }
 
-/// The factor of the limit that breaks first.
+/// The factor of the limit that breaks first, where those of all are known.
 void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
-  if (answer.factors.empty()) return;
+  if (answer.factors.empty() || answer.factors.size() != answer.worst.size()) return;
   const auto first =
       std::min_element(answer.factors.begin(), answer.factors.end(),
                        [](const auto& a, const auto& b) { return a.factor < b.factor; });
   const WorstPart& worst = answer.worst[static_cast<std::size_t>(first - answer.factors.begin())];
+  // Of those that break later the proof may end below the first.
+  const bool all_proved = std::all_of(answer.factors.begin(), answer.factors.end(),
+                                      [](const auto& factor) { return factor.proved; });
   document.fact("scale_factor", first->factor);
   document.fact("first_to_break", worst.name);
   if (std::isinf(first->factor)) {
-    document.say(
-        fmt::format("no limit breaks up to {:.4g} times these variations\n", first->tried));
+    const auto tried =
+        std::min_element(answer.factors.begin(), answer.factors.end(),
+                         [](const auto& a, const auto& b) { return a.tried < b.tried; });
+    document.say(fmt::format("no limit breaks up to {:.4g} times these variations{}\n",
+                             tried->tried, all_proved ? "" : " (not proved)"));
     return;
   }
-  document.say(fmt::format("the first limit to break is {}, at {:.4g} times these variations\n",
-                           worst.name, first->factor));
+  document.say(fmt::format("the first limit to break is {}, at {:.4g} times these variations{}\n",
+                           worst.name, first->factor, all_proved ? "" : " (not proved)"));
 }
 
 }  // namespace
@@ -247,10 +257,14 @@ std::vector<problems::VariationStatement> stated_variations(
     problems::VariationStatement v;
     v.parameter = problems::find_parameter(design, assignment.substr(0, equals));
     const std::string what = "--tolerance " + v.parameter.name;
-    if (v.parameter.list && !v.parameter.element) {
-      throw std::invalid_argument(what + ": it is a list; name one number of it, such as " +
-                                  v.parameter.name + "[1]");
-    }
+    const auto said = [](const auto& check) {
+      try {
+        check();
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("--tolerance: {}", error.what()));
+      }
+    };
+    said([&] { check_may_vary(design, v.parameter); });
     v.index = v.parameter.element.value_or(0);
     const std::string& unit = v.parameter.unit;
     const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
@@ -258,7 +272,7 @@ std::vector<problems::VariationStatement> stated_variations(
       throw std::invalid_argument(what + ": a number above 0 is wanted");
     }
     v.plus = v.minus = value;
-    result.push_back(std::move(v));
+    said([&] { add_variation(result, std::move(v)); });
   }
   return result;
 }
@@ -278,11 +292,11 @@ Document variation_document(const VariedDesign& varied, const ToleranceAnswer& a
   say_yield(varied, answer, document);
   document.say("\n");
   if (!answer.spreads.spreads.empty()) {
-    document.add("spread", spreads_document(answer.spreads));
+    document.add("spread", spreads_document(answer.spreads, !answer.yield));
   }
   document.fact("cut_short", answer.cut_short);
   if (!answer.cut_short.empty()) {
-    document.say(fmt::format("not all was worked out: {}\n", answer.cut_short));
+    document.say(fmt::format("stopped early: {}\n", answer.cut_short));
   }
   return document;
 }

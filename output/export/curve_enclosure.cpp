@@ -2,6 +2,8 @@
 // What intervals tell of a plane curve over a stretch.
 #include <boost/numeric/interval.hpp>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "numerics/scalar/interval.h"
 #include "output/export/plane_curve.h"
@@ -39,8 +41,13 @@ class CurveEnclosure {
     slope_ = {scale * of(x[1]), scale * of(y[1])};
     half_bend_ = {scale * of(x[2]), scale * of(y[2])};
     is_parallel_ = curve.left_ != 0;
-    if (is_parallel_ && is_finite(slope_) && is_finite(half_bend_)) {
+    if (!is_parallel_) return;
+    if (is_finite(slope_) && is_finite(half_bend_)) {
       shift(scale * Interval(curve.left_));
+    } else {
+      // Those of the curve beside which this one runs are not its own.
+      constexpr double kFar = std::numeric_limits<double>::infinity();
+      at_ = slope_ = {Interval(-kFar, kFar), Interval(-kFar, kFar)};
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 
 #include "output/export/dxf_frame.h"
@@ -119,6 +120,37 @@ class Entities {
   int next_ = dxf::kFirstFree;
 };
 
+/// The outermost points of a shape; of a text about those.
+std::vector<Vector2d> outermost(const DrawnShape& shape) {
+  constexpr double kLetter = 0.85;  // how wide a letter is, of its height
+  if (const auto* line = std::get_if<DrawnLine>(&shape.shape)) return {line->from, line->to};
+  if (const auto* text = std::get_if<DrawnText>(&shape.shape)) {
+    const double width = kLetter * text->height * static_cast<double>(text->text.size());
+    return {text->at, text->at + Vector2d(width, text->height)};
+  }
+  const auto& arc = std::get<DrawnArc>(shape.shape);
+  std::vector<Vector2d> points;
+  const auto add = [&](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    points.push_back(arc.centre + arc.radius * Vector2d(std::cos(angle), std::sin(angle)));
+  };
+  add(arc.from), add(arc.to);
+  for (double top = 90 * std::ceil(arc.from / 90); top < arc.to; top += 90) add(top);
+  return points;
+}
+
+Extent extent_of_all(const std::vector<ExportedCurve>& curves,
+                     const std::vector<DrawnShape>& shapes) {
+  Extent extent = extent_of(curves);
+  for (const DrawnShape& shape : shapes) {
+    for (const Vector2d& point : outermost(shape)) {
+      extent.low = extent.low.cwiseMin(point);
+      extent.high = extent.high.cwiseMax(point);
+    }
+  }
+  return extent;
+}
+
 }  // namespace
 
 std::string dxf_layer(const std::string& curve) {
@@ -147,7 +179,7 @@ std::string dxf_text(const std::vector<ExportedCurve>& curves,
   }
   Tags tags;
   for (const std::string& comment : comments) tags.text(999, plain_text(comment));
-  dxf::begin(tags, {extent_of(curves), layers, unit, writer.next()});
+  dxf::begin(tags, {extent_of_all(curves, shapes), layers, unit, writer.next()});
   tags.text(0, "SECTION");
   tags.text(2, "ENTITIES");
   std::string text = tags.take() + entities.take();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/export/gcode.h"
 
+#include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace camlaw::problems {
 namespace {
@@ -77,7 +79,7 @@ void run_pass(const ToolPass& pass, const GcodeSettings& settings, Program& prog
 
 }  // namespace
 
-double gcode_rounding(int decimals) { return 1.5 * std::pow(10.0, -decimals); }
+double gcode_rounding(int decimals) { return 3 / std::numbers::sqrt2 * std::pow(10.0, -decimals); }
 
 std::string gcode_text(const std::vector<ToolPass>& passes, const GcodeSettings& settings,
                        const std::vector<std::string>& comments) {

@@ -35,8 +35,9 @@ inline constexpr double kMostArcRadius = 99999;
 std::string gcode_text(const std::vector<ToolPass>& passes, const GcodeSettings& settings,
                        const std::vector<std::string>& comments);
 
-/// How far rounding of ends and centres moves an arc at most, mm: half a last digit of each
-/// coordinate of its start and its centre, and as much between its end and the circle.
+/// How far rounding of ends and centres moves an arc at most, in the unit of the path: half a last
+/// digit of each coordinate moves a point by 1/sqrt(2) digits, the centre by that, and the radius,
+/// which is from start to centre, by twice that. Half turns come near it.
 double gcode_rounding(int decimals);
 
 }  // namespace camlaw::problems

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/export/chords.h"
@@ -36,7 +37,10 @@ std::vector<InspectionPoint> inspection_points(const PlaneCurve& profile, double
 std::string inspection_text(const std::vector<InspectionPoint>& points, const std::string& unit,
                             double tolerance, int decimals,
                             const std::vector<std::string>& comments) {
-  constexpr int kDirection = 9;
+  constexpr int kDirection = 9, kSignificant = 4;
+  // The tolerance is not rounded to the coordinates' decimals: it would be another one.
+  const int fine =
+      std::max(decimals, static_cast<int>(std::ceil(-std::log10(tolerance))) + kSignificant - 1);
   std::string text;
   for (const std::string& comment : comments) text += "# " + comment + "\n";
   text += fmt::format(
@@ -45,10 +49,10 @@ std::string inspection_text(const std::vector<InspectionPoint>& points, const st
   for (const InspectionPoint& p : points) {
     const Eigen::Vector2d at = rounded(p.at, decimals), normal = rounded(p.normal, kDirection);
     text +=
-        fmt::format("{0},{1:.6f},{2:.{8}f},{3:.{8}f},{4:.{8}f},{5:.{9}f},{6:.{9}f},0,{7:.{8}f},",
+        fmt::format("{0},{1:.6f},{2:.{8}f},{3:.{8}f},{4:.{8}f},{5:.{9}f},{6:.{9}f},0,{7:.{10}f},",
                     ++number, p.angle, at.x(), at.y(), 0.0, normal.x(), normal.y(), -tolerance,
-                    decimals, kDirection) +
-        fmt::format("{:.{}f}\n", tolerance, decimals);
+                    decimals, kDirection, fine) +
+        fmt::format("{:.{}f}\n", tolerance, fine);
   }
   return text;
 }

@@ -21,7 +21,8 @@ std::vector<InspectionPoint> inspection_points(const PlaneCurve& profile, double
 
 /// A row for each point: number, cam angle, x, y, z = 0, the normal i, j, k = 0, and how far the
 /// profile may be below and above the nominal one along it; all lengths in the curve's unit. Points
-/// are rounded to the decimals, normals to 9. `comments` begin with '#'.
+/// are rounded to the decimals, normals to 9; the tolerance, above 0, has at least 4 digits.
+/// `comments` begin with '#'.
 std::string inspection_text(const std::vector<InspectionPoint>& points, const std::string& unit,
                             double tolerance, int decimals,
                             const std::vector<std::string>& comments);

@@ -72,9 +72,9 @@ class Drawing {
   std::vector<DrawnShape> shapes_;
 };
 
-/// The bore; with a keyway its arc and the groove's three sides.
-void draw_bore(double radius, const std::optional<Keyway>& keyway, const Reach& reach,
-               Drawing& drawing) {
+/// The bore; with a keyway its arc and the groove's three sides, the groove towards a place.
+void draw_bore(double radius, const std::optional<Keyway>& keyway, const Vector2d& towards,
+               const Reach& reach, Drawing& drawing) {
   if (radius >= reach.least) {
     throw std::invalid_argument(fmt::format(
         "--bore: a bore of {:.6g} mm in radius reaches the profile, which comes as near as {:.6g} "
@@ -91,10 +91,14 @@ void draw_bore(double radius, const std::optional<Keyway>& keyway, const Reach& 
   }
   const double edge = std::sqrt(radius * radius - half * half);
   const double angle = std::asin(half / radius) * kRadian;
-  drawing.arc("SHAFT", {0, 0}, radius, 90 + angle, 90 - angle + 360);
-  drawing.line("SHAFT", {-half, edge}, {-half, top});
-  drawing.line("SHAFT", {-half, top}, {half, top});
-  drawing.line("SHAFT", {half, top}, {half, edge});
+  const Vector2d out = towards.normalized(), right(out.y(), -out.x());
+  const auto place = [&](double across, double up) { return Vector2d(across * right + up * out); };
+  double middle = std::atan2(out.y(), out.x()) * kRadian;
+  if (middle < 0) middle += 360;
+  drawing.arc("SHAFT", {0, 0}, radius, middle + angle, middle - angle + 360);
+  drawing.line("SHAFT", place(-half, edge), place(-half, top));
+  drawing.line("SHAFT", place(-half, top), place(half, top));
+  drawing.line("SHAFT", place(half, top), place(half, edge));
 }
 
 /// Roller and pivot as they stand at cam angle 0.
@@ -195,12 +199,12 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   if ((s.keyway || s.bore_radius) && !profile.is_closed()) {
     throw std::invalid_argument("--bore and --keyway are for disc cams");
   }
+  const Vector2d zero = profile.at({profile.begin()}).at;
   if (profile.is_closed()) {
-    if (bore) draw_bore(*bore, s.keyway, reach, drawing);
+    if (bore) draw_bore(*bore, s.keyway, zero, reach, drawing);
     drawing.cross("CENTRE", {0, 0}, 2 * mark);
     draw_rotation(profile, bore ? std::midpoint(*bore, reach.least) : 0.7 * reach.least, drawing);
   }
-  const Vector2d zero = profile.at({profile.begin()}).at;
   const Vector2d inwards =
       profile.is_closed() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));
   drawing.line("ZERO_MARK", inwards, zero);

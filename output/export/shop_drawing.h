@@ -39,7 +39,7 @@ struct Keyway {
 
 struct ShopSettings {
   std::optional<double> bore_radius;  ///< mm; else the machine's own, if it has one above 0
-  std::optional<Keyway> keyway;       ///< towards the follower's place at cam angle 0
+  std::optional<Keyway> keyway;       ///< towards the profile's place at cam angle 0
   LengthUnit unit = kMillimetre;      ///< of what is drawn
   std::vector<std::string> title;     ///< lines of the title block, before the dimensions
 };

@@ -16,11 +16,16 @@ namespace {
 bool is_profile(const PlaneCurve& curve) { return curve.name().ends_with("profile"); }
 
 /// What a circle along a curve cuts of a profile; empty: nothing, or it does not touch it.
-std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneCurve& profile) {
+std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneCurve& profile,
+                      std::vector<std::string>* doubts) {
   constexpr double kLeast = 1e-3;  // mm, above what is known
   const auto radius = even_distance(centre, profile);
   if (!radius) return "";
   const Interference found = interference(centre, profile, *radius);
+  if (doubts != nullptr && !found.proved) {
+    doubts->push_back(fmt::format("that the {} does not cut into the {} is measured, not proved",
+                                  circle, profile.name()));
+  }
   if (found.depth <= found.certain + kLeast) return "";
   return fmt::format(
       "the {}, {:.6g} mm in radius, cuts {:.3g} mm into the {} near {:.4g} deg when it is at "
@@ -30,13 +35,33 @@ std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneC
       circle);
 }
 
-/// The curve and, once each, the cam's own.
+/// The curve and, once each, the cam's own; what runs beside a profile under its name, as roughing
+/// does, does not stand for it.
 std::vector<PlaneCurve> with_own_curves(const ProblemStatement& design, const PlaneCurve& curve) {
   std::vector<PlaneCurve> curves{curve};
   for (PlaneCurve& own : cam_curves(design, "all")) {
-    if (own.name() != curve.name()) curves.push_back(std::move(own));
+    const bool other = own.name() != curve.name() || (is_profile(own) && even_distance(own, curve));
+    if (other) curves.push_back(std::move(own));
   }
   return curves;
+}
+
+/// The same for a path that is itself a profile, beside which the controller leads a tool that is
+/// smaller than the lead. On the arcs it stays within the circle of which these are quarters, on
+/// the straight moves within the way of such a circle: these are where its centre is, `radius`, mm,
+/// its radius.
+void check_profile_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
+                        const std::vector<Eigen::Vector2d>& centres, double radius) {
+  constexpr double kLeast = 2e-3;  // mm
+  for (const PlaneCurve& profile : curves) {
+    if (profile.name() != curve.name()) continue;
+    const double clearance = clearance_of(centres, profile);
+    if (clearance >= radius - kLeast) continue;
+    throw std::invalid_argument(
+        fmt::format("--lead: a tool nearly as large as the lead, {:.6g} mm in radius, would on its "
+                    "way to the path cut {:.3g} mm into the {}; a smaller lead is wanted",
+                    radius, radius - clearance, profile.name()));
+  }
 }
 
 /// Throws where a circle on the arcs of a lead cuts into a profile that it does not cut at their
@@ -45,7 +70,7 @@ void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
                 const std::vector<Eigen::Vector2d>& way) {
   constexpr double kLeast = 2e-3;  // mm
   for (const PlaneCurve& profile : curves) {
-    if (!is_profile(profile)) continue;
+    if (!is_profile(profile) || profile.name() == curve.name()) continue;
     const auto radius = even_distance(curve, profile);
     if (!radius) continue;
     const double clearance = clearance_of(way, profile);
@@ -87,7 +112,17 @@ void ToolPath::add_lead(const ProblemStatement& design, double radius) {
     way.push_back(unit_.mm * (begin + radius * (n - n * s - t * c)));
     way.push_back(unit_.mm * (end + radius * (m - m * s + u * c)));
   }
-  check_lead(with_own_curves(design, curve_), curve_, way);
+  const std::vector<PlaneCurve> curves = with_own_curves(design, curve_);
+  check_lead(curves, curve_, way);
+  if (is_profile(curve_)) {
+    std::vector<Eigen::Vector2d> centres;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double left_to_go = static_cast<double>(kSteps - i) / kSteps;
+      centres.push_back(unit_.mm * (begin + radius * (n + left_to_go * (n - t))));
+      centres.push_back(unit_.mm * (end + radius * (m + left_to_go * (m + u))));
+    }
+    check_profile_lead(curves, curve_, centres, unit_.mm * radius);
+  }
   lead_ = lead;
 }
 
@@ -106,7 +141,8 @@ std::vector<std::string> obstacles(const PlaneCurve& curve) {
   return result;
 }
 
-std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves) {
+std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves,
+                                            std::vector<std::string>* doubts) {
   std::vector<std::string> result;
   for (const PlaneCurve& profile : curves) {
     // Of a profile that turns back the cut is known already, and the curves cross.
@@ -114,7 +150,7 @@ std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curve
     for (const PlaneCurve& centre : curves) {
       const bool roller = centre.name() == "pitch curve", tool = centre.name() == "cutter path";
       if ((!roller && !tool) || !centre.jumps().empty()) continue;
-      std::string words = cut_words(roller ? "roller" : "tool", centre, profile);
+      std::string words = cut_words(roller ? "roller" : "tool", centre, profile, doubts);
       if (!words.empty()) result.push_back(std::move(words));
     }
   }
@@ -132,7 +168,7 @@ ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, Curv
   for (const PlaneCurve& own : curves) {
     if (is_profile(own) && turns_back(own)) add(obstacles(own));
   }
-  if (found.empty()) add(cuts_into_profiles(curves));
+  if (found.empty()) add(cuts_into_profiles(curves, &doubts_));
   if (!found.empty()) throw std::invalid_argument(found.front());
   for (const PlaneCurve& own : curves) {
     if ((&own == &curves.front() || is_profile(own)) && !turning(own).proved) {

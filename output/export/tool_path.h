@@ -13,7 +13,9 @@ std::vector<std::string> obstacles(const PlaneCurve& curve);
 
 /// What the roller along the pitch curve and the tool along the cutter path cut of the profiles
 /// that are to stay, in words: a hollow is too narrow for them although they fit where they touch.
-std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves);
+/// `doubts`, if wanted, gets what was looked at without being proved.
+std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves,
+                                            std::vector<std::string>* doubts = nullptr);
 
 /// How the tool comes to a path and leaves it: a quarter of a circle that is tangent to the path,
 /// on its outside.
@@ -36,7 +38,7 @@ class ToolPath {
            const ExportAccuracy& accuracy);
 
   /// Adds a lead of a radius, in the unit of the path. Throws std::invalid_argument where the tool
-  /// would cut into a profile on it.
+  /// would cut into a profile on it; along a profile it may be any tool smaller than the lead.
   void add_lead(const ProblemStatement& design, double radius);
 
   const ExportedCurve& exported() const { return exported_; }

@@ -98,6 +98,48 @@ SensitivityRange read_range(const ProblemStatement& design, const std::vector<De
   return range;
 }
 
+/// The slope of a number to one side, by two steps and Richardson's extrapolation; none where the
+/// parameter cannot be changed, or the number has no value there.
+std::optional<double> slope_to(const DesignNumber& number, std::vector<double> x, std::size_t i,
+                               double value, double step) {
+  const double at = x[i];
+  const auto slope = [&](double h) {
+    x[i] = at + h;
+    return (number.function.value(x) - value) / (x[i] - at);
+  };
+  const double far = slope(step), near = slope(step / 2);
+  const double result = 2 * near - far;
+  // What bends or scatters over the step tells nothing.
+  const bool agrees = std::abs(far - near) <= 0.05 * std::max(std::abs(far), std::abs(near));
+  if (!std::isfinite(result) || !(agrees || far == near)) return {};
+  return result;
+}
+
+/// A derivative as it is where differences agree with it, else what they say.
+Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter,
+                    const std::vector<double>& x, std::size_t i, double value, Sensitivity exact) {
+  constexpr double kStep = 1e-4, kAgrees = 1e-2;
+  const double size =
+      std::max(std::abs(x[i]), 1e-3 * std::min(parameter.high - parameter.low, 1.0));
+  const double step = kStep * size;
+  if (!(x[i] - step >= parameter.low && x[i] + step <= parameter.high)) return exact;
+  auto up = slope_to(number, x, i, value, step), down = slope_to(number, x, i, value, -step);
+  if (!up || !down) return exact;
+  for (auto* slope : {&up, &down}) {
+    if (std::abs(**slope) <= 1e-8 * std::abs(value) / size) *slope = 0;  // rounding
+  }
+  const double scale = std::max({std::abs(*up), std::abs(*down), 1e-6 * std::abs(value) / size});
+  const double low = std::min(*up, *down), high = std::max(*up, *down);
+  const double off = std::max(std::abs(low - exact.low), std::abs(high - exact.high));
+  if (off <= kAgrees * scale) return exact;
+  const bool is_smooth = high - low <= kAgrees * scale;
+  const double middle = (low + high) / 2;
+  Sensitivity result =
+      sensitivity_of(value, x[i], {is_smooth ? middle : low, is_smooth ? middle : high});
+  result.by_difference = true;
+  return result;
+}
+
 }  // namespace
 
 LocalSensitivity local_sensitivity(const ProblemStatement& design) {
@@ -115,7 +157,8 @@ LocalSensitivity local_sensitivity(const ProblemStatement& design) {
         number.name, number.unit, number.is_objective, number.function.value(x), {}};
     const auto slopes = number.slopes(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      own.by.push_back(sensitivity_of(own.value, x[i], slopes[i]));
+      own.by.push_back(checked(number, result.parameters[i], x, i, own.value,
+                               sensitivity_of(own.value, x[i], slopes[i])));
     }
     result.numbers.push_back(std::move(own));
   }

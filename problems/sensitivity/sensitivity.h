@@ -20,6 +20,9 @@ struct Sensitivity {
   double slope = 0;  ///< in the number's unit for one of the parameter's; the middle at a kink
   double low = 0, high = 0;  ///< at a kink those to either side; else the slope
   double elasticity = 0;     ///< (SE2) % for one %; not a number where number or parameter is 0
+  /// Whether it is by differences, since the formula's derivative does not agree with them: where a
+  /// value stands at a joint of the law that moves, or at a kink of the formula.
+  bool by_difference = false;
   bool is_kink() const { return low < high; }
 };
 
@@ -36,7 +39,8 @@ struct LocalSensitivity {
   std::vector<NumberSensitivity> numbers;
 };
 
-/// Exact derivatives, of peaks over the cycle by the envelope theorem (SE1). Throws
+/// Exact derivatives, of peaks over the cycle by the envelope theorem (SE1), each compared with
+/// differences to either side: where they do not agree the differences count, and say so. Throws
 /// std::invalid_argument where the problem seeks and limits nothing that depends on a continuous
 /// parameter.
 LocalSensitivity local_sensitivity(const ProblemStatement& design);

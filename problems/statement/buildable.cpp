@@ -202,6 +202,7 @@ bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted
   if (c.response.response == nullptr || !is_of(c.response, *wanted.response.response)) return false;
   if (c.of_range.operator bool() != wanted.of_range.operator bool()) return false;
   if (c.response.window || c.tolerance) return false;
+  if (c.reliability) return false;  // some parts may break it
   const Part part = c.response.part;
   if (wanted.upper) return c.upper && *c.upper <= *wanted.upper && part != Part::Lowest;
   return c.lower && *c.lower >= *wanted.lower && (part == Part::Value || part == Part::Lowest);

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "machines/model/law_binding.h"
 #include "machines/model/load_case.h"
@@ -20,6 +22,21 @@ using optim::Part;
 bool matters(const ProblemStatement& problem, const ResponseName& name) {
   return name.response != nullptr && !name.response->over_ranges &&
          name.response->over_cases.empty() && depends_on(*name.response, taken_ranges(problem));
+}
+
+/// A parameter itself, as a response.
+std::shared_ptr<const MechanismResponse> parameter_response(const ProblemStatement& problem,
+                                                            const ResponseName& name) {
+  const MechanismParameter& p = problem.mechanism->parameters[name.parameter];
+  auto result = std::make_shared<MechanismResponse>();
+  result->name = p.name;
+  result->unit = p.unit;
+  result->meaning = p.meaning;
+  result->uses = {name.parameter};
+  result->number = [mechanism = problem.mechanism, name](const Binding& binding, optim::Shape) {
+    return make_response(*mechanism, name, binding).function();
+  };
+  return result;
 }
 
 std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
@@ -41,9 +58,12 @@ std::vector<VaryingParameter> varying_of(const ProblemStatement& problem,
 }
 
 /// A limit that need not hold for every part: each of its sides on the quantile of its worst value.
-std::vector<ConstraintStatement> with_reliability(const ProblemStatement& problem,
-                                                  const ConstraintStatement& limit,
-                                                  const std::vector<VaryingParameter>& varying) {
+/// `own`: the response, where it is none of the mechanism's.
+std::vector<ConstraintStatement> with_reliability(
+    const ProblemStatement& problem, const ConstraintStatement& limit,
+    const std::vector<VaryingParameter>& varying,
+    const std::shared_ptr<const MechanismResponse>& own) {
+  using Held = std::shared_ptr<const MechanismResponse>;
   std::vector<ConstraintStatement> sides;
   const bool is_curve = static_cast<bool>(limit.response.response->curve);
   const auto add = [&](bool is_upper, double bound) {
@@ -56,6 +76,10 @@ std::vector<ConstraintStatement> with_reliability(const ProblemStatement& proble
     if (is_curve) of.part = is_upper ? Part::Highest : Part::Lowest;
     const double share = is_upper ? *limit.reliability : 1 - *limit.reliability;
     side.of_range = robust_number(problem.mechanism, of, varying, {true, 0, share});
+    if (own) {
+      auto both = std::make_shared<std::pair<Held, Held>>(own, side.of_range);
+      side.of_range = Held(both, both->second.get());
+    }
     side.response.response = side.of_range.get();
     side.response.part = Part::Value;
     sides.push_back(std::move(side));
@@ -112,6 +136,18 @@ std::vector<TakenRange> taken_ranges(const ProblemStatement& problem) {
   return taken;
 }
 
+bool changes_over_ranges(const ProblemStatement& problem, const ResponseName& name) {
+  const std::vector<TakenRange> taken = taken_ranges(problem);
+  if (name.response != nullptr) return depends_on(*name.response, taken);
+  return std::any_of(taken.begin(), taken.end(),
+                     [&](const TakenRange& range) { return range.parameter == name.parameter; });
+}
+
+bool changes_by_manufacture(const ProblemStatement& problem, const ResponseName& name) {
+  if (name.response != nullptr) return !varying_of(problem, *name.response).empty();
+  return !varying_of(problem, *parameter_response(problem, name)).empty();
+}
+
 std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
                                                              const ResponseName& name,
                                                              bool highest) {
@@ -119,11 +155,17 @@ std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatem
 }
 
 std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
-                                             const ConstraintStatement& limit) {
-  if (!matters(problem, limit.response)) return {limit};
+                                             const ConstraintStatement& stated) {
+  ConstraintStatement limit = stated;
+  std::shared_ptr<const MechanismResponse> own;
+  if (limit.response.response == nullptr) {
+    own = parameter_response(problem, limit.response);
+    limit.response.response = own.get();
+  }
+  if (!matters(problem, limit.response)) return {stated};
   if (limit.reliability) {
     const auto varying = varying_of(problem, *limit.response.response);
-    if (!varying.empty()) return with_reliability(problem, limit, varying);
+    if (!varying.empty()) return with_reliability(problem, limit, varying, own);
   }
   std::vector<ConstraintStatement> sides;
   const auto add = [&](bool is_upper, double bound) {

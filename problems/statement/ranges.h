@@ -16,12 +16,17 @@ std::vector<TakenRange> taken_ranges(const ProblemStatement& problem);
 
 /// A limit as it must hold over all values of the problem's ranges: a limit for each of its sides,
 /// the upper one on the highest value and the lower one on the lowest. As it is where no range
-/// matters.
+/// matters. A limit on a parameter itself likewise.
 std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
                                              const ConstraintStatement& limit);
 /// What is sought over all values of the ranges: the least highest value, the greatest lowest one;
 /// of the largest size of a curve the least of both.
 ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective);
+
+/// Whether a response, or a parameter that is limited itself, changes over what is taken; and by
+/// what manufacture does to parameters of the machine.
+bool changes_over_ranges(const ProblemStatement& problem, const ResponseName& name);
+bool changes_by_manufacture(const ProblemStatement& problem, const ResponseName& name);
 
 /// The highest, or lowest, value of a response over the ranges; none where they do not matter.
 std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,

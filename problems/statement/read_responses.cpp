@@ -175,7 +175,7 @@ std::optional<double> read_reliability(const Entry& table, const ProblemStatemen
                                share, kLargestShare));
   }
   if (variations_of(problem).empty()) {
-    refuse(*entry, "nothing says what manufacture does; state [variation.NAME]");
+    refuse(*entry, "no variation is stated; give [variation.NAME]");
   }
   if (!problem.ranges.empty()) {
     refuse(*entry,
@@ -191,7 +191,7 @@ std::shared_ptr<const Robust> read_robust(const Entry& table, const ProblemState
   if (entry == nullptr) return nullptr;
   const Robust robust = located(*entry, [&] { return parse_robust(text_of(*entry)); });
   if (variations_of(problem).empty()) {
-    refuse(*entry, "nothing says what manufacture does; state [variation.NAME]");
+    refuse(*entry, "no variation is stated; give [variation.NAME]");
   }
   if (!problem.ranges.empty() || !problem.cases.empty()) {
     refuse(*entry, "a robust objective is of one machine; drop the ranges and the cases, or it");
@@ -220,9 +220,13 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   check_possible(above, constraint.upper, constraint.response);
   constraint.tolerance = find_positive(table, "tolerance", unit);
   constraint.reliability = read_reliability(table, problem);
-  const bool over_range = constraint.response.response != nullptr &&
-                          depends_on(*constraint.response.response, taken_ranges(problem));
-  if (limits.equals != nullptr && over_range) {
+  if (constraint.reliability && !changes_by_manufacture(problem, constraint.response)) {
+    refuse(
+        *find(table, "reliability"),
+        fmt::format("no variation of a parameter of the machine changes {}; drop the reliability",
+                    constraint.response.name));
+  }
+  if (limits.equals != nullptr && changes_over_ranges(problem, constraint.response)) {
     refuse(*limits.equals, fmt::format("{} changes over the ranges or variations of this file, and "
                                        "cannot be held at one value; give lower or upper",
                                        constraint.response.name));
@@ -277,6 +281,11 @@ ObjectiveStatement read_wanted(const Entry& table, const ProblemStatement& probl
   objective.robust = read_robust(table, problem);
   if (objective.robust && objective.response.response == nullptr) {
     refuse(*find(table, "robust"), "it is of a response, not of a parameter itself");
+  }
+  if (objective.robust && !changes_by_manufacture(problem, objective.response)) {
+    refuse(*find(table, "robust"),
+           fmt::format("no variation of a parameter of the machine changes {}; drop it",
+                       objective.response.name));
   }
   return read_over_cases(table, problem, std::move(objective));
 }

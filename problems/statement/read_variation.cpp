@@ -12,8 +12,6 @@ namespace {
 
 using Kind = Entry::Kind;
 
-constexpr std::size_t kMostVariations = 8;
-
 /// A number that is not negative; none where the table has no such key.
 std::optional<double> find_offset(const Entry& table, const char* key, const std::string& unit) {
   const Entry* entry = find(table, key);
@@ -55,7 +53,7 @@ void read_offsets(const Entry& table, VariationStatement& variation) {
     return;
   }
   if (!plus && !minus) {
-    refuse(table, "it says nothing; give plus, minus or both, standard_deviation or fit");
+    refuse(table, "it states no variation; give plus, minus or both, standard_deviation or fit");
   }
   variation.plus = plus.value_or(0);
   variation.minus = minus.value_or(0);
@@ -77,27 +75,14 @@ void read_distribution(const Entry& table, VariationStatement& variation) {
   variation.is_normal = name == "normal";
 }
 
-/// Refuses what has several values already, or what nobody makes.
-void check_single(const Entry& table, const NamedParameter& p, const ProblemStatement& problem) {
-  if (p.list && !p.element) {
-    refuse(table,
-           fmt::format("{} is a list; name one number of it, such as {}[1]", p.name, p.name));
-  }
-  if (p.integer || p.structural) {
-    refuse(table, fmt::format("{} is an integer, which has no variation", p.name));
-  }
-  if (p.of_law) return;
-  if (problem.told_by_motion.contains(p.parameter)) {
-    refuse(table, fmt::format("the motion is stated in {}, so {} has one value", p.unit, p.name));
-  }
-  for (const ParameterRange& range : problem.ranges) {
-    if (range.parameter != p.parameter) continue;
-    refuse(table, fmt::format("{} has a range, [ranges.{}]; drop one of the two", p.name, p.name));
-  }
-  for (const LoadCase& load : problem.cases) {
-    const bool is_set = std::any_of(load.parameters.begin(), load.parameters.end(),
-                                    [&](const auto& set) { return set.first == p.parameter; });
-    if (is_set) refuse(table, fmt::format("the load cases set {}; drop one of the two", p.name));
+/// The same at the ends of a variable: a search reaches both.
+void check_variable(const ProblemStatement& problem, const VariationStatement& variation) {
+  const auto i = find_variable(problem, variation.parameter, variation.index);
+  if (!i) return;
+  const VariableStatement& variable = problem.variables[*i];
+  const optim::Variation off = variation.at(meant_value(problem, variation));
+  for (const double value : {variable.lower, variable.upper}) {
+    check_variation_at(variation, value, off);
   }
 }
 
@@ -108,7 +93,7 @@ VariationStatement read_one(const Entry& table, const ProblemStatement& problem)
   check_keys(table, {"plus", "minus", "standard_deviation", "fit", "of_diameter", "distribution"});
   VariationStatement result;
   result.parameter = located(table, [&] { return find_parameter(problem, name); });
-  check_single(table, result.parameter, problem);
+  located(table, [&] { check_may_vary(problem, result.parameter); });
   result.index = result.parameter.element.value_or(0);
   if (const Entry* fit = find(table, "fit")) {
     read_fit(table, *fit, result);
@@ -117,7 +102,10 @@ VariationStatement read_one(const Entry& table, const ProblemStatement& problem)
     read_offsets(table, result);
   }
   read_distribution(table, result);
-  located(table, [&] { check_variation(problem, result); });
+  located(table, [&] {
+    check_variation(problem, result);
+    check_variable(problem, result);
+  });
   return result;
 }
 
@@ -135,10 +123,7 @@ void read_variation(const Entry& file, ProblemStatement& problem) {
   Variations variations;
   const auto add = [&](const Entry& table) {
     VariationStatement own = read_one(table, problem);
-    for (const VariationStatement& other : variations.all) {
-      if (other.name() == own.name()) refuse(table, "this variation is stated twice");
-    }
-    variations.all.push_back(std::move(own));
+    located(table, [&] { add_variation(variations.all, std::move(own)); });
   };
   for (const Entry& table : tables->items) {
     if (!groups_variations(table)) {
@@ -146,10 +131,6 @@ void read_variation(const Entry& file, ProblemStatement& problem) {
       continue;
     }
     for (const Entry& owned : table.items) add(owned);
-  }
-  if (variations.all.size() > kMostVariations) {
-    refuse(*tables, fmt::format("{} variations; at most {} are accepted", variations.all.size(),
-                                kMostVariations));
   }
   if (!variations.all.empty()) {
     problem.variation = std::make_shared<const Variations>(std::move(variations));

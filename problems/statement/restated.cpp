@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -222,7 +223,11 @@ void put_limit(Entry& file, std::string_view name, std::string_view text,
     list = &file.items.back();
   }
   for (Entry& table : list->items) {
-    if (table.place != place && !table.place.starts_with(std::string(response) + ".")) continue;
+    // One that was made here for the same response, not one of the file.
+    const Entry* own = find(table, "response");
+    const bool is_made = table.place.find('=') != std::string::npos &&
+                         table.place.starts_with(std::string(response) + ".");
+    if (!is_made || own == nullptr || own->text != response) continue;
     put_entry(table, text_entry(table, side, text, place));
     return;
   }
@@ -241,6 +246,14 @@ void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::
   }
 }
 
+/// Not so "3-4-5", which is a law.
+bool is_one_number(std::string_view part) {
+  if (part.starts_with('+')) part.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+  return error == std::errc() && end == part.data() + part.size();
+}
+
 }  // namespace
 
 std::vector<std::string> law_list(std::string_view text) {
@@ -252,8 +265,7 @@ std::vector<std::string> law_list(std::string_view text) {
     const std::size_t comma = text.find(',');
     const std::string_view part = trimmed(text.substr(0, comma));
     // "legendre c=1,2": what begins with a number goes on with the law before it.
-    const bool goes_on =
-        !part.empty() && part.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
+    const bool goes_on = is_one_number(part);
     if (goes_on && !names.empty()) {
       names.back() += fmt::format(",{}", part);
     } else {

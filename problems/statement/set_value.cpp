@@ -18,6 +18,7 @@
 #include "problems/statement/parts.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/restated.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -324,7 +325,11 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   } else {
     for (const std::string& assignment : assignments) assign(changed, assignment);
   }
-  check_laws(changed);  // values that are possible together only come together
+  const auto& varied = variations_of(changed);
+  const bool has_fit =
+      std::any_of(varied.begin(), varied.end(), [](const auto& v) { return v.fit.has_value(); });
+  if (has_fit) renew(changed);  // its offsets are those of the size
+  check_laws(changed);          // values that are possible together only come together
   check_advancing_cycle(changed);
   limit_to_checks(changed);
   limit_to_laws(changed);

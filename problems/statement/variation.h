@@ -40,6 +40,17 @@ double meant_value(const ProblemStatement& problem, const VariationStatement& va
 /// that the parameter accepts.
 void check_variation(const ProblemStatement& problem, const VariationStatement& variation);
 
+/// The same of a value that the design may have, off by so much.
+void check_variation_at(const VariationStatement& variation, double value,
+                        const optim::Variation& off);
+
+/// Throws std::invalid_argument for what has several values already, and for what nobody makes.
+void check_may_vary(const ProblemStatement& problem, const NamedParameter& parameter);
+
+/// Adds one to others. Throws std::invalid_argument where its number has one already, and where
+/// there are too many.
+void add_variation(std::vector<VariationStatement>& all, VariationStatement variation);
+
 /// "+0.02/-0.05 mm", "+-0.01 mm (normal, deviation 0.00333 mm)", "h7, +0/-0.021 mm".
 std::string variation_text(const VariationStatement& variation, double value);
 

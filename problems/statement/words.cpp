@@ -229,13 +229,13 @@ std::string ranges_sentence(const ProblemStatement& problem) {
   return parts.empty() ? "" : fmt::format("It may have {}.\n", listed(parts));
 }
 
-/// "Manufacture makes base_radius +-0.02 mm."
+/// "In manufacture base_radius varies by +-0.05 mm."
 std::string variation_sentence(const ProblemStatement& problem) {
   std::vector<std::string> parts;
   for (const VariationStatement& v : variations_of(problem)) {
-    parts.push_back(v.name() + " " + variation_text(v, meant_value(problem, v)));
+    parts.push_back(v.name() + " varies by " + variation_text(v, meant_value(problem, v)));
   }
-  return parts.empty() ? "" : fmt::format("Manufacture makes {}.\n", listed(parts));
+  return parts.empty() ? "" : fmt::format("In manufacture {}.\n", listed(parts));
 }
 
 std::string objectives_sentence(const std::vector<ObjectiveStatement>& objectives) {
@@ -271,8 +271,12 @@ std::string buildable_sentence(const ProblemStatement& problem) {
 std::string constraint_sentence(const ConstraintStatement& c) {
   const bool curve = c.response.response != nullptr && c.response.response->curve;
   const bool everywhere = curve && c.response.part == optim::Part::Value && !c.response.window;
-  const std::string share =
-      c.reliability ? fmt::format(" for {:.6g} % of all parts", 100 * *c.reliability) : "";
+  const bool is_size = c.is_size || c.response.part == optim::Part::Magnitude;
+  const bool several = is_size || (c.lower && c.upper);
+  const std::string share = c.reliability
+                                ? fmt::format("{} for {:.6g} % of all parts",
+                                              several ? ", each bound" : "", 100 * *c.reliability)
+                                : "";
   return fmt::format("Such that {} is {}{}{}{}.\n", c.response.name, limits_text(c),
                      everywhere ? " over the whole cycle" : "", share,
                      tolerance_note(c.tolerance, c.response.unit));

@@ -259,7 +259,8 @@ class Grids final : public optim::RoomRows {
         grid.rows->values(motion, parameters, values);
         for (std::size_t k = 0; k < room.size(); ++k) {
           const double left = side.bound - side.sign * values[k];
-          room[k] = left >= room[k] ? room[k] : left;  // what is not a number stays one
+          // What is not a number stays one.
+          if (!std::isnan(room[k]) && !(left >= room[k])) room[k] = left;
         }
       }
     }

@@ -85,6 +85,8 @@ ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions&
     if (!varied.problem.constraints.empty()) {
       answer.yield = yield_of(varied, options, answer.grid);
     }
+    const bool is_stopped = answer.yield && answer.yield->stopped;
+    if (is_stopped && answer.yield->samples == 0) answer.yield.reset();
     const std::size_t samples = std::min(kSpreadSamples, options.samples);
     optim::Problem problem = varied.problem;
     if (problem.objectives.empty()) problem.objectives = {optim::no_objective()};
@@ -95,7 +97,7 @@ ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions&
     for (const WorstPart& worst : answer.worst) {
       if (options.factors) answer.factors.push_back(break_factor(varied, worst));
     }
-    if (answer.yield && answer.yield->stopped) answer.cut_short = varied.deadline.reason();
+    if (is_stopped) answer.cut_short = varied.deadline.reason();
   } catch (const optim::Interrupted&) {
     answer.cut_short = varied.deadline.reason();
   }

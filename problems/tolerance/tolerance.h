@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/verdict/assessment.h"
 #include "optim/verdict/tolerance.h"
 #include "optim/verdict/yield.h"
 #include "problems/tolerance/grid_rooms.h"

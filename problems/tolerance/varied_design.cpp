@@ -80,8 +80,8 @@ VariedDesign varied_design(const ProblemStatement& design,
                            const optim::Deadline& deadline) {
   if (variations.empty()) {
     throw std::invalid_argument(
-        "nothing says what manufacture does; state [variation.base_radius] with plus and minus, or "
-        "give --tolerance base_radius='0.05 mm'");
+        "no variation is stated; give [variation.base_radius] with plus and minus, or "
+        "--tolerance base_radius='0.05 mm'");
   }
   VariedDesign result;
   result.design = of_one_part(design);

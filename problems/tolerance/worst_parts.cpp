@@ -270,9 +270,16 @@ double searched_room(const VariedDesign& varied, const LimitSide& side, double s
   return side.sign() * (side.bound - value) + side.tolerance;
 }
 
-bool is_proved_at(const VariedDesign& varied, const LimitSide& side, double share) {
+/// For every part up to that share: the box holds the part as it is meant, and with it all that are
+/// smaller.
+bool is_proved_up_to(const VariedDesign& varied, const LimitSide& side, double share) {
   if (sees_varied_law(varied, side)) return false;
-  const OverParts over = over_parts(varied, side, share);
+  VariedDesign whole = varied;
+  for (optim::Variation& v : whole.variations) {
+    v.lower = std::min(v.lower, 0.0);
+    v.upper = std::max(v.upper, 0.0);
+  }
+  const OverParts over = over_parts(whole, side, share);
   const double sign = side.sign(), bound = sign * side.bound + side.tolerance;
   if (over.response.is_curve()) {
     return optim::prove_below(*over.response.curve().trace({}), sign, bound).proved;
@@ -337,7 +344,7 @@ BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
     high = std::min({std::max(reach, 1.05 * high), 4 * high, most});
     high_room = room(high);
   }
-  if (high_room >= 0) return {kInfinity, is_proved_at(varied, side, high), most};
+  if (high_room >= 0) return {kInfinity, is_proved_up_to(varied, side, high), most};
   for (int k = 0; k < kSteps && high - low > kExact * high; ++k) {
     const bool is_finite = std::isfinite(high_room) && k % 3 != 2;
     const double share = is_finite ? low_room / (low_room - high_room) : 0.5;
@@ -346,7 +353,7 @@ BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
     (left >= 0 ? low : high) = middle;
     (left >= 0 ? low_room : high_room) = left;
   }
-  return {low, is_proved_at(varied, side, kProvedTo * low), most};
+  return {low, is_proved_up_to(varied, side, kProvedTo * low), most};
 }
 
 }  // namespace camlaw::problems

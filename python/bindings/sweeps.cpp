@@ -132,15 +132,15 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
 
 /// The design of a combination as a problem, counted from 0.
 StatedProblem design_of(const FoundSweep& found, std::size_t k) {
-  const cli::SweepAnswer answer = found.answer();
-  if (k >= answer.rows.size()) {
+  const auto& outcomes = found.sweep.outcomes;
+  if (k >= outcomes.size()) {
     throw std::invalid_argument(
-        fmt::format("combination {}: there are {}, counted from 0", k, answer.rows.size()));
+        fmt::format("combination {}: there are {}, counted from 0", k, outcomes.size()));
   }
-  const auto& outcome = found.sweep.outcomes[k];
+  const auto& outcome = outcomes[k];
   if (!outcome || outcome->points.empty()) {
     throw std::invalid_argument(
-        fmt::format("combination {} has no design: {}", k, answer.rows[k].verdict));
+        fmt::format("combination {} has no design: {}", k, found.answer().rows[k].verdict));
   }
   return {found.study.design(k, outcome->points.front().x)};
 }

@@ -60,7 +60,7 @@ class Carrier:
 
     def __init__(self, executor: Any) -> None:
         self._make = None
-        if not hasattr(executor, "submit"):
+        if isinstance(executor, type) or not hasattr(executor, "submit"):
             if not callable(executor):
                 raise InputError(
                     f"executor: {type(executor).__name__} has no submit(); a client of Dask or an "
@@ -116,12 +116,14 @@ class Carrier:
 
     def _arrived(self, parcel: int, future: Any) -> None:
         with self._lock:
-            self._futures.pop(parcel, None)
+            known = self._futures.pop(parcel, None)
         try:
             what = future.result()
-        except CancelledError:
-            # By us, or by an engine that gave it up: then it is sent again.
-            return self._arrivals.put(parcel, died="the engine gave it up")
+        except CancelledError as error:
+            # By us, when the parcel is not waited for any more, or by the engine.
+            if known is not None:
+                self._broken = error
+            return self._arrivals.put(parcel, died="the engine gave it up", deaths=0)
         except BaseException as error:  # whatever an engine raises
             return self._failed(parcel, error)
         if what[0] == "refused":
@@ -158,6 +160,7 @@ class Carrier:
             future.cancel()
 
     def close(self) -> None:
-        """Ends an executor that was made here."""
+        """Drops what is under way, and ends an executor that was made here."""
+        self.cancel()
         if self._make is not None:
             self._executor.shutdown(wait=False, cancel_futures=True)

@@ -62,6 +62,13 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
         folder / "cam.dxf"});
   const std::string text = read_by_ezdxf(folder / "cam.dxf");
   CHECK_THAT(text, Contains("errors 0\n") && Contains("units 4\n"));
+  // The title block to the right of the cam is within the drawing's extent.
+  const std::string raw = read(folder / "cam.dxf"), extent = "$EXTMAX\n 10\n";
+  REQUIRE(raw.find(extent) != std::string::npos);
+  const double right = std::stod(raw.substr(raw.find(extent) + extent.size()));
+  for (const auto& line : entities(text, "LINE TITLE")) {
+    CHECK(std::max(line[0], line[2]) <= right + 1e-9);
+  }
   for (const char* layer :
        {"SHAFT", "CENTRE", "ZERO_MARK", "FOLLOWER", "ROTATION", "TITLE", "PROFILE"}) {
     CHECK_THAT(text, Contains(std::string("layer ") + layer + " "));
@@ -100,6 +107,20 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
   CHECK_THAT(failed({"export", kRoller, "--format", "svg", "--drawing"}, 2), Contains("for dxf"));
   CHECK_THAT(failed({"export", kRoller, "--format", "dxf", "--bore", "25 mm"}, 2),
              Contains("dxf with --drawing"));
+}
+
+TEST_CASE("a keyway points to the zero mark, also where that is not on the y axis",
+          "[export][shop]") {
+  const Folder folder;
+  done({"export", CAMLAW_SOURCE_DIR "/problems/cams/leading_least_base.toml", "--drawing", "--bore",
+        "6 mm", "--keyway", "2 x 1 mm", "--out", folder / "cam.dxf"});
+  const std::string text = read_by_ezdxf(folder / "cam.dxf");
+  const auto key = entities(text, "LINE SHAFT"), mark = entities(text, "LINE ZERO_MARK");
+  REQUIRE(key.size() == 3);
+  REQUIRE(mark.size() == 1);
+  const Vector2d bottom(key[1][0] + key[1][2], key[1][1] + key[1][3]), zero(mark[0][2], mark[0][3]);
+  CHECK(zero.x() > 1);
+  CHECK((bottom / 2 - 4 * zero.normalized()).norm() < 1e-6);
 }
 
 TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times as small",
@@ -176,8 +197,32 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
   // The profile runs clockwise, as the pitch curve does, and its outside is to the left.
   CHECK(run.compensation == std::vector<int>{41, 40});
   CHECK_THAT(text, Contains("G1 G41 D3 X"));
-  CHECK_THAT(failed({"export", kRoller, "--format", "gcode", "--compensation", "3"}, 2),
-             Contains("--curve profile"));
+  const auto refused = [](Words more) {
+    Words words{"export", kRoller, "--format", "gcode", "--compensation", "3"};
+    words.insert(words.end(), more.begin(), more.end());
+    return failed(words, 2);
+  };
+  CHECK_THAT(refused({}), Contains("--curve profile"));
+  CHECK_THAT(refused({"--lead", "12 mm", "--curve", "pitch"}), Contains("--curve profile"));
+  // A path that is beside the profile already is not to be compensated again.
+  CHECK_THAT(refused({"--lead", "12 mm", "--curve", "profile", "--tool", "10 mm"}),
+             Contains("without --tool"));
+  // The tangent where this cam's rise begins crosses the rise: a circle of 500 mm cuts into it, one
+  // of 12 mm does not.
+  const auto lead = [](const std::string& radius) {
+    return Words{"export",  kRoller,  "--format", "gcode", "--curve",
+                 "profile", "--lead", radius,     "--set", "base_radius=30 mm"};
+  };
+  CHECK_THAT(done(lead("12 mm")), Contains("G2 "));
+  CHECK_THAT(failed(lead("500 mm"), 2), Contains("a smaller lead is wanted"));
+}
+
+TEST_CASE("a tool's radius without a unit is in the unit of the file", "[export][shop]") {
+  const std::string flat = CAMLAW_SOURCE_DIR "/problems/cams/flat_least_base.toml";
+  CHECK_THAT(done({"export", flat, "--format", "gcode", "--unit", "inch", "--tool", "0.25"}),
+             Contains("tool radius 0.25 in"));
+  CHECK_THAT(done({"export", flat, "--format", "gcode", "--tool", "0.25 in"}),
+             Contains("tool radius 6.35 mm"));
 }
 
 TEST_CASE("an inspection table has nominal points, normals and the tolerance", "[export][shop]") {
@@ -204,6 +249,10 @@ TEST_CASE("an inspection table has nominal points, normals and the tolerance", "
     ++rows;
   }
   CHECK(rows == 36);
+  // A tolerance finer than the coordinates stays what it is, and no curve asks for more decimals.
+  CHECK_THAT(done({"export", kRoller, "--format", "inspection", "--decimals", "2",
+                   "--form-tolerance", "0.005 mm"}),
+             Contains(",-0.005000,0.005000\n"));
   CHECK_THAT(failed({"export", kRoller, "--format", "inspection", "--curve", "pitch"}, 2),
              Contains("of profile or second-profile"));
 }

@@ -558,6 +558,14 @@ TEST_CASE("what is limited as tightly already is not limited again", "[buildable
         loose + "[[constraints]]\nresponse = 'undercut'\nupper = 0.8\n" + other;
     CHECK(read_problem(partly + "[buildable]\nrequire = true\n", "f.toml").constraints.size() == 3);
   }
+  // Nor is one that some parts may break.
+  const std::string varied = loose +
+                             "[variation.roller_radius]\nplus = '0.01 mm'\nminus = '0.01 mm'\n"
+                             "[[constraints]]\nresponse = 'undercut'\nupper = 0.8\n";
+  const auto count = [](const std::string& text) {
+    return read_problem(text + "[buildable]\nrequire = true\n", "f.toml").constraints.size();
+  };
+  CHECK(count(varied + "reliability = 0.9\n") == count(varied) + 1);
 }
 
 TEST_CASE("a groove is not judged by its inner flank", "[buildable]") {

@@ -51,15 +51,15 @@ TEST_CASE("What is taken of many parts is read as it is written", "[variation]")
     INFO(text);
     CHECK_THROWS_WITH(parse_robust(text), Contains("mean + 3 sigma"));
   }
-  CHECK_THROWS_WITH(parse_robust("quantile 0.9999"), Contains("lies between"));
+  CHECK_THROWS_WITH(parse_robust("quantile 0.9999"), Contains("is between 0.001 and 0.999"));
   const std::string still =
       "[machine]\n[machine.parameters.b]\ndefault = 1\nlower = 0\nupper = 2\n"
       "[responses.f]\nformula = 'b^2'\n[variables.b]\nlower = 0\nupper = 2\n";
   CHECK_THAT(testing::complaint(still + "[objective]\nminimize = 'f'\nrobust = 'mean'\n"),
-             Contains("objective.robust") && Contains("what manufacture does"));
+             Contains("objective.robust") && Contains("no variation is stated"));
   CHECK_THAT(testing::complaint(still + "[objective]\nminimize = 'f'\n[[constraints]]\n"
                                         "response = 'f'\nupper = 1\nreliability = 0.9\n"),
-             Contains("reliability") && Contains("what manufacture does"));
+             Contains("reliability") && Contains("no variation is stated"));
 }
 
 TEST_CASE("Mean and deviation of a linear response are the closed form", "[variation]") {
@@ -99,6 +99,25 @@ TEST_CASE("Derivatives of robust numbers are those of differences", "[variation]
       }
     }
   }
+}
+
+TEST_CASE("What manufacture does not change has no reliability", "[variation]") {
+  CHECK_THAT(testing::complaint(machine("c",
+                                        "[objective]\nminimize = 'f'\n[[constraints]]\n"
+                                        "response = 'f'\nlower = 0\nreliability = 0.9\n")),
+             Contains("reliability") && Contains("no variation"));
+  CHECK_THAT(testing::complaint(machine("c", "[objective]\nminimize = 'f'\nrobust = 'mean'\n")),
+             Contains("robust") && Contains("no variation"));
+}
+
+TEST_CASE("A limit on a parameter may have a reliability", "[variation]") {
+  // b >= 1 for 90 % of all parts: b = 1 + 0.2 * 1.2816.
+  const BoundProblem bound(
+      read(machine("b",
+                   "[objective]\nminimize = 'f'\nrobust = 'mean'\n"
+                   "[[constraints]]\nresponse = 'b'\nlower = 1\nreliability = 0.9\n")));
+  const auto found = optim::optimise(bound.space(), {});
+  CHECK(found.found.x[0] == Approx(1 + 0.2 * normal_quantile(0.9)).margin(0.02));
 }
 
 TEST_CASE("A limit with a reliability leaves out the parts that it may", "[variation]") {

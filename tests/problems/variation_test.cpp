@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "machines/model/over_ranges.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/search/optimise.h"
 #include "problems/results/recorded_design.h"
@@ -81,7 +82,7 @@ TEST_CASE("A variation is read as it is stated", "[variation]") {
   CHECK(off(2).is_normal);
   CHECK(off(3).middle() == Approx(0.015));
   CHECK(off(3).deviation() == Approx(0.005));
-  CHECK_THAT(in_words(problem), Contains("Manufacture makes base_radius +0.05/-0.02 mm") &&
+  CHECK_THAT(in_words(problem), Contains("In manufacture base_radius varies by +0.05/-0.02 mm") &&
                                     Contains("diameter h7") && Contains("deviation 5 N"));
 }
 
@@ -110,6 +111,68 @@ TEST_CASE("A variation that says nothing sensible is refused with its place", "[
   CHECK_THAT(said("[[cases]]\nname = 'a'\nspeed = 100\n[variation.speed]\nplus = 1\n"),
              Contains("load cases set"));
   CHECK_THROWS_WITH(varied(cam("")), Contains("[variation.base_radius]"));
+  // The ends of a variable are made too: 1 mm less than 0.5 mm is none.
+  CHECK_THAT(said("[variation.roller_radius]\nplus = '1 mm'\nminus = '1 mm'\n"
+                  "[variables.roller_radius]\nlower = '0.5 mm'\nupper = '9 mm'\nstart = '5 mm'\n"),
+             Contains("variation.roller_radius") && Contains("-0.5 mm"));
+}
+
+TEST_CASE("Variations are added one by one, of what has one value", "[variation]") {
+  ProblemStatement problem = read(cam("base_radius = '40 mm'\n"));
+  problem.ranges = {{find_parameter(problem, "speed").parameter, 100, 200}};
+  CHECK_THROWS_WITH(check_may_vary(problem, find_parameter(problem, "speed")),
+                    Contains("has a range"));
+  std::vector<VariationStatement> all;
+  VariationStatement one;
+  one.parameter = find_parameter(problem, "base_radius");
+  one.plus = one.minus = 1;
+  add_variation(all, one);
+  CHECK_THROWS_WITH(add_variation(all, one), Contains("stated twice"));
+  CHECK(all.size() == 1);
+}
+
+TEST_CASE("A limit on a parameter itself holds for all parts", "[variation]") {
+  // b is made up to 0.3 more: the greatest that keeps it at 5 or below is 4.7.
+  const std::string limits =
+      "[variation.b]\nplus = 0.3\nminus = 0.2\n"
+      "[variables.b]\nlower = -9\nupper = 9\n"
+      "[[constraints]]\nresponse = 'b'\nlower = -5\nupper = 5\n";
+  const BoundProblem bound(
+      read(machine("[responses.f]\nformula = 'b'\n" + limits + "[objective]\nmaximize = 'f'\n")));
+  const auto found = optim::optimise(bound.space(), {});
+  INFO(found.found.assessment.reason);
+  CHECK(found.found.x[0] == Approx(4.7).epsilon(1e-6));
+  const ProblemStatement design = bound.at(found.options, found.found.x);
+  for (const WorstPart& worst : worst_parts(varied_design(design, variations_of(design)))) {
+    CHECK(worst.name.starts_with("b"));
+    CHECK(worst.holds == Holds::Proved);
+    if (worst.is_upper) CHECK(worst.value == Approx(5).epsilon(1e-6));
+  }
+  // As stated b is 4.8: a part of 5.1 breaks the limit.
+  ProblemStatement wide = design;
+  set_value(wide, "b=4.8");
+  const auto worst = worst_parts(varied_design(wide, variations_of(wide)));
+  REQUIRE(worst.size() == 2);
+  const WorstPart& upper = worst[worst[0].is_upper ? 0 : 1];
+  CHECK(upper.value == Approx(5.1).epsilon(1e-12));
+  CHECK(upper.holds == Holds::Broken);
+}
+
+TEST_CASE("A size that is set has the offsets of its own fit", "[variation]") {
+  ProblemStatement problem =
+      read(cam("base_radius = '40 mm'\nroller_radius = '10 mm'\n"
+               "[variation.roller_radius]\nfit = 'h7'\nof_diameter = true\n"
+               "[[constraints]]\nresponse = 'pressure_angle'\nupper = '60 deg'\n"));
+  const auto least = [&] {
+    for (const ConstraintStatement& limit : problem.constraints) {
+      if (limit.response.name != "pressure_angle" || !limit.of_range) continue;
+      return limit.of_range->over_ranges->ranges.at(0).lower;
+    }
+    return 0.0;
+  };
+  CHECK(least() == Approx(-0.0105));  // of a diameter of 20 mm -0.021
+  set_value(problem, "roller_radius=20 mm");
+  CHECK(least() == Approx(-0.0125));  // of 40 mm -0.025
 }
 
 TEST_CASE("Where a resonance lies inside, the worst part is found and proved there",
@@ -160,7 +223,7 @@ TEST_CASE("A limit is held for all parts in a search", "[variation]") {
   // p - b v >= 0 with v up to pi / 2 and b from 0.8 to 1.3, p made 0.05 less: the least p.
   const std::string text =
       "[machine]\nmoved_by = 'law'\n[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
-      "[machine.parameters.p]\ndefault = 0\nlower = -9\nupper = 9\n"
+      "[machine.parameters.p]\ndefault = 0\nlower = -10\nupper = 10\n"
       "[responses.f]\nformula = 'p - b * v'\n[responses.least]\nformula = 'p'\n"
       "[law]\nname = 'cosine'\n[variation.b]\nplus = 0.3\nminus = 0.2\n"
       "[variation.p]\nplus = 0.01\nminus = 0.05\n"

@@ -238,6 +238,11 @@ Model::Model(const StatedTable& table, const std::atomic<bool>* stop) : table_(t
       if (is_about(table_.hypotheses[h], row.printed.id)) add_hypothesis(model, h);
     }
     complete(model);
+    if (row.law.empty() && model.laws_by == kNone && !model.law_settings.empty()) {
+      refuse(*find(row.where, "set"),
+             fmt::format("'{}' sets neither a parameter of the machine nor one of a law",
+                         model.law_settings.front()));
+    }
     const bool is_unstated = model.laws_by != kNone && table_.hypotheses[model.laws_by].unstated;
     if (!row.law.empty() && !is_unstated) law_of(model, {});
     rows_.push_back(std::move(model));

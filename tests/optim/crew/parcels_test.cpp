@@ -137,6 +137,16 @@ TEST_CASE("parcels that do not come back are sent again when a worker is idle", 
   CHECK(cluster.now() < 300);
 }
 
+TEST_CASE("orders are sent until one of their copies comes back", "[crew]") {
+  ClusterRules rules = quick(3);
+  rules.lost = 0.7;
+  SimulatedCluster cluster(rules);
+  Counted errands(60);
+  ParcelForce(cluster).run(errands, {});
+  check_answers(errands, 60);
+  CHECK(errands.losses.empty());
+}
+
 TEST_CASE("workers that join are given work", "[crew]") {
   ClusterRules rules = quick(1);
   rules.joining = {2, 2, 2};

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""Sweeps, tolerances and sensitivities of a problem: what the program says, digit for digit."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import camlaw as cl
+import pytest
+from conftest import PROBLEMS, program_json, same
+
+ROLLER = PROBLEMS / "cams/roller_least_base.toml"
+TOLERANCES = PROBLEMS / "cams/tolerances.toml"
+SWEPT = {"law": ["cycloidal", "modified-sine"], "stroke": "20:5:30 mm"}
+
+
+@pytest.fixture(scope="module")
+def sweep():
+    return cl.Problem.load(ROLLER).sweep(SWEPT, workers=2)
+
+
+def test_a_sweep_is_the_programs(sweep):
+    theirs = program_json(
+        "sweep", ROLLER, "--set", "law=cycloidal,modified-sine", "--set", "stroke=20:5:30 mm"
+    )
+    assert same(sweep.facts, theirs)
+    assert len(sweep) == len(sweep.table) == 6 and not sweep.stopped
+
+
+def test_a_combination_is_a_problem_with_its_design(sweep):
+    design = sweep[sweep.best]
+    assert design.evaluate().feasible
+    with pytest.raises(cl.InputError, match="combination 6: there are 6, counted from 0"):
+        sweep[6]
+
+
+def test_executors_and_records_give_the_same_sweep(sweep, tmp_path):
+    problem = cl.Problem.load(ROLLER)
+    with ThreadPoolExecutor(2) as threads:
+        assert same(problem.sweep(SWEPT, executor=threads).facts, sweep.facts)
+    record = tmp_path / "sweep.db"
+    for resume in (False, True):
+        again = problem.sweep(SWEPT, workers=1, record=record, resume=resume)
+        assert same(again.facts, sweep.facts)
+
+
+def test_samples_are_evaluated():
+    sweep = cl.Problem.load(ROLLER).sweep(
+        sample="sobol 8", over={"stroke": ("18 mm", "22 mm")}, evaluate=True
+    )
+    assert len(sweep) == 8 and sweep.facts["evaluated"]
+    for wrong in ({"stroke": ("18 mm", "2 cm")}, {"stroke": 20}):
+        with pytest.raises(cl.InputError, match="over: stroke"):
+            cl.Problem.load(ROLLER).sweep(sample="sobol 8", over=wrong)
+    with pytest.raises(cl.InputError, match="no value"):
+        cl.Problem.load(ROLLER).sweep({"law": []})
+
+
+def test_sweeps_have_pages(sweep, tmp_path):
+    assert "<html" in sweep.report(tmp_path / "sweep.html")
+    assert sweep.csv().count("\n") == 7
+    assert "cycloidal" in str(sweep) and "cycloidal" in sweep._repr_html_()
+
+
+def test_a_tolerance_is_the_programs():
+    ours = cl.Problem.load(TOLERANCES).tolerance(samples=4096)
+    assert same(ours.facts, program_json("tolerance", TOLERANCES, "--samples", "4096"))
+    assert ours.finished and 0 <= ours.failing <= 1 and len(ours.worst) >= 4
+    stated = cl.Problem.load(ROLLER).tolerance({"base_radius": "0.1 mm"}, samples=64)
+    theirs = program_json(
+        "tolerance", ROLLER, "--tolerance", "base_radius=0.1 mm", "--samples", "64"
+    )
+    assert same(stated.facts, theirs)
+
+
+def test_a_sensitivity_is_the_programs():
+    ours = cl.Problem.load(ROLLER).sensitivity(over={"stroke": ("18 mm", "22 mm")}, samples=16)
+    theirs = program_json(
+        *("evaluate", ROLLER, "--sensitivity", "--over", "stroke=18:22 mm", "--samples", "16")
+    )
+    assert same(ours.facts["sensitivity"], theirs["sensitivity"])
+    assert len(ours.derivatives) > 0 and len(ours.indices) > 0
