@@ -73,6 +73,9 @@ class InterruptibleTrace final : public Trace {
     return checked().values(places);
   }
   Bounds enclose(double from, double to) const override { return checked().enclose(from, to); }
+  std::array<Bounds, 3> expand(double from, double to) const override {
+    return checked().expand(from, to);
+  }
   std::string why_unbounded() const override { return trace_->why_unbounded(); }
 
  private:
