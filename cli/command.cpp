@@ -11,7 +11,7 @@ Option set_option(std::vector<std::string>& settings) {
 }
 
 Option start_option(std::optional<std::string>& result) {
-  return {"--start", &result, takes::kFile,
+  return {"--start", &result, takes::kResult,
           "begin at the design of this result of 'camlaw optimize'"};
 }
 

@@ -16,10 +16,10 @@ namespace camlaw::cli {
 /// What an option takes, as --help shows it and as shells complete it: one of these, or words in
 /// braces, "{auto,sweep}".
 namespace takes {
-inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kLaw = "LAW",
-                            *kMechanism = "MECHANISM", *kSolver = "SOLVER", *kSystem = "SYSTEM",
-                            *kNumber = "N", *kSampling = "METHOD N", *kSetting = "NAME=VALUE",
-                            *kNothing = "";
+inline constexpr const char *kFile = "FILE", *kResult = "RESULT", *kFolder = "FOLDER",
+                            *kLaw = "LAW", *kMechanism = "MECHANISM", *kSolver = "SOLVER",
+                            *kSystem = "SYSTEM", *kNumber = "N", *kSampling = "METHOD N",
+                            *kSetting = "NAME=VALUE", *kNothing = "";
 }
 
 /// An option or a positional argument.

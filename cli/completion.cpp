@@ -101,7 +101,7 @@ std::string positional_kind(const CommandPage& page) {
 
 Candidates candidates(const std::string& kind) {
   if (kind.starts_with('{')) return {words_in_braces(kind)};
-  if (kind == takes::kFile) return {{}, true, false};
+  if (kind == takes::kFile || kind == takes::kResult) return {{}, true, false};
   if (kind == takes::kFolder) return {{}, false, true};
   if (kind == takes::kLaw) return {names_of(catalogue()), true, false};
   if (kind == takes::kMechanism) return {names_of(problems::mechanisms()), true, false};

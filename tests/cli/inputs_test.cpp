@@ -90,6 +90,8 @@ const std::vector<Run> kRuns = {
     {{"pareto", "two.toml", "--points", "4"}, {"two.toml", "law.json"}},
     {{"pareto", "two.toml", "--points", "4", "--db", "s.db", "--resume"},
      {"two.toml", "law.json", "s.db"}},
+    {{"sweep", "one.toml", "--evaluate", "--set", "base_radius=30,40 mm"},
+     {"one.toml", "law.json"}},
     {{"fit", "motion.csv", "--law", "law.json"}, {"motion.csv", "law.json"}},
     {{"fit", "torque.csv", "--mechanism", "spring.toml", "--response", "drive_torque"},
      {"torque.csv", "spring.toml", "law.json"}},
