@@ -49,6 +49,14 @@ void begin_with(problems::ProblemStatement& statement, const std::string& result
   problems::set_values(statement, problems::start_settings(statement, result));
 }
 
+std::vector<std::string> settings_from(const std::string& file, const std::vector<std::string>& set,
+                                       const std::string& result) {
+  problems::ProblemStatement statement = problems::read_problem(problems::problem_text(file), file);
+  problems::set_values(statement, set);
+  begin_with(statement, result);
+  return statement.settings;
+}
+
 bool is_input(const fs::path& path) {
   return std::any_of(inputs().begin(), inputs().end(), [&](const fs::path& input) {
     std::error_code ignored;

@@ -24,6 +24,10 @@ void keep_inputs(const problems::ReadDesign& read);
 /// Begins a problem at the design of a result, which is an input then.
 void begin_with(problems::ProblemStatement& statement, const std::string& result);
 
+/// What is set of a problem file that begins at a result's design: `set`, then that design.
+std::vector<std::string> settings_from(const std::string& file, const std::vector<std::string>& set,
+                                       const std::string& result);
+
 /// Whether a path leads to an input, by whatever name or link.
 bool is_input(const std::filesystem::path& path);
 

@@ -66,26 +66,8 @@ problems::FrontSettings begun(const ParetoCommand& options, const std::optional<
                               problems::FrontSettings settings) {
   const bool has_them = options.resume && study && fs::exists(*study) && options.settings.empty();
   if (!options.start || has_them) return settings;
-  problems::ProblemStatement statement =
-      problems::read_problem(problems::problem_text(options.file), options.file);
-  problems::set_values(statement, settings.set);
-  begin_with(statement, *options.start);
-  settings.set = statement.settings;
+  settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
-}
-
-std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& path,
-                                            const problems::FrontStudy& study, bool resume) {
-  if (!path) return {};
-  if (resume && fs::exists(*path)) {
-    study.check_same(optim::StudyRecord::read(*path));  // first without a hand on it
-    std::optional<optim::StudyRecord> record = optim::StudyRecord::open(*path);
-    const optim::StudySettings mine = study.settings();  // points and method may be others now
-    if (record->settings() != mine) record->put(mine);
-    return record;
-  }
-  make_folder_of(*path);
-  return optim::StudyRecord::create(*path, study.settings());
 }
 
 void show(ProgressLine& line, const optim::StudyProgress& progress) {
@@ -108,20 +90,14 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& d
   return files;
 }
 
-std::unique_ptr<optim::Executor> executor_of(const problems::FrontStudy& study, int count,
-                                             optim::MpiRanks* ranks) {
-  const optim::WorkerProgram program = problems::worker_program(study);
-  const optim::OptimiseOptions& solve = study.options().solve;
-  if (ranks != nullptr) return std::make_unique<RankExecutor>(program.problem, solve, *ranks);
-  return std::make_unique<optim::ProcessExecutor>(study.space(), solve, count, program);
-}
-
 /// The front, and what of the record was not believed and has been solved again.
 problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
                            const ParetoCommand& options, int count, optim::MpiRanks* ranks) {
   ProgressLine line(!options.json);
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
-  const auto workers = executor_of(study, count, ranks);
+  const auto workers =
+      executor_of(optim::study_service(study.space()), problems::worker_program(study),
+                  study.options().solve, count, ranks);
   if (!record) return {.front = study.run(*workers)};
   optim::RecordedExecutor recorded(study.space(), *record, workers.get());
   problems::StoredFront found{.front = study.run(recorded),

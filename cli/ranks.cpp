@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "fitting/motions/law_fit_service.h"
+#include "optim/study/parcel_executor.h"
+#include "optim/study/workers.h"
 
 namespace camlaw::cli {
 
@@ -33,10 +36,15 @@ bool has_served(optim::MpiRanks* ranks) {
   return true;
 }
 
-RankExecutor::RankExecutor(const std::string& problem, const optim::OptimiseOptions& options,
-                           optim::MpiRanks& ranks)
-    : force_(ranks), tasks_(options, force_) {
-  ranks.give(problem);
+std::unique_ptr<optim::Executor> executor_of(optim::Service service,
+                                             const optim::WorkerProgram& program,
+                                             const optim::OptimiseOptions& options, int count,
+                                             optim::MpiRanks* ranks) {
+  if (ranks == nullptr) {
+    return std::make_unique<optim::ProcessExecutor>(std::move(service), options, count, program);
+  }
+  ranks->give(program.problem);
+  return std::make_unique<optim::ParcelExecutor>(options, *ranks);
 }
 
 }  // namespace camlaw::cli

@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 #include "optim/crew/mpi_ranks.h"
-#include "optim/study/workers.h"
+#include "optim/pareto/task.h"
 
 /// Studies whose searches the ranks of MPI carry out (docs/scale.md).
 namespace camlaw::cli {
@@ -23,21 +23,11 @@ std::unique_ptr<optim::MpiRanks> ranks_of(const std::optional<std::string>& exec
 /// Whether this process is a rank that searches for another one; then it has done so.
 bool has_served(optim::MpiRanks* ranks);
 
-/// Searches by ranks, about `problem` as worker_program has it.
-class RankExecutor final : public optim::Executor {
- public:
-  /// All but the text are referred to.
-  RankExecutor(const std::string& problem, const optim::OptimiseOptions& options,
-               optim::MpiRanks& ranks);
-  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
-                                  const optim::OnOutcome& on_outcome) override {
-    return tasks_.run(tasks, on_outcome);
-  }
-  std::string remark() const override { return tasks_.remark(); }
-
- private:
-  optim::ParcelForce force_;
-  optim::WorkforceExecutor tasks_;
-};
+/// Who carries a study's tasks out: the ranks, which are told of the program's problem; where there
+/// are none `count` processes, by `service` or as the program. Options and ranks are referred to.
+std::unique_ptr<optim::Executor> executor_of(optim::Service service,
+                                             const optim::WorkerProgram& program,
+                                             const optim::OptimiseOptions& options, int count,
+                                             optim::MpiRanks* ranks);
 
 }  // namespace camlaw::cli

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "optim/study/record.h"
+
 /// The file that a command which records a study writes.
 namespace camlaw::cli {
 
@@ -20,5 +22,17 @@ void keep_apart(const std::string& study, const std::vector<std::filesystem::pat
 
 /// Makes the folder that a study is to stand in; the study says what is wrong with the place.
 void make_folder_of(const std::string& study);
+
+/// The record of a study, which has settings() and check_same(), on the file that is asked for,
+/// whose folder is made; none: nothing is recorded. Throws as optim::StudyRecord::begin.
+template <class Study>
+std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& path,
+                                            const Study& study, bool resume) {
+  if (!path) return {};
+  make_folder_of(*path);
+  return optim::StudyRecord::begin(
+      *path, study.settings(), resume,
+      [&](const optim::StudyRecord& record) { study.check_same(record); });
+}
 
 }  // namespace camlaw::cli

@@ -52,43 +52,18 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     throw std::invalid_argument("--seed: it is that of the samples of lhs; add --sample 'lhs 64'");
   }
   problems::SweepSettings settings{.evaluates = options.evaluates, .is_cold = options.cold};
-  for (const std::string& setting : options.settings) {
-    if (auto axis = problems::parse_axis(setting)) {
-      settings.axes.push_back(std::move(*axis));
-    } else {
-      settings.set.push_back(setting);
-    }
-  }
+  problems::add_settings(settings, options.settings);
   if (options.sample) {
     const std::uint64_t seed = options.seed ? static_cast<std::uint64_t>(problems::parse_integer(
                                                   *options.seed, 0, problems::kMostSeed, "--seed"))
                                             : 1;
-    settings.sampling = problems::parse_sampling(*options.sample, seed);
-    for (const std::string& range : options.over) {
-      settings.sampling->over.push_back(problems::parse_sampled_range(range));
-    }
+    settings.sampling = problems::stated_sampling(*options.sample, seed, options.over);
   } else if (!options.over.empty()) {
     throw std::invalid_argument(
         "--over: it is a range that samples are drawn from; say how many, --sample 'sobol 64'");
   }
-  if (!options.start) return settings;
-  problems::ProblemStatement statement =
-      problems::read_problem(problems::problem_text(options.file), options.file);
-  problems::set_values(statement, settings.set);
-  begin_with(statement, *options.start);
-  settings.set = statement.settings;
+  if (options.start) settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
-}
-
-std::optional<optim::StudyRecord> sweep_record(const std::optional<std::string>& path,
-                                               const problems::SweepStudy& study, bool resume) {
-  if (!path) return {};
-  if (resume && fs::exists(*path)) {
-    study.check_same(optim::StudyRecord::read(*path));  // first without a hand on it
-    return optim::StudyRecord::open(*path);
-  }
-  make_folder_of(*path);
-  return optim::StudyRecord::create(*path, study.settings());
 }
 
 /// "27 of 100 combinations, best 49.2 mm".
@@ -100,16 +75,6 @@ std::string progress_text(const problems::SweepProgress& progress, const std::st
   return text;
 }
 
-std::unique_ptr<optim::Executor> executor_of(const problems::SweepStudy& study, int count,
-                                             optim::MpiRanks* ranks) {
-  const optim::WorkerProgram program = problems::worker_program(study);
-  if (ranks != nullptr) {
-    return std::make_unique<RankExecutor>(program.problem, study.options(), *ranks);
-  }
-  return std::make_unique<optim::ProcessExecutor>(problems::sweep_service(study), study.options(),
-                                                  count, program);
-}
-
 /// The sweep, and what of its record was not believed and has been worked out again.
 SweepAnswer sweep_of(const problems::SweepStudy& study, std::optional<optim::StudyRecord>& record,
                      const SweepCommand& options, int count, optim::MpiRanks* ranks) {
@@ -118,7 +83,8 @@ SweepAnswer sweep_of(const problems::SweepStudy& study, std::optional<optim::Stu
   const auto show = [&](const problems::SweepProgress& p) {
     line.show(progress_text(p, unit), static_cast<double>(p.done) / static_cast<double>(p.all));
   };
-  const auto workers = executor_of(study, count, ranks);
+  const auto workers = executor_of(problems::sweep_service(study), problems::worker_program(study),
+                                   study.options(), count, ranks);
   if (!record) {
     const problems::Sweep sweep = study.run(*workers, show);
     SweepAnswer answer(study, sweep);
@@ -174,7 +140,7 @@ int run_sweep(const SweepCommand& options) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
     interruptible.ask_after(std::max(0.0, *limit - spent.count()));
   }
-  auto record = sweep_record(path, study, options.resume);
+  auto record = record_of(path, study, options.resume);
   const SweepAnswer answer = sweep_of(study, record, options, wanted, ranks.get());
   const Document document = sweep_document(answer);
   print(document, options.json);

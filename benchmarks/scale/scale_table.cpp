@@ -52,7 +52,7 @@ void print_row(const Engine& engine, std::size_t workers, std::size_t tasks_per_
        .latency = engine.latency,
        .failures = failures_per_hour / 3600});
   NumberedErrands errands(seconds.size());
-  optim::ParcelForce(cluster).run(errands, {});
+  optim::ParcelForce(cluster).run(errands);
   const double useful = std::accumulate(seconds.begin(), seconds.end(), 0.0);
   fmt::print("| {} | {} | {} | {:g} | {} | {:.1f} | {:.0f} % |\n", engine.name, workers,
              tasks_per_worker, failures_per_hour, cluster.sent(), cluster.now(),

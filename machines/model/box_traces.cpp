@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// A formula over a box of its arguments; it is asked for bounds alone.
+/// A formula over a box of its arguments; it is asked for bounds alone, which Own::over gives.
+template <class Own>
 class BoxFormula : public CurveFormula {
  public:
   Series<double, 3> plain(const PlaceSeries<double, 3>&) const override {
@@ -29,9 +30,9 @@ class BoxFormula : public CurveFormula {
     return std::vector<double>(places.x.size(), kNoNumber);
   }
   bool follows_pulse() const override { return false; }
-  Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& p) const override { return at(p); }
-  Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& p) const override { return at(p); }
-  Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& p) const override { return at(p); }
+  Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& p) const override { return own(p); }
+  Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& p) const override { return own(p); }
+  Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& p) const override { return own(p); }
 
  protected:
   template <std::size_t N>
@@ -41,52 +42,43 @@ class BoxFormula : public CurveFormula {
   }
 
  private:
-  virtual Series<Interval, 1> at(const PlaceSeries<Interval, 1>& place) const = 0;
-  virtual Series<Interval, 2> at(const PlaceSeries<Interval, 2>& place) const = 0;
-  virtual Series<Interval, 3> at(const PlaceSeries<Interval, 3>& place) const = 0;
+  template <std::size_t N>
+  Series<Interval, N> own(const PlaceSeries<Interval, N>& place) const {
+    return static_cast<const Own&>(*this).over(place);
+  }
 };
 
-class ValueOverBox final : public BoxFormula {
+class ValueOverBox final : public BoxFormula<ValueOverBox> {
  public:
   ValueOverBox(const CurveRecord& curve, std::span<const Interval> arguments)
       : formula_(curve.record.formula, arguments) {
     if (curve.domain) domain_.emplace(*curve.domain, arguments);
   }
 
- private:
   template <std::size_t N>
-  Series<Interval, N> value(const PlaceSeries<Interval, N>& place) const {
+  Series<Interval, N> over(const PlaceSeries<Interval, N>& place) const {
     const auto& m = place.motion;
     const std::array<Series<Interval, N>, kOfPlace> inputs{m.s, m.v, m.a, m.j, place.x};
     const auto value = formula_(std::span<const Series<Interval, N>>(inputs));
     if (!domain_) return value;
-    const auto plain = plain_place(place);
+    const auto plain = this->plain_place(place);
     return known_where((*domain_)(std::span<const Interval>(plain)), value);
   }
-  Series<Interval, 1> at(const PlaceSeries<Interval, 1>& place) const override {
-    return value(place);
-  }
-  Series<Interval, 2> at(const PlaceSeries<Interval, 2>& place) const override {
-    return value(place);
-  }
-  Series<Interval, 3> at(const PlaceSeries<Interval, 3>& place) const override {
-    return value(place);
-  }
 
+ private:
   FormulaAlong<Interval> formula_;
   std::optional<FormulaAlong<Interval>> domain_;
 };
 
 /// The slope by one argument; of its own derivatives along the cycle nothing is known.
-class SlopeOverBox final : public BoxFormula {
+class SlopeOverBox final : public BoxFormula<SlopeOverBox> {
  public:
   SlopeOverBox(std::shared_ptr<const optim::Kernel> kernel, std::vector<Bounds> arguments,
                std::size_t argument)
       : kernel_(std::move(kernel)), arguments_(std::move(arguments)), argument_(argument) {}
 
- private:
   template <std::size_t N>
-  Series<Interval, N> slope(const PlaceSeries<Interval, N>& place) const {
+  Series<Interval, N> over(const PlaceSeries<Interval, N>& place) const {
     std::vector<Bounds> box = arguments_;
     for (const Interval& input : plain_place(place)) {
       box.push_back({input.lower(), input.upper()});
@@ -102,16 +94,8 @@ class SlopeOverBox final : public BoxFormula {
     for (std::size_t k = 1; k < N; ++k) result.c[k] = Interval::whole();
     return result;
   }
-  Series<Interval, 1> at(const PlaceSeries<Interval, 1>& place) const override {
-    return slope(place);
-  }
-  Series<Interval, 2> at(const PlaceSeries<Interval, 2>& place) const override {
-    return slope(place);
-  }
-  Series<Interval, 3> at(const PlaceSeries<Interval, 3>& place) const override {
-    return slope(place);
-  }
 
+ private:
   std::shared_ptr<const optim::Kernel> kernel_;
   std::vector<Bounds> arguments_;
   std::size_t argument_;

@@ -63,18 +63,6 @@ class Errands {
   virtual std::string confined() const { return {}; }
 };
 
-/// Carries errands out. Whoever does the work, the answers are the same: each follows from its
-/// order alone.
-class Workforce {
- public:
-  virtual ~Workforce() = default;
-  /// Until there is nothing left to do, or the work is stopped. `service` is how an order is
-  /// carried out in this process or a copy of it; programs elsewhere have their own.
-  virtual void run(Errands& errands, const Service& service) = 0;
-  /// What a user should know of how errands were carried out; empty: nothing.
-  virtual std::string remark() const { return {}; }
-};
-
 /// How a crew works.
 struct CrewRules {
   int workers = 1;  ///< processes at a time
@@ -98,17 +86,17 @@ int usual_workers();
 /// are started afresh from a program; without one, or where it cannot be started, errands are
 /// carried out here, one after the other, and remark() says so. A crew is one thread's at a time;
 /// several threads may have one each.
-class Crew final : public Workforce {
+class Crew {
  public:
   /// Throws std::invalid_argument for no workers at all.
   explicit Crew(CrewRules rules);
   Crew(Crew&&) noexcept;
-  ~Crew() override;
+  ~Crew();
 
   /// Until there is nothing left to do, or the work is stopped.
-  void run(Errands& errands, const Service& service) override;
+  void run(Errands& errands, const Service& service);
   /// Why errands were not carried out side by side; empty: they could be.
-  std::string remark() const override { return remark_; }
+  const std::string& remark() const { return remark_; }
 
  private:
   class Run;

@@ -235,8 +235,6 @@ class ParcelForce::Run {
 ParcelForce::ParcelForce(Transport& transport, const ParcelRules& rules)
     : transport_(transport), rules_(rules) {}
 
-void ParcelForce::run(Errands& errands, const Service& /*service*/) {
-  Run(*this, errands).carry_out();
-}
+void ParcelForce::run(Errands& errands) { Run(*this, errands).carry_out(); }
 
 }  // namespace camlaw::optim

@@ -67,10 +67,11 @@ struct ParcelRules {
 /// which parcel a worker died of, those in question are carried out at the end, with nothing else
 /// under way. What arrives twice counts once. A worker that refuses orders ends the run: throws
 /// std::runtime_error that names it.
-class ParcelForce final : public Workforce {
+class ParcelForce {
  public:
   explicit ParcelForce(Transport& transport, const ParcelRules& rules = {});
-  void run(Errands& errands, const Service& service) override;
+  /// Until there is nothing left to do, or the work is stopped.
+  void run(Errands& errands);
   /// How many orders were sent again, as their workers ended or did not answer. It is no remark:
   /// what was found does not depend on it, and says nothing of it.
   std::size_t sent_again() const { return sent_again_; }

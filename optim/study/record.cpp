@@ -201,6 +201,15 @@ StudyRecord StudyRecord::create(const std::string& path, const StudySettings& se
   }
 }
 
+StudyRecord StudyRecord::begin(const std::string& path, const StudySettings& settings, bool resume,
+                               const std::function<void(const StudyRecord&)>& check) {
+  if (!resume || !fs::exists(path)) return create(path, settings);
+  check(read(path));
+  StudyRecord record = open(path);
+  if (record.settings() != settings) record.put(settings);
+  return record;
+}
+
 StudyRecord StudyRecord::open(const std::string& path) {
   if (!read(path).has_checksums()) {  // first without a hand on it
     refuse(path,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -31,6 +32,11 @@ class StudyRecord {
   /// Opens a study to go on with it. Throws std::invalid_argument for what is not a study of this
   /// kind, is damaged as a whole, or is of an earlier version, and leaves that as it is.
   static StudyRecord open(const std::string& path);
+  /// Goes on with a study, where `resume` and there is one, else makes a new file. What is there is
+  /// shown to `check` before anything is written to it; then it takes these settings, as some may
+  /// have changed. Throws as create() and open() do, and what `check` throws.
+  static StudyRecord begin(const std::string& path, const StudySettings& settings, bool resume,
+                           const std::function<void(const StudyRecord&)>& check);
   /// Opens it to be read alone.
   static StudyRecord read(const std::string& path);
 

@@ -8,6 +8,7 @@
 
 #include "optim/search/options_bytes.h"
 #include "optim/study/encoding.h"
+#include "optim/study/parcel_executor.h"
 
 namespace camlaw::optim {
 namespace {
@@ -80,10 +81,10 @@ Service study_service(ProblemSpace space) {
   });
 }
 
-std::vector<Outcome> WorkforceExecutor::run(const std::vector<Task>& tasks,
-                                            const OnOutcome& on_outcome) {
+std::vector<Outcome> ParcelExecutor::run(const std::vector<Task>& tasks,
+                                         const OnOutcome& on_outcome) {
   Tasks errands(tasks, options_, on_outcome);
-  force_.run(errands, {});
+  force_.run(errands);
   return errands.in_order();
 }
 

@@ -12,22 +12,6 @@
 /// Searches of a front in processes side by side.
 namespace camlaw::optim {
 
-/// Hands tasks to workers that know by themselves how one is carried out (parcels.h). The outcomes
-/// are those of DirectExecutor to the last bit.
-class WorkforceExecutor final : public Executor {
- public:
-  /// All are referred to.
-  WorkforceExecutor(const OptimiseOptions& options, Workforce& force)
-      : options_(options), force_(force) {}
-
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
-  std::string remark() const override { return force_.remark(); }
-
- private:
-  const OptimiseOptions& options_;
-  Workforce& force_;
-};
-
 /// Carries tasks out in processes of their own, `workers` at a time (optim/crew/crew.h). A process
 /// that dies takes its task with it and nothing else: the outcome is a failure that says how it
 /// died. The outcomes are those of DirectExecutor to the last bit. An executor is one thread's at a

@@ -54,6 +54,23 @@ Value get(const Json& object, const char* key) {
 
 }  // namespace
 
+void add_settings(SweepSettings& settings, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    if (auto axis = parse_axis(assignment)) {
+      settings.axes.push_back(std::move(*axis));
+    } else {
+      settings.set.push_back(assignment);
+    }
+  }
+}
+
+Sampling stated_sampling(const std::string& sample, std::uint64_t seed,
+                         const std::vector<std::string>& over) {
+  Sampling sampling = parse_sampling(sample, seed);
+  for (const std::string& range : over) sampling.over.push_back(parse_sampled_range(range));
+  return sampling;
+}
+
 SweepPlan::SweepPlan(SweepSettings settings) : settings_(std::move(settings)) {
   for (const SweepAxis& axis : settings_.axes) {
     names_.push_back({axis.name, axis.unit, axis.is_numeric()});

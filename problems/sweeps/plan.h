@@ -17,6 +17,12 @@ struct SweepSettings {
   bool is_cold = false;    ///< each search begins as a single run does
 };
 
+/// Adds what `--set` says, each an axis or the same in all combinations.
+void add_settings(SweepSettings& settings, const std::vector<std::string>& assignments);
+/// What `--sample` and `--over` say.
+Sampling stated_sampling(const std::string& sample, std::uint64_t seed,
+                         const std::vector<std::string>& over);
+
 /// A name that is swept: an axis, or a range of the sampling.
 struct SweptName {
   std::string name, unit;

@@ -14,7 +14,7 @@
 /// What becomes of a design that manufacture makes other than it is meant.
 namespace camlaw::problems {
 
-/// A limit at the design as it is meant.
+/// A limit at the nominal design.
 struct LimitSlopes {
   optim::LimitReport report;
   std::vector<double> slopes;  ///< of its value by each number that varies, exact

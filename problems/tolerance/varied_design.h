@@ -13,7 +13,7 @@
 namespace camlaw::problems {
 
 struct VariedDesign {
-  ProblemStatement design;  ///< as it is meant; its limits and objectives are those of one part
+  ProblemStatement design;  ///< nominal; its limits and objectives are those of one part
   std::vector<VariationStatement> statements;
   Binding binding;                           ///< in which they vary
   optim::Problem problem;                    ///< its variables are what varies, in this order

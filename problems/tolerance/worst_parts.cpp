@@ -270,7 +270,7 @@ double searched_room(const VariedDesign& varied, const LimitSide& side, double s
   return side.sign() * (side.bound - value) + side.tolerance;
 }
 
-/// For every part up to that share: the box holds the part as it is meant, and with it all that are
+/// For every part up to that share: the box holds the nominal part, and with it all that are
 /// smaller.
 bool is_proved_up_to(const VariedDesign& varied, const LimitSide& side, double share) {
   if (sees_varied_law(varied, side)) return false;

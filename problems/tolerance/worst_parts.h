@@ -43,7 +43,7 @@ inline constexpr double kLargestFactor = 100;
 /// How far the variations may grow before a limit breaks.
 struct BreakFactor {
   /// Times the variations as they are stated; infinite where it is above the largest that is tried,
-  /// 0 where a part as it is meant breaks the limit.
+  /// 0 where the nominal part breaks the limit.
   double factor = 0;
   bool proved = false;            ///< that the limit holds up to a hundredth less
   double tried = kLargestFactor;  ///< the largest factor, whose values the parameters accept

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "fitting/motions/law_fit_service.h"
+#include "optim/study/parcel_executor.h"
+#include "optim/study/workers.h"
 #include "python/bindings/module.h"
 
 namespace camlaw::python {
@@ -56,6 +58,22 @@ void put(Arrivals& arrivals, std::size_t parcel, const nb::list& answers, double
   arrivals.put(std::move(arrival));
 }
 
+/// A transport with the executor that uses it.
+class CarriedExecutor final : public optim::Executor {
+ public:
+  CarriedExecutor(nb::handle carrier, const std::string& problem,
+                  const optim::OptimiseOptions& options)
+      : transport_(carrier, problem), parcels_(options, transport_) {}
+  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
+                                  const optim::OnOutcome& on_outcome) override {
+    return parcels_.run(tasks, on_outcome);
+  }
+
+ private:
+  PythonTransport transport_;
+  optim::ParcelExecutor parcels_;
+};
+
 }  // namespace
 
 void Arrivals::put(optim::Arrival arrival) {
@@ -71,10 +89,10 @@ std::vector<optim::Arrival> Arrivals::take(double seconds) {
   return std::exchange(arrived_, {});
 }
 
-PythonTransport::PythonTransport(nb::handle carrier)
+PythonTransport::PythonTransport(nb::handle carrier, const std::string& problem)
     : carrier_(carrier), arrivals_(std::make_shared<Arrivals>()) {
   const nb::gil_scoped_acquire held;
-  carrier_.attr("begin")(arrivals_);
+  carrier_.attr("begin")(arrivals_, nb::bytes(problem.data(), problem.size()));
 }
 
 std::size_t PythonTransport::workers() {
@@ -105,9 +123,14 @@ double PythonTransport::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void Labour::tell_about(const optim::WorkerProgram& program) const {
-  if (carrier.is_none()) return;
-  carrier.attr("about")(nb::bytes(program.problem.data(), program.problem.size()));
+std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Service service,
+                                             const optim::WorkerProgram& program,
+                                             const optim::OptimiseOptions& options) {
+  if (!labour.carrier.is_none()) {
+    return std::make_unique<CarriedExecutor>(labour.carrier, program.problem, options);
+  }
+  return std::make_unique<optim::ProcessExecutor>(std::move(service), options, labour.workers,
+                                                  program);
 }
 
 void add_executors(nb::module_& module) {

@@ -7,10 +7,13 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "optim/crew/parcels.h"
-#include "optim/study/workers.h"
+#include "optim/pareto/task.h"
+#include "optim/study/record.h"
 
 /// Work of a study sent through an executor of Python, such as Dask's.
 namespace camlaw::python {
@@ -34,8 +37,8 @@ class Arrivals {
 /// without the interpreter's lock; what Python raises in them is thrown as nb::python_error.
 class PythonTransport final : public optim::Transport {
  public:
-  /// `carrier` stays alive while this object does.
-  explicit PythonTransport(nb::handle carrier);
+  /// About a problem, as worker_program has it. `carrier` stays alive while this object does.
+  PythonTransport(nb::handle carrier, const std::string& problem);
 
   std::size_t workers() override;
   void send(std::size_t parcel, const std::vector<std::string>& orders) override;
@@ -52,25 +55,23 @@ class PythonTransport final : public optim::Transport {
 struct Labour {
   int workers = 1;
   nb::handle carrier = nb::none();
-
-  /// Tells a carrier what the orders are about. The interpreter's lock is held.
-  void tell_about(const optim::WorkerProgram& program) const;
 };
 
-/// Searches through a carrier.
-class CarriedExecutor final : public optim::Executor {
- public:
-  CarriedExecutor(const optim::OptimiseOptions& options, nb::handle carrier)
-      : transport_(carrier), force_(transport_), tasks_(options, force_) {}
-  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
-                                  const optim::OnOutcome& on_outcome) override {
-    return tasks_.run(tasks, on_outcome);
-  }
+/// The executor of such labour, for a thread without the interpreter's lock; processes work by
+/// `service` or as the program. The options are referred to.
+std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Service service,
+                                             const optim::WorkerProgram& program,
+                                             const optim::OptimiseOptions& options);
 
- private:
-  PythonTransport transport_;
-  optim::ParcelForce force_;
-  optim::WorkforceExecutor tasks_;
-};
+/// The record of a study, which has settings() and check_same(); an empty path: nothing is
+/// recorded. Throws as optim::StudyRecord::begin.
+template <class Study>
+std::optional<optim::StudyRecord> record_of(const std::string& path, const Study& study,
+                                            bool resume) {
+  if (path.empty()) return {};
+  return optim::StudyRecord::begin(
+      path, study.settings(), resume,
+      [&](const optim::StudyRecord& record) { study.check_same(record); });
+}
 
 }  // namespace camlaw::python

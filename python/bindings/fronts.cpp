@@ -62,27 +62,6 @@ FrontOwner answered(FrontOwner front, const Work& work) {
   return front;
 }
 
-std::optional<optim::StudyRecord> record_of(const std::string& path, const FrontStudy& study,
-                                            bool resume) {
-  if (path.empty()) return std::nullopt;
-  if (resume && fs::exists(path)) {
-    study.check_same(optim::StudyRecord::read(path));  // first without a hand on it
-    std::optional<optim::StudyRecord> record = optim::StudyRecord::open(path);
-    const optim::StudySettings mine = study.settings();  // points and method may be others now
-    if (record->settings() != mine) record->put(mine);
-    return record;
-  }
-  return optim::StudyRecord::create(path, study.settings());
-}
-
-std::unique_ptr<optim::Executor> executor_of(const FrontStudy& study, const Labour& labour) {
-  if (!labour.carrier.is_none()) {
-    return std::make_unique<CarriedExecutor>(study.options().solve, labour.carrier);
-  }
-  return std::make_unique<optim::ProcessExecutor>(study.space(), study.options().solve,
-                                                  labour.workers, problems::worker_program(study));
-}
-
 void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
   FrontStudy& study = found.study;
   study.options().solve.stop = work.stop();
@@ -92,7 +71,8 @@ void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
                                                p.points, p.wanted, p.tasks, p.hypervolume));
   };
   auto record = record_of(found.file, study, resume);
-  const auto crew = executor_of(study, labour);
+  const auto crew = executor_of(labour, optim::study_service(study.space()),
+                                problems::worker_program(study), study.options().solve);
   if (!record) {
     found.stored = {.front = study.run(*crew)};
   } else {
@@ -126,7 +106,6 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
   }
   FrontOwner front(
       new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
-  labour.tell_about(problems::worker_program(front->study));
   const bool interrupted = run_beside(
       [&](Work& work) {
         search(*front, labour, resume, work);

@@ -50,42 +50,15 @@ problems::SweepSettings settings_of(const SweepWords& words,
                                     const std::vector<std::string>& set_before) {
   problems::SweepSettings settings{.evaluates = words.evaluates, .is_cold = words.is_cold};
   settings.set = set_before;
-  for (const std::string& setting : words.set) {
-    if (auto axis = problems::parse_axis(setting)) {
-      settings.axes.push_back(std::move(*axis));
-    } else {
-      settings.set.push_back(setting);
-    }
-  }
-  if (!words.sample) {
-    if (words.over.empty()) return settings;
+  problems::add_settings(settings, words.set);
+  if (words.sample) {
+    settings.sampling = problems::stated_sampling(
+        *words.sample, static_cast<std::uint64_t>(words.seed), words.over);
+  } else if (!words.over.empty()) {
     throw std::invalid_argument(
         "over: it is a range that samples are drawn from; say how many, sample=\"sobol 64\"");
   }
-  settings.sampling =
-      problems::parse_sampling(*words.sample, static_cast<std::uint64_t>(words.seed));
-  for (const std::string& range : words.over) {
-    settings.sampling->over.push_back(problems::parse_sampled_range(range));
-  }
   return settings;
-}
-
-std::optional<optim::StudyRecord> record_of(const std::string& path, const SweepStudy& study,
-                                            bool resume) {
-  if (path.empty()) return std::nullopt;
-  if (resume && fs::exists(path)) {
-    study.check_same(optim::StudyRecord::read(path));  // first without a hand on it
-    return optim::StudyRecord::open(path);
-  }
-  return optim::StudyRecord::create(path, study.settings());
-}
-
-std::unique_ptr<optim::Executor> executor_of(const SweepStudy& study, const Labour& labour) {
-  if (!labour.carrier.is_none()) {
-    return std::make_unique<CarriedExecutor>(study.options(), labour.carrier);
-  }
-  return std::make_unique<optim::ProcessExecutor>(problems::sweep_service(study), study.options(),
-                                                  labour.workers, problems::worker_program(study));
 }
 
 void search(FoundSweep& found, const Labour& labour, const std::string& path, bool resume,
@@ -97,7 +70,8 @@ void search(FoundSweep& found, const Labour& labour, const std::string& path, bo
               fmt::format("{} of {} combinations", p.done, p.all));
   };
   auto record = record_of(path, study, resume);
-  const auto workers = executor_of(study, labour);
+  const auto workers = executor_of(labour, problems::sweep_service(study),
+                                   problems::worker_program(study), study.options());
   if (!record) {
     found.sweep = study.run(*workers, show);
   } else {
@@ -124,7 +98,6 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
   const SweepWords words{set, over, std::move(sample), seed, evaluates, is_cold};
   SweepOwner found(new FoundSweep{SweepStudy(
       statement.text, statement.source, settings_of(words, statement.settings), statement.files)});
-  labour.tell_about(problems::worker_program(found->study));
   const bool interrupted = run_beside(
       [&](Work& work) { search(*found, labour, record, resume, work); }, progress, time_limit);
   return nb::make_tuple(std::move(found), interrupted);

@@ -70,24 +70,11 @@ class Evaluation:
         return self.responses._repr_html_() + (self.margins._repr_html_() if self._limits else "")
 
 
-class Sensitivity:
-    """How a design's numbers depend on its parameters. `facts` is what 'camlaw evaluate --sensitivity
-    --json' adds."""
+class _Answer:
+    """What the program says: facts, text and HTML."""
 
     def __init__(self, answer: tuple[dict[str, Any], str, str]) -> None:
         self.facts, self._text, self._html = answer
-
-    @property
-    def derivatives(self) -> Any:
-        """A table: the exact derivative of the objective and of each limit's number by each parameter,
-        and the elasticity, % for 1 %."""
-        return tables.of_rows(self.facts["sensitivity"]["derivatives"])
-
-    @property
-    def indices(self) -> Any:
-        """A table of Sobol indices with their intervals; None if there are no ranges."""
-        found = self.facts["sensitivity"].get("sobol")
-        return None if found is None else tables.of_rows(found["indices"])
 
     def __str__(self) -> str:
         return self._text
@@ -99,11 +86,25 @@ class Sensitivity:
         return self._html
 
 
-class Tolerance:
-    """What manufacture makes of a design. `facts` is what 'camlaw tolerance --json' prints."""
+class Sensitivity(_Answer):
+    """How a design's numbers depend on its parameters. `facts` is what 'camlaw evaluate --sensitivity
+    --json' adds."""
 
-    def __init__(self, answer: tuple[dict[str, Any], str, str]) -> None:
-        self.facts, self._text, self._html = answer
+    @property
+    def derivatives(self) -> Any:
+        """A table: the derivative of the objective and of each limit's number by each parameter, and
+        the elasticity, % for 1 %. Where `exact` is false it is by differences."""
+        return tables.of_rows(self.facts["sensitivity"]["derivatives"])
+
+    @property
+    def indices(self) -> Any:
+        """A table of Sobol indices with their intervals; None if there are no ranges."""
+        found = self.facts["sensitivity"].get("sobol")
+        return None if found is None else tables.of_rows(found["indices"])
+
+
+class Tolerance(_Answer):
+    """What manufacture makes of a design. `facts` is what 'camlaw tolerance --json' prints."""
 
     @property
     def worst(self) -> Any:
@@ -114,15 +115,6 @@ class Tolerance:
     def finished(self) -> bool:
         """Whether it was worked out to its end; facts["cut_short"] says why not."""
         return not self.facts["cut_short"]
-
-    def __str__(self) -> str:
-        return self._text
-
-    def __repr__(self) -> str:
-        return self._text
-
-    def _repr_html_(self) -> str:
-        return self._html
 
     @property
     def failing(self) -> float:

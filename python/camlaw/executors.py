@@ -76,12 +76,10 @@ class Carrier:
         self._counted = (float("-inf"), 1)
         self._arrivals: Any = None
 
-    def about(self, problem: bytes) -> None:
-        """What the orders are about."""
-        self._problem = problem
-
-    def begin(self, arrivals: Any) -> None:
+    def begin(self, arrivals: Any, problem: bytes) -> None:
+        """Before the first parcel: where parcels arrive, and what the orders are about."""
         self._arrivals = arrivals
+        self._problem = problem
 
     def workers(self) -> int:
         """Orders that can be carried out at a time now. A client of Dask is asked once a second."""

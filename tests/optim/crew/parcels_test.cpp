@@ -65,7 +65,7 @@ TEST_CASE("orders travel in parcels of the time that they are measured to take",
   SimulatedCluster cluster(quick(10));
   Counted errands(100'000);
   ParcelForce force(cluster);
-  force.run(errands, {});
+  force.run(errands);
   check_answers(errands, 100'000);
   CHECK(errands.losses.empty());
   CHECK(force.sent_again() == 0);
@@ -78,9 +78,9 @@ TEST_CASE("few orders are shared out among all workers", "[crew]") {
   SimulatedCluster cluster(quick(8, 1e-4));
   Counted known(4000), errands(16);
   ParcelForce force(cluster);
-  force.run(known, {});  // by now the force knows that 2000 orders would make a parcel
+  force.run(known);  // by now the force knows that 2000 orders would make a parcel
   const std::size_t before = cluster.sent();
-  force.run(errands, {});
+  force.run(errands);
   check_answers(errands, 16);
   CHECK(cluster.sent() - before == 16);
 }
@@ -91,7 +91,7 @@ TEST_CASE("an order that kills its workers is lost, and those beside it are not 
   SimulatedCluster cluster(rules);
   Counted errands(2000);
   ParcelForce force(cluster);
-  force.run(errands, {});
+  force.run(errands);
   check_answers(errands, 2000, {777, 1500});
   CHECK(errands.losses == std::map<std::size_t, std::string>{{777, "killed by signal 9"},
                                                              {1500, "killed by signal 9"}});
@@ -106,7 +106,7 @@ TEST_CASE("where all that is under way dies with a worker, the order to blame is
     rules.repair = 0;
     SimulatedCluster cluster(rules);
     Counted errands(count);
-    ParcelForce(cluster).run(errands, {});
+    ParcelForce(cluster).run(errands);
     check_answers(errands, count, {17, 23});
     CHECK(errands.losses.size() == 2);
   }
@@ -120,7 +120,7 @@ TEST_CASE("workers that fail at random lose no order", "[crew]") {
     rules.seed = seed;
     SimulatedCluster cluster(rules);
     Counted errands(20'000);
-    ParcelForce(cluster).run(errands, {});
+    ParcelForce(cluster).run(errands);
     CHECK(errands.losses.empty());
     check_answers(errands, 20'000);
   }
@@ -132,7 +132,7 @@ TEST_CASE("parcels that do not come back are sent again when a worker is idle", 
   SimulatedCluster cluster(rules);
   Counted errands(3000);
   ParcelForce force(cluster);
-  force.run(errands, {});
+  force.run(errands);
   check_answers(errands, 3000);
   CHECK(cluster.now() < 300);
 }
@@ -142,7 +142,7 @@ TEST_CASE("orders are sent until one of their copies comes back", "[crew]") {
   rules.lost = 0.7;
   SimulatedCluster cluster(rules);
   Counted errands(60);
-  ParcelForce(cluster).run(errands, {});
+  ParcelForce(cluster).run(errands);
   check_answers(errands, 60);
   CHECK(errands.losses.empty());
 }
@@ -152,7 +152,7 @@ TEST_CASE("workers that join are given work", "[crew]") {
   rules.joining = {2, 2, 2};
   SimulatedCluster cluster(rules);
   Counted errands(1000);  // 10 s of work: 2 s by one, 8 s by four
-  ParcelForce(cluster).run(errands, {});
+  ParcelForce(cluster).run(errands);
   check_answers(errands, 1000);
   CHECK(cluster.now() < 4.6);
 }
@@ -162,7 +162,7 @@ TEST_CASE("a worker that refuses orders ends the run with its name", "[crew]") {
   rules.refuses = "node7: the worker is of camlaw 0.9, the caller of camlaw 1.0";
   SimulatedCluster cluster(rules);
   Counted errands(10);
-  CHECK_THROWS_WITH(ParcelForce(cluster).run(errands, {}), Catch::Contains("node7"));
+  CHECK_THROWS_WITH(ParcelForce(cluster).run(errands), Catch::Contains("node7"));
   CHECK(errands.answers.empty());
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("a stop ends the run, and what has arrived stays", "[crew]") {
   SimulatedCluster cluster(quick(2));
   Counted errands(100'000);
   errands.after_answer = [&] { errands.stopped = errands.answers.size() >= 500; };
-  ParcelForce(cluster).run(errands, {});
+  ParcelForce(cluster).run(errands);
   CHECK(errands.answers.size() >= 500);
   CHECK(errands.answers.size() < 600);
   CHECK(errands.losses.empty());
