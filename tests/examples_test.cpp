@@ -8,10 +8,11 @@
 #include <string>
 
 #include "machines/registry.h"
+#include "tests/paths.h"
 
 namespace {
 
-constexpr const char* kFormulas = CAMLAW_SOURCE_DIR "/docs/machine-formulas";
+const std::string kFormulas = testing::source("docs/machine-formulas");
 
 std::string file_text(const std::string& path) {
   std::ifstream stream(path);
@@ -41,19 +42,18 @@ bool shows(const std::string& page, const std::string& file) {
 }  // namespace
 
 TEST_CASE("the README shows the example that is compiled here") {
-  CHECK(shows(CAMLAW_SOURCE_DIR "/README.md", CAMLAW_SOURCE_DIR "/examples/peaks_and_cam.cpp"));
+  CHECK(shows(testing::source("README.md"), testing::source("examples/peaks_and_cam.cpp")));
 }
 
 TEST_CASE("the page of optimisation shows the solver that is registered here", "[solvers]") {
-  CHECK(shows(CAMLAW_SOURCE_DIR "/docs/optimisation.md",
-              CAMLAW_SOURCE_DIR "/examples/own_solver.cpp"));
+  CHECK(shows(testing::source("docs/optimisation.md"), testing::source("examples/own_solver.cpp")));
   // From 2 (x - 1) + y = 0 and x + 4 y = 0: x = 8/7, y = -2/7, and (1 - 16 + 8) / 49 = -1/7.
-  CHECK(output_of(CAMLAW_OWN_SOLVER) ==
+  CHECK(output_of(testing::own_solver_program()) ==
         "-0.142857 at (1.142857, -0.285714) by compass: certified optimum\n");
 }
 
 TEST_CASE("the example prints what the library's closed forms give") {
-  const std::string output = output_of(CAMLAW_EXAMPLE);
+  const std::string output = output_of(testing::example_program());
   // Modified sine: C = 4 pi^2 / (4 + pi); B = C (1/8 (2/pi) + 3/8 (2/pi)) = C / pi.
   CHECK(output.find("C_v = 1.7596033860, C_a = 5.5279570") != std::string::npos);
   // R = 30 mm B / (pi tan 30 deg)
@@ -62,23 +62,23 @@ TEST_CASE("the example prints what the library's closed forms give") {
 }
 
 TEST_CASE("the page of laws is what the catalogue prints") {
-  const std::string page = output_of(CAMLAW_PROGRAM " laws --markdown");
+  const std::string page = output_of(testing::program() + " laws --markdown");
   CHECK(page.find("| modified-sine |") != std::string::npos);
-  CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/laws.md"));
+  CHECK(page == file_text(testing::source("docs/laws.md")));
 }
 
 TEST_CASE("the page of mechanisms is what the program prints", "[documents]") {
-  const std::string page = output_of(CAMLAW_PROGRAM " mechanisms --markdown");
+  const std::string page = output_of(testing::program() + " mechanisms --markdown");
   CHECK(page.find("## disc-cam-roller") != std::string::npos);
-  CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/mechanisms.md"));
+  CHECK(page == file_text(testing::source("docs/mechanisms.md")));
 }
 
 TEST_CASE("the pages of the machines' formulas are what they are computed by", "[documents]") {
   std::size_t pages = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFormulas)) {
     INFO(entry.path());
-    const std::string page =
-        output_of(CAMLAW_PROGRAM " mechanisms " + entry.path().stem().string() + " --formulas");
+    const std::string page = output_of(testing::program() + " mechanisms " +
+                                       entry.path().stem().string() + " --formulas");
     CHECK(page.find("&= ") != std::string::npos);
     CHECK(page == file_text(entry.path()));
     ++pages;

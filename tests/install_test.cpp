@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/paths.h"
+
 TEST_CASE("the API's reference builds without warnings where Doxygen is installed", "[documents]") {
   if (std::system("command -v doxygen >/dev/null") != 0) {
     WARN("doxygen is not installed");
@@ -12,9 +14,8 @@ TEST_CASE("the API's reference builds without warnings where Doxygen is installe
 }
 
 TEST_CASE("what is installed builds and runs programs, and makes packages", "[install][heavy]") {
-  const std::string command = std::string("CXXFLAGS='") + CAMLAW_CXX_FLAGS +
-                              "' " CAMLAW_SOURCE_DIR
-                              "/tests/install/check_install.sh '" CAMLAW_BUILD_DIR
-                              "' '" CAMLAW_SOURCE_DIR "'";
+  const std::string command = std::string("CXXFLAGS='") + CAMLAW_CXX_FLAGS + "' " +
+                              testing::source("tests/install/check_install.sh") +
+                              " '" CAMLAW_BUILD_DIR "' '" + testing::source() + "'";
   CHECK(std::system(command.c_str()) == 0);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "machines/registry.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 /// The rules that docs/design.md, "Rooms", states of the house, read from its sources.
@@ -109,7 +110,7 @@ std::string room_of(const std::string& file) { return file.substr(0, file.find('
 /// The sources of a folder, from the root.
 std::vector<std::string> sources_of(const std::string& folder) {
   std::vector<std::string> files;
-  const fs::path root = CAMLAW_SOURCE_DIR;
+  const fs::path root = testing::source();
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     const std::string extension = entry.path().extension().string();
     if (extension == ".h" || extension == ".cpp") {
@@ -133,7 +134,7 @@ std::vector<Include> includes_of(const std::vector<std::string>& files) {
   static const std::regex line(R"(#include ([<"])([^>"]+)[>"])");
   std::vector<Include> all;
   for (const std::string& file : files) {
-    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / file);
+    const std::string text = testing::read(fs::path(testing::source()) / file);
     for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
       all.push_back({file, (*i)[2], (*i)[1] == "\""});
     }
@@ -217,7 +218,7 @@ TEST_CASE("each library's headers are included where the list says", "[architect
 TEST_CASE("a refusal is caught where the list says", "[architecture]") {
   Names unused = refusals_caught();
   for (const std::string& file : sources()) {
-    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / file);
+    const std::string text = testing::read(fs::path(testing::source()) / file);
     if (text.find("catch (const std::invalid_argument") == std::string::npos) continue;
     INFO(file << " catches std::invalid_argument");
     CHECK(allows(refusals_caught(), file));
@@ -234,7 +235,7 @@ TEST_CASE("no machine is told by its name but where files and people name it", "
   for (const problems::Mechanism& machine : problems::mechanisms()) machines.insert(machine.name);
   REQUIRE(machines.size() > 20);
   for (const std::string& file : sources()) {
-    std::istringstream text(testing::read(fs::path(CAMLAW_SOURCE_DIR) / file));
+    std::istringstream text(testing::read(fs::path(testing::source()) / file));
     for (std::string line; std::getline(text, line);) {
       if (!std::regex_search(line, compared) || line.find("name") == std::string::npos) continue;
       for (std::sregex_iterator i(line.begin(), line.end(), named), end; i != end; ++i) {
@@ -253,7 +254,7 @@ TEST_CASE("no machine is told by its name but where files and people name it", "
 Names installed_headers() {
   Names headers;
   for (const std::string& word :
-       words_of(fs::path(CAMLAW_SOURCE_DIR) / "cmake/CamlawHeaders.cmake")) {
+       words_of(fs::path(testing::source()) / "cmake/CamlawHeaders.cmake")) {
     if (word.ends_with(".h") && word.find('/') != std::string::npos) headers.insert(word);
   }
   return headers;
@@ -273,7 +274,7 @@ TEST_CASE("installed headers are few, short and light", "[architecture]") {
   REQUIRE(headers.size() > 20);
   for (const std::string& header : headers) {
     INFO(header);
-    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / header);
+    const std::string text = testing::read(fs::path(testing::source()) / header);
     CHECK(std::count(text.begin(), text.end(), '\n') <= 400);
   }
   for (const Include& include : includes_of({headers.begin(), headers.end()})) {
@@ -303,7 +304,7 @@ TEST_CASE("who asks for dual numbers alone gets Ceres, and Eigen with it", "[arc
 }
 
 TEST_CASE("every source is compiled, every header is included somewhere", "[architecture]") {
-  const fs::path root = CAMLAW_SOURCE_DIR;
+  const fs::path root = testing::source();
   std::vector<std::string> files = sources();
   for (const char* folder : {"tests", "examples", "benchmarks"}) {
     for (std::string& file : sources_of(folder)) files.push_back(std::move(file));

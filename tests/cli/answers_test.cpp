@@ -4,12 +4,13 @@
 #include <regex>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::answers_test {
 namespace {
 
-const std::string kCam = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
-const std::string kFront = CAMLAW_SOURCE_DIR "/problems/spine_cutter/front.toml";
+const std::string kCam = testing::source("problems/cams/roller_least_base.toml");
+const std::string kFront = testing::source("problems/spine_cutter/front.toml");
 
 /// A number as people read it, and what rounding it may have cost.
 struct Shown {

@@ -9,13 +9,14 @@
 #include "problems/results/seal.h"
 #include "tests/cli/program_runner.h"
 #include "tests/flipped.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::damaged_records_test {
 namespace {
 
 using testing::flipped, testing::write;
 
-const std::string kProblems = std::string(CAMLAW_SOURCE_DIR) + "/problems/";
+const std::string kProblems = testing::source("problems/");
 const std::string kCam = kProblems + "cams/roller_least_base.toml";
 
 #if defined(__SANITIZE_ADDRESS__)

@@ -10,6 +10,7 @@
 #include "problems/law_files/pieces_json.h"
 #include "problems/statement/bind.h"
 #include "tests/cli/shell.h"
+#include "tests/paths.h"
 
 #ifdef __SANITIZE_ADDRESS__
 /// The C library keeps the words of LOCPATH for ever.
@@ -19,7 +20,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_s
 namespace camlaw::cli::determinism_test {
 namespace {
 
-const std::string kProblems = CAMLAW_SOURCE_DIR "/problems/";
+const std::string kProblems = testing::source("problems/");
 const std::string kGerman = "de_DE.UTF-8";
 
 /// Makes the locale in which 1.5 is 1,5, in a folder; false where the machine cannot.
@@ -54,7 +55,7 @@ std::vector<std::string> surroundings(const Folder& folder) {
 /// A line that runs the program so, with another shell than the one of the test.
 std::string line_of(const std::string& before, const std::string& command) {
   const bool is_prefix = before.starts_with("taskset");
-  const std::string program = std::string("'") + CAMLAW_PROGRAM + "' " + command;
+  const std::string program = std::string("'") + testing::program() + "' " + command;
   return is_prefix ? before.substr(0, before.size() - 1) + " " + program
                    : "( " + before + " " + program + " )";
 }

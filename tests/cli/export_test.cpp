@@ -11,6 +11,7 @@
 #include "output/export/plane_curve.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::export_test {
 namespace {
@@ -20,7 +21,7 @@ using problems::PlaneCurve;
 
 constexpr double kTolerance = 0.01;  // mm
 
-std::string problem(const std::string& name) { return CAMLAW_SOURCE_DIR "/problems/" + name; }
+std::string problem(const std::string& name) { return testing::source("problems/") + name; }
 const std::string kRoller = problem("cams/roller_least_base.toml");
 
 std::vector<std::string> files_of(const std::string& folder) {
@@ -81,7 +82,7 @@ struct Drawing {
 
 Drawing read_by_ezdxf(const std::string& path) {
   const std::string command =
-      "/usr/bin/python3 " CAMLAW_SOURCE_DIR "/tests/independent/read_dxf.py " + path;
+      "/usr/bin/python3 " + testing::source("tests/independent/read_dxf.py ") + path;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string text;

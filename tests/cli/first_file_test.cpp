@@ -4,6 +4,7 @@
 
 #include "machines/registry.h"
 #include "tests/cli/shell.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::first_file_test {
 namespace {
@@ -113,7 +114,7 @@ TEST_CASE("an example is found by its name, brings its tables and replaces nothi
   CHECK_THAT(said, Contains("roller_from_catalogue.toml") && Contains("iko_c_lube"));
   CHECK(fs::exists(fs::path(out) / "iko_c_lube_cam_followers.csv"));
   CHECK(read(out + "/roller_from_catalogue.toml") ==
-        read(CAMLAW_SOURCE_DIR "/problems/cams/roller_from_catalogue.toml"));
+        read(testing::source("problems/cams/roller_from_catalogue.toml")));
   CHECK_THAT(failed({"examples", "cams/roller_from_catalogue", "--out", out}, 2),
              Contains("exists"));
   done({"examples", "problems/cams/recorded_torque.toml", "--out", folder / "torque"});

@@ -11,6 +11,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 #include "tests/random_numbers.h"
 
 namespace camlaw::cli::fit_test {
@@ -152,7 +153,7 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
 
 TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[program][heavy]") {
   const Folder folder;
-  const std::string data = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const std::string data = testing::source("problems/cams/worn_cam.csv");
   const Words words{
       "fit",   data,          "--mechanism", "disc-cam-roller", "--set", "roller_radius=8 mm",
       "--out", folder / "out"};
@@ -174,7 +175,7 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
 
 TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
   const Folder folder;
-  const std::string base = CAMLAW_SOURCE_DIR "/problems/cams/recorded_torque";
+  const std::string base = testing::source("problems/cams/recorded_torque");
   const ParsedJson found = json_of({"fit", base + ".csv", "--mechanism", base + ".toml", "--json"});
   CHECK(found["trusted"] == true);
   CHECK(found["identifiable"] == true);
@@ -208,7 +209,7 @@ TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
 
 TEST_CASE("fit neither removes nor writes over what it reads", "[program]") {
   const Folder folder;
-  const std::string base = CAMLAW_SOURCE_DIR "/problems/cams/recorded_torque";
+  const std::string base = testing::source("problems/cams/recorded_torque");
   const std::string machine = written(folder, "program.toml", testing::read(base + ".toml")),
                     mine = testing::read(machine);
   for (int run = 0; run < 2; ++run) {  // the second finds a fit.json of an earlier one
@@ -221,7 +222,7 @@ TEST_CASE("fit neither removes nor writes over what it reads", "[program]") {
   written(folder, "other/law.json", "mine");
   done({"fit", base + ".csv", "--mechanism", machine, "--out", other});
   CHECK(read(other + "/law.json") == "mine");
-  const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const std::string cam = testing::source("problems/cams/worn_cam.csv");
   const std::string roller = written(
       folder, "program.toml", "mechanism = 'disc-cam-roller'\n[constants]\nroller_radius='8 mm'\n");
   CHECK_THAT(

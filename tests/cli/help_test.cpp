@@ -3,6 +3,7 @@
 
 #include "tests/cli/command_help.h"
 #include "tests/cli/shell.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::help_test {
 namespace {
@@ -45,7 +46,7 @@ TEST_CASE("every command has examples in its help, and they work", "[documents][
 
 TEST_CASE("what the README says to try has commands, options and files that exist", "[documents]") {
   const Folder folder;
-  const auto lines = lines_after(read(CAMLAW_SOURCE_DIR "/README.md"), "    ./run ");
+  const auto lines = lines_after(read(testing::source("README.md")), "    ./run ");
   CHECK(lines.size() >= 15);
   for (const std::string& line : lines) {
     INFO(line);
@@ -54,7 +55,7 @@ TEST_CASE("what the README says to try has commands, options and files that exis
     const std::string help = done({words.front(), "--help"});
     for (const std::string& word : words) {
       if (word.starts_with("--")) CHECK_THAT(help, Contains(word));
-      if (word.starts_with("problems/")) CHECK(fs::exists(CAMLAW_SOURCE_DIR "/" + word));
+      if (word.starts_with("problems/")) CHECK(fs::exists(testing::source("") + word));
     }
   }
 }

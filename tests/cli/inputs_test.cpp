@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "tests/cli/command_help.h"
 #include "tests/cli/shell.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::inputs_test {
 namespace {
@@ -28,7 +29,7 @@ const std::string kSpring =
 
 /// A folder with one file of each kind that commands read.
 void fill(const Folder& folder) {
-  const std::string problems = CAMLAW_SOURCE_DIR "/problems/";
+  const std::string problems = testing::source("problems/");
   testing::write(folder / "one.toml", kProblem + kOne);
   testing::write(folder / "two.toml", kProblem + kTwo);
   testing::write(folder / "spring.toml", kSpring);
@@ -40,7 +41,7 @@ void fill(const Folder& folder) {
     if (i % 4 == 0 || rows[i].find_first_of("#[") != std::string::npos) cam << rows[i] << "\n";
   }
   cam.close();
-  fs::copy_file(CAMLAW_SOURCE_DIR "/tests/fuzz/corpus/samples/motion.csv", folder / "motion.csv");
+  fs::copy_file(testing::source("tests/fuzz/corpus/samples/motion.csv"), folder / "motion.csv");
   done({"synthesize", folder / "free.toml", "--out", folder / "made"});
   fs::rename(folder / "made/law.json", folder / "law.json");
   done({"optimize", folder / "one.toml", "--out", folder / "made"});
@@ -239,7 +240,7 @@ TEST_CASE("a folder of results loses no file of another", "[program]") {
   fs::create_directory(out);
   testing::write(out + "/law.svg", "mine");
   const Outcome outcome =
-      run({"optimize", CAMLAW_SOURCE_DIR "/problems/springs/fewest_discs.toml", "--out", out});
+      run({"optimize", testing::source("problems/springs/fewest_discs.toml"), "--out", out});
   INFO(outcome.out << outcome.err);
   CHECK(outcome.status == 0);
   CHECK(read(out + "/law.svg") == "mine");

@@ -12,6 +12,7 @@
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 // Models that are larger than a search can finish, inputs that are larger than anybody means: both
 // end in bounded time and memory.
@@ -176,7 +177,7 @@ TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
     CHECK_THAT(outcome.out, Contains("the time limit of 1 s was reached"));
   }
   SECTION("fit") {
-    const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+    const std::string cam = testing::source("problems/cams/worn_cam.csv");
     const Words words{"fit", cam, "--mechanism", "disc-cam-roller", "--set", "roller_radius=8 mm"};
     Words timed = words;
     timed.insert(timed.end(), {"--time-limit", "0.01"});
@@ -192,7 +193,7 @@ TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
 }
 
 TEST_CASE("a fit without the time for every law says which it has not tried", "[program][heavy]") {
-  const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const std::string cam = testing::source("problems/cams/worn_cam.csv");
   const Words words{"fit", cam, "--mechanism", "disc-cam-roller", "--json"};
   ParsedJson whole;
   const double all = seconds_of([&] { whole = ParsedJson::parse(run(words).out); });

@@ -4,11 +4,12 @@
 #include <thread>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::mechanisms_test {
 namespace {
 
-const std::string kCam = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+const std::string kCam = testing::source("problems/cams/roller_least_base.toml");
 
 }  // namespace
 
@@ -57,7 +58,7 @@ TEST_CASE("evaluate draws the cam's profile, and refuses what is not there", "[p
   CHECK_THAT(done({"evaluate", kCam, "--profile", svg}), Contains("wrote " + svg));
   check_svg(svg);
   CHECK_THAT(read(svg), Contains("pitch curve") && Contains("cutter path"));
-  const std::string problems = CAMLAW_SOURCE_DIR "/problems/";
+  const std::string problems = testing::source("problems/");
   const std::string geneva = problems + "geneva/fastest.toml";
   const std::string springs = problems + "springs/lightest_helical.toml";
   const std::string none = folder / "none.svg";
@@ -72,7 +73,7 @@ TEST_CASE("evaluate draws the cam's profile, and refuses what is not there", "[p
 
 TEST_CASE("what no law moves has a picture of its cycle, and none of a law", "[program]") {
   const Folder folder;
-  const std::string geneva = CAMLAW_SOURCE_DIR "/problems/geneva/fastest.toml";
+  const std::string geneva = testing::source("problems/geneva/fastest.toml");
   done({"optimize", geneva, "--out", folder / "out"});
   check_svg(folder / "out/cycle.svg");
   CHECK(fs::exists(folder / "out/result.json"));
@@ -81,7 +82,7 @@ TEST_CASE("what no law moves has a picture of its cycle, and none of a law", "[p
 }
 
 TEST_CASE("a long search that is interrupted ends with the best verified design", "[program]") {
-  const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/least_moment.toml";
+  const std::string file = testing::source("problems/spine_cutter/least_moment.toml");
   const Running running({"optimize", file, "--starts", "100000", "--json"});
   std::this_thread::sleep_for(std::chrono::seconds(2));
   REQUIRE(kill(running.id(), SIGINT) == 0);

@@ -4,12 +4,13 @@
 #include <numbers>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::optimize_test {
 namespace {
 
 std::string shipped(const std::string& name) {
-  return std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/" + name;
+  return testing::source("problems/spine_cutter/") + name;
 }
 
 /// A problem file in a folder.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Formulas of a file's own through the program's commands, and the program's own formulas printed.
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::own_formulas_test {
 namespace {
 
-const std::string kCrank = CAMLAW_SOURCE_DIR "/problems/own/slider_crank.toml";
+const std::string kCrank = testing::source("problems/own/slider_crank.toml");
 
 /// A front whose objectives are the file's own, over two laws, on a machine of its own.
 const std::string kFront = R"toml(
@@ -68,7 +69,7 @@ TEST_CASE("workers know a file's own formulas, and its study too", "[program][fo
 
 TEST_CASE("check says what responses depend on and which shape they have", "[program][formula]") {
   const std::string said =
-      done({"check", CAMLAW_SOURCE_DIR "/problems/springs/lightest_helical.toml"});
+      done({"check", testing::source("problems/springs/lightest_helical.toml")});
   CHECK_THAT(said, Contains("depends on") &&
                        Contains("wire_diameter (quasilinear), mean_diameter (linear)") &&
                        Contains("outer_diameter   wire_diameter (linear), mean_diameter (linear)"));

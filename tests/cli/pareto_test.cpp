@@ -15,12 +15,13 @@
 #include "problems/results/recorded_design.h"
 #include "tests/cli/program_runner.h"
 #include "tests/optim/pareto/evenness.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::pareto_test {
 namespace {
 
 std::string shipped(const std::string& name) {
-  return std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/" + name;
+  return testing::source("problems/spine_cutter/") + name;
 }
 
 std::string written(const Folder& folder, const std::string& name, const std::string& text) {
@@ -57,14 +58,14 @@ Outcome shell(const std::string& script, const Folder& folder) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
 
-const std::string kProgram = "'" CAMLAW_PROGRAM "'";
+const std::string kProgram = "'" + testing::program() + "'";
 
 /// The program in a process group of its own, which after a while gets a signal: it and all its
 /// workers at once, as a terminal or a service manager sends it.
 Outcome of_group(Words words, int ms, int signal) {
   const Folder folder;
   const std::string out = folder / "out", err = folder / "err";
-  words.insert(words.begin(), CAMLAW_PROGRAM);
+  words.insert(words.begin(), testing::program());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -73,7 +74,7 @@ Outcome of_group(Words words, int ms, int signal) {
     setpgid(0, 0);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-    execv(CAMLAW_PROGRAM, arguments.data());
+    execv(arguments[0], arguments.data());
     _exit(127);
   }
   if (child < 0) throw std::runtime_error("no process");
@@ -197,8 +198,8 @@ TEST_CASE("a study that goes on keeps its points and method unless told otherwis
 
 TEST_CASE("a study knows the law files of its problem", "[program]") {
   const Folder folder;
-  done({"synthesize", std::string(CAMLAW_SOURCE_DIR) + "/problems/free_law/quiet_rise.toml",
-        "--out", folder / "laws"});
+  done({"synthesize", testing::source("problems/free_law/quiet_rise.toml"), "--out",
+        folder / "laws"});
   const std::string law = folder / "laws/law.json";
   const std::string file = written(folder, "mine.toml",
                                    "mechanism = 'law'\n[law]\nname = ['laws/law.json', "
@@ -213,8 +214,8 @@ TEST_CASE("a study knows the law files of its problem", "[program]") {
   CHECK(shell("cd / && " + kProgram + " front '" + db + "' --json", folder).out == expected);
   // Another law by the same name is noticed by a study that goes on.
   const std::string text = read(law);
-  done({"synthesize", std::string(CAMLAW_SOURCE_DIR) + "/problems/free_law/least_acceleration.toml",
-        "--out", folder / "laws"});
+  done({"synthesize", testing::source("problems/free_law/least_acceleration.toml"), "--out",
+        folder / "laws"});
   REQUIRE(read(law) != text);
   CHECK(done({"front", db, "--json"}) == expected);  // it carries its own
   CHECK_THAT(failed(pareto(file, {"--db", db, "--resume"}), 2), Contains("law 'law' is not"));
@@ -565,7 +566,7 @@ TEST_CASE("an objective's tolerance in the file decides which points differ", "[
 }
 
 TEST_CASE("the roller's front of three objectives is even and complete", "[program][heavy]") {
-  const std::string file = std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_front.toml";
+  const std::string file = testing::source("problems/cams/roller_front.toml");
   const ParsedJson result = json_of(pareto(file, {"--points", "40", "--json"}));
   CHECK(result["complete"] == true);
   CHECK(result["largest_gap"] <= 2.5);

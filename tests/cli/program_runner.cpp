@@ -20,10 +20,10 @@ Running::Running(Words words) {
   const int flags = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), flags, 0600);
-  const int failed =
-      posix_spawn(&child_, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ);
+  const int failed = posix_spawn(&child_, testing::program().c_str(), &actions, nullptr,
+                                 arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("cannot start " CAMLAW_PROGRAM);
+  if (failed != 0) throw std::runtime_error("cannot start " + testing::program());
 }
 
 Outcome Running::wait() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The built program, run as a user runs it. CAMLAW_PROGRAM is its path.
+// The built program, run as a user runs it.
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -6,6 +6,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::program_test {
 
@@ -88,14 +89,14 @@ TEST_CASE("one place for table and picture is refused and nothing is written", "
 }
 
 TEST_CASE("output that cannot be written is a failure", "[program]") {
-  const std::string command = std::string(CAMLAW_PROGRAM) + " laws --json >/dev/full 2>/dev/null";
+  const std::string command = testing::program() + " laws --json >/dev/full 2>/dev/null";
   const int status = std::system(command.c_str());
   CHECK(WEXITSTATUS(status) == 1);
 }
 
 TEST_CASE("without standard error the exit status still tells", "[program]") {
   const auto status_of = [](const std::string& words) {
-    const std::string command = std::string(CAMLAW_PROGRAM) + " " + words;
+    const std::string command = testing::program() + " " + words;
     return WEXITSTATUS(std::system(command.c_str()));
   };
   CHECK(status_of("lwas 2>&-") == 2);
@@ -106,8 +107,8 @@ TEST_CASE("without standard error the exit status still tells", "[program]") {
 
 TEST_CASE("a file does not take the place of a closed stream", "[program]") {
   const Folder folder;
-  const std::string command = std::string(CAMLAW_PROGRAM) + " law cubic --csv " +
-                              (folder / "cubic.csv") + " --samples 2 >&- 2>&-";
+  const std::string command =
+      testing::program() + " law cubic --csv " + (folder / "cubic.csv") + " --samples 2 >&- 2>&-";
   CHECK(WEXITSTATUS(std::system(command.c_str())) == 1);
   CHECK(read(folder / "cubic.csv") == "x,s,v,a,j\n0,0,0,6,-12\n1,1,0,-6,-12\n");
 }

@@ -7,13 +7,12 @@
 
 #include "problems/results/seal.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::report_test {
 namespace {
 
-std::string shipped(const std::string& name) {
-  return std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name;
-}
+std::string shipped(const std::string& name) { return testing::source("problems/") + name; }
 
 std::string page_of(const std::string& input, const Folder& folder) {
   const std::string page = folder / "page.html";
@@ -386,8 +385,8 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
   }
   add({"reproduce", "spine-cutter", "die-press", "--report"}, "reproduction.html");
   const std::string said = folder / "said.txt";
-  const std::string command = std::string("python3 '") + CAMLAW_SOURCE_DIR +
-                              "/tests/report/open_reports.py'" + pages + " > '" + said + "' 2>&1";
+  const std::string command = "python3 '" + testing::source("tests/report/open_reports.py") + "'" +
+                              pages + " > '" + said + "' 2>&1";
   const int status = std::system(command.c_str());
   INFO(read(said));
   CHECK(status == 0);

@@ -5,15 +5,14 @@
 #include <map>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::sensitivity_test {
 namespace {
 
 using testing::write;
 
-std::string shipped(const std::string& name) {
-  return std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name;
-}
+std::string shipped(const std::string& name) { return testing::source("problems/") + name; }
 
 const std::string kForce = "peak_inertia_force";
 

@@ -4,21 +4,20 @@
 #include <cstdlib>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli {
 
 /// A folder in which the problem files lie as in the project's.
 class ProjectFolder : public Folder {
  public:
-  ProjectFolder() {
-    fs::create_directory_symlink(CAMLAW_SOURCE_DIR "/problems", *this / "problems");
-  }
+  ProjectFolder() { fs::create_directory_symlink(testing::source("problems"), *this / "problems"); }
 };
 
 /// Runs a line of bash there; `camlaw` is the program.
 inline Outcome shell(const Folder& folder, const std::string& line) {
   std::ofstream(folder / "line.sh") << "cd '" << folder / ""
-                                    << "'\ncamlaw() { '" CAMLAW_PROGRAM << "' \"$@\"; }\n"
+                                    << "'\ncamlaw() { '" << testing::program() << "' \"$@\"; }\n"
                                     << line << "\n";
   const std::string out = folder / "out.txt", err = folder / "err.txt";
   const int status =

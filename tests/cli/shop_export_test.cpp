@@ -7,6 +7,7 @@
 #include "output/export/plane_curve.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::shop_export_test {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using problems::PlaneCurve;
 
-const std::string kRoller = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+const std::string kRoller = testing::source("problems/cams/roller_least_base.toml");
 
 PlaneCurve exact_curve(const std::string& option) {
   return problems::cam_curves(problems::read_problem_file(kRoller), option).front();
@@ -46,9 +47,9 @@ std::vector<std::vector<double>> entities(const std::string& text, const std::st
 
 std::string read_by_ezdxf(const std::string& path) {
   const Folder folder;
-  const std::string command = "/usr/bin/python3 " CAMLAW_SOURCE_DIR
-                              "/tests/independent/read_dxf.py " +
-                              path + " > " + (folder / "out");
+  const std::string command = "/usr/bin/python3 " +
+                              testing::source("tests/independent/read_dxf.py ") + path + " > " +
+                              (folder / "out");
   REQUIRE(std::system(command.c_str()) == 0);
   return read(folder / "out");
 }
@@ -112,7 +113,7 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
 TEST_CASE("a keyway points to the zero mark, also where that is not on the y axis",
           "[export][shop]") {
   const Folder folder;
-  done({"export", CAMLAW_SOURCE_DIR "/problems/cams/leading_least_base.toml", "--drawing", "--bore",
+  done({"export", testing::source("problems/cams/leading_least_base.toml"), "--drawing", "--bore",
         "6 mm", "--keyway", "2 x 1 mm", "--out", folder / "cam.dxf"});
   const std::string text = read_by_ezdxf(folder / "cam.dxf");
   const auto key = entities(text, "LINE SHAFT"), mark = entities(text, "LINE ZERO_MARK");
@@ -218,7 +219,7 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
 }
 
 TEST_CASE("a tool's radius without a unit is in the unit of the file", "[export][shop]") {
-  const std::string flat = CAMLAW_SOURCE_DIR "/problems/cams/flat_least_base.toml";
+  const std::string flat = testing::source("problems/cams/flat_least_base.toml");
   CHECK_THAT(done({"export", flat, "--format", "gcode", "--unit", "inch", "--tool", "0.25"}),
              Contains("tool radius 0.25 in"));
   CHECK_THAT(done({"export", flat, "--format", "gcode", "--tool", "0.25 in"}),

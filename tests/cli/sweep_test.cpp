@@ -6,12 +6,12 @@
 #include <thread>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::sweep_test {
 namespace {
 
-const std::string kProblem =
-    std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_least_base.toml";
+const std::string kProblem = testing::source("problems/cams/roller_least_base.toml");
 
 Words sweep(Words more) {
   Words words{

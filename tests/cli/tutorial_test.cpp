@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/cli/shell.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::tutorial_test {
 namespace {
@@ -47,7 +48,7 @@ void check_alike(const std::string& drawn, const std::string& kept) {
 
 /// Runs a page's commands and looks for the lines that it says they print.
 void check_page(const ProjectFolder& folder, const std::string& page, std::size_t least) {
-  const auto steps = steps_of(read(CAMLAW_SOURCE_DIR "/" + page));
+  const auto steps = steps_of(read(testing::source("") + page));
   CHECK(steps.size() >= least);
   for (const Step& step : steps) {
     INFO(step.command);
@@ -92,7 +93,7 @@ TEST_CASE("the README's five minutes print what it says", "[documents]") {
 }
 
 TEST_CASE("links of the documents lead somewhere", "[documents]") {
-  const fs::path root = CAMLAW_SOURCE_DIR;
+  const fs::path root = testing::source();
   std::vector<fs::path> pages{root / "README.md", root / "benchmarks/README.md"};
   for (const auto& file : fs::directory_iterator(root / "docs")) {
     if (file.path().extension() == ".md") pages.push_back(file.path());
@@ -117,11 +118,11 @@ TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
   const ProjectFolder folder;
   check_page(folder, "docs/tutorial.md", 9);
   check_alike(read(folder / "results/least_force/cycle.svg"),
-              read(CAMLAW_SOURCE_DIR "/docs/tutorial/spine_cutter.svg"));
+              read(testing::source("docs/tutorial/spine_cutter.svg")));
   check_alike(read(folder / "results/disc_cam/profile.svg"),
-              read(CAMLAW_SOURCE_DIR "/docs/tutorial/disc_cam.svg"));
+              read(testing::source("docs/tutorial/disc_cam.svg")));
   check_alike(read(folder / "results/worn/fit.svg"),
-              read(CAMLAW_SOURCE_DIR "/docs/tutorial/worn_cam.svg"));
+              read(testing::source("docs/tutorial/worn_cam.svg")));
 }
 
 }  // namespace camlaw::cli::tutorial_test

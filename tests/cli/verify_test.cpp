@@ -3,11 +3,12 @@
 #include <filesystem>
 
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::verify_test {
 namespace {
 
-const std::string kCam = std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_least_base.toml";
+const std::string kCam = testing::source("problems/cams/roller_least_base.toml");
 
 std::string stored(const Folder& folder, const ParsedJson& result) {
   const std::string path = folder / "result.json";
@@ -210,7 +211,7 @@ TEST_CASE("values that are set beside the file stay with the result", "[program]
   CHECK(result["objective"].get<double>() <
         json_of({"optimize", kCam, "--json"})["objective"].get<double>() - 10);
   // The study of a front keeps them too, and does not go on with others.
-  const std::string front = std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml";
+  const std::string front = testing::source("problems/spine_cutter/front.toml");
   const std::string study = folder / "study.db";
   const auto pareto = [&](std::vector<std::string> more) {
     std::vector<std::string> line{"pareto", front, "--points", "4", "--db", study};

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // --workers of the commands that search for one answer.
 #include "tests/cli/program_runner.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::workers_test {
 namespace {
 
-std::string shipped(const std::string& name) {
-  return std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name;
-}
+std::string shipped(const std::string& name) { return testing::source("problems/") + name; }
 
 std::vector<Words> commands() {
   return {{"optimize", shipped("die_press/least_approach.toml")},

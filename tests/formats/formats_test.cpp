@@ -12,6 +12,7 @@
 #include "problems/law_files/law_file.h"
 #include "problems/law_files/pieces_json.h"
 #include "problems/results/recorded_design.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems::formats_test {
@@ -23,7 +24,7 @@ using testing::Folder, testing::read, testing::write;
 
 std::vector<fs::path> files_of(const char* kind) {
   std::vector<fs::path> files;
-  for (const auto& time : fs::directory_iterator(CAMLAW_SOURCE_DIR "/tests/formats")) {
+  for (const auto& time : fs::directory_iterator(testing::source("tests/formats"))) {
     if (!fs::is_directory(time.path() / kind)) continue;
     for (const auto& file : fs::directory_iterator(time.path() / kind)) files.push_back(file);
   }

@@ -14,6 +14,7 @@
 #include "problems/results/judged_design.h"
 #include "problems/statement/bind.h"
 #include "tests/cutter_study.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::fuzz {
@@ -117,7 +118,7 @@ const Target& find_target(std::string_view name) {
 std::vector<std::string> corpus(const Target& target) {
   std::vector<fs::path> paths;
   for (const std::string& folder : target.folders) {
-    const fs::path root = fs::path(CAMLAW_SOURCE_DIR) / folder;
+    const fs::path root = fs::path(testing::source()) / folder;
     if (!fs::exists(root)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
       if (entry.is_regular_file() && entry.path().extension() == target.ending) {

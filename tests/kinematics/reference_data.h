@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinematics/shape.h"
+#include "tests/paths.h"
 
 /// What the tests of laws run over: members of the families beside the defaults, and tables of
 /// constants read from files.
@@ -126,7 +127,7 @@ inline std::vector<std::string> split_fields(const std::string& line) {
 
 /// Reads a table by its path from the root of the repository.
 inline std::vector<Row> read_table(const std::string& path) {
-  std::ifstream file(std::string(CAMLAW_SOURCE_DIR) + "/" + path);
+  std::ifstream file(testing::source("") + path);
   if (!file) throw std::runtime_error("cannot read " + path);
   std::string line;
   std::getline(file, line);

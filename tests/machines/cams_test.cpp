@@ -12,6 +12,7 @@
 #include "machines/cams/oscillating_roller_cam.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 namespace camlaw::problems::cams_test {
@@ -22,8 +23,7 @@ using optim::Verdict;
 constexpr double kPi = std::numbers::pi;
 
 Found solved(const std::string& name) {
-  const BoundProblem bound(
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/" + name));
+  const BoundProblem bound(read_problem_file(testing::source("problems/cams/") + name));
   return optim::optimise(bound.space()).found;
 }
 

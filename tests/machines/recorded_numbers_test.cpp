@@ -11,6 +11,7 @@
 #include "machines/registry.h"
 #include "tests/kinematics/reference_data.h"
 #include "tests/machines/mechanism_fixture.h"
+#include "tests/paths.h"
 
 /// What every response of every machine was at twenty designs when it was recorded: whoever moves a
 /// formula sees whether it still gives its numbers. `camlaw_tests [.record-numbers]` writes the
@@ -119,7 +120,7 @@ TEST_CASE("the numbers of every response are recorded", "[.record-numbers]") {
     }
     text += "\n";
   });
-  std::ofstream(std::string(CAMLAW_SOURCE_DIR) + "/" + kTable) << text;
+  std::ofstream(testing::source("") + kTable) << text;
 }
 
 }  // namespace camlaw::problems::testing

@@ -14,6 +14,7 @@
 
 #include "machines/registry.h"
 #include "tests/machines/mechanism_fixture.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::shape_proofs_test {
 namespace {
@@ -23,7 +24,7 @@ using testing::design_of, testing::TestDesign;
 using Names = std::vector<std::string>;
 
 std::string theory() {
-  std::ifstream file(std::string(CAMLAW_SOURCE_DIR) + "/docs/theory.md");
+  std::ifstream file(testing::source("docs/theory.md"));
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -5,6 +5,7 @@
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "tests/machines/mechanism_fixture.h"
+#include "tests/paths.h"
 
 /// What the published systems' tests have in common.
 namespace camlaw::testing {}
@@ -61,7 +62,7 @@ inline void check_numbers(const Mechanism& mechanism, const TestDesign& design) 
 }
 
 inline BoundProblem shipped(const std::string& file) {
-  return BoundProblem(read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + file));
+  return BoundProblem(read_problem_file(testing::source("problems/") + file));
 }
 
 /// Where a rising f is 0 between two numbers, by halving; an end where it is 0 beyond that one.

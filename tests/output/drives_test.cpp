@@ -10,6 +10,7 @@
 #include "output/answers/motion_export.h"
 #include "output/export/drives/piecewise_motion.h"
 #include "tests/output/drive_readers.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::drives_test {
 namespace {
@@ -20,7 +21,7 @@ using drive_readers::Cam;
 
 std::vector<std::string> cam_files() {
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(CAMLAW_SOURCE_DIR "/problems/cams")) {
+  for (const auto& file : fs::directory_iterator(testing::source("problems/cams"))) {
     if (file.path().extension() == ".toml") names.push_back(file.path().string());
   }
   std::sort(names.begin(), names.end());
@@ -95,7 +96,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
 
 TEST_CASE("Drives count the master in milliseconds or increments, and the slave in inches",
           "[exports][drives][heavy]") {
-  const std::string file = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+  const std::string file = testing::source("problems/cams/roller_least_base.toml");
   const Motion motion = motion_of(read_problem_file(file), {}, true).value();
   CHECK(motion.unit == "in");
   for (const Drive& drive : kDrives) {
@@ -117,8 +118,7 @@ TEST_CASE("Drives count the master in milliseconds or increments, and the slave 
 }
 
 TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
-  const auto statement =
-      read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml");
+  const auto statement = read_problem_file(testing::source("problems/cams/roller_least_base.toml"));
   const Motion motion = motion_of(statement, {}).value();
   const WrittenMotion written{motion};
   const QuinticMotion found = quintics_within(written, 1e-3, 9, 1000);
@@ -162,9 +162,8 @@ TEST_CASE("A motion that takes more polynomials than a drive has is refused", "[
   cli::ExportOptions options;
   options.format = "siemens";
   options.tolerance = "1e-7 mm";
-  CHECK_THROWS_WITH(
-      exported_file(CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml", options),
-      Contains("a larger --tolerance is wanted"));
+  CHECK_THROWS_WITH(exported_file(testing::source("problems/cams/roller_least_base.toml"), options),
+                    Contains("a larger --tolerance is wanted"));
 }
 
 TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
@@ -197,7 +196,7 @@ TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
 }
 
 TEST_CASE("Options of tables and drives that do not go together are refused", "[exports][drives]") {
-  const std::string file = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+  const std::string file = testing::source("problems/cams/roller_least_base.toml");
   const auto refusal = [&](const char* format, auto set) {
     cli::ExportOptions options;
     options.format = format;

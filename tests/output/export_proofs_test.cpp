@@ -13,6 +13,7 @@
 #include "output/export/inspection.h"
 #include "output/export/interference.h"
 #include "output/export/tool_path.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::export_proofs_test {
 namespace {
@@ -22,12 +23,12 @@ using Catch::Contains;
 using Eigen::Vector2d;
 
 ProblemStatement shipped(const std::string& name) {
-  return read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name);
+  return read_problem_file(testing::source("problems/") + name);
 }
 
 std::vector<std::string> cam_files() {
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(CAMLAW_SOURCE_DIR "/problems/cams")) {
+  for (const auto& file : fs::directory_iterator(testing::source("problems/cams"))) {
     if (file.path().extension() == ".toml")
       names.push_back("cams/" + file.path().filename().string());
   }

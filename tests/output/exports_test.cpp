@@ -11,6 +11,7 @@
 #include "output/export/cubics.h"
 #include "output/export/motion_table.h"
 #include "output/export/tool_path.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::exports_test {
 namespace {
@@ -22,12 +23,12 @@ using Eigen::Vector2d;
 constexpr double kTolerance = 0.01;  // mm
 
 ProblemStatement shipped(const std::string& name) {
-  return read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name);
+  return read_problem_file(testing::source("problems/") + name);
 }
 
 std::vector<std::string> cam_files() {
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(CAMLAW_SOURCE_DIR "/problems/cams")) {
+  for (const auto& file : fs::directory_iterator(testing::source("problems/cams"))) {
     if (file.path().extension() == ".toml")
       names.push_back("cams/" + file.path().filename().string());
   }

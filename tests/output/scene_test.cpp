@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "problems/statement/statement.h"
+#include "tests/paths.h"
 
 namespace camlaw::cli::scene_test {
 namespace {
@@ -164,8 +165,7 @@ class Picture {
 };
 
 problems::ProblemStatement shipped(const std::string& name) {
-  return problems::read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name +
-                                     ".toml");
+  return problems::read_problem_file(testing::source("problems/") + name + ".toml");
 }
 
 /// A roller touches the drawn profile all through the cycle.

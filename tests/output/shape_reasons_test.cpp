@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using problems::ProblemStatement;
 
-const fs::path kSource = CAMLAW_SOURCE_DIR;
+const fs::path kSource = testing::source();
 const fs::path kRecord = kSource / "tests/output/shape_reasons.txt";
 
 /// The files that ask for a design, by their place in the sources.

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "output/report/timing_section.h"
+#include "tests/paths.h"
 
 /// The timing diagram of several cams on one shaft.
 namespace camlaw::cli::timing_test {
@@ -12,7 +13,7 @@ using Kind = TimedSpan::Kind;
 namespace {
 
 problems::ProblemStatement shipped() {
-  return problems::read_problem_file(CAMLAW_SOURCE_DIR "/problems/shaft/two_cams.toml");
+  return problems::read_problem_file(testing::source("problems/shaft/two_cams.toml"));
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ TEST_CASE("a part that goes over the end of the turn is two bars, the longer one
              Contains("left:97.222%;width:2.778%") && Contains("left:0.000%;width:5.556%"));
   CHECK_THAT(section->html, Contains("20 deg\">press</i>") && Contains("20 deg\"></i>"));
   const auto single =
-      problems::read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml");
+      problems::read_problem_file(testing::source("problems/cams/roller_least_base.toml"));
   CHECK(!timing_section(single));
 }
 

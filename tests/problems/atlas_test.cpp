@@ -13,6 +13,7 @@
 
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::atlas_test {
 namespace {
@@ -25,7 +26,7 @@ struct Row {
 };
 
 std::vector<Row> atlas() {
-  std::ifstream file(CAMLAW_SOURCE_DIR "/docs/atlas/atlas.csv");
+  std::ifstream file(testing::source("docs/atlas/atlas.csv"));
   std::vector<Row> rows;
   std::string line;
   std::getline(file, line);

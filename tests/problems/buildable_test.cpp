@@ -13,6 +13,7 @@
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "tests/paths.h"
 
 // Of each check one cam that fails by a hair and one that holds by a hair. Where the hair lies is
 // known from a closed form, or from formulas that are written here once more and sampled.
@@ -530,7 +531,7 @@ TEST_CASE("required checks are limits of the search", "[buildable]") {
 
 TEST_CASE("the smallest cam that can be built is held by its wall", "[buildable]") {
   const optim::Optimum found = optim::optimise(
-      BoundProblem(read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/smallest_buildable.toml"))
+      BoundProblem(read_problem_file(testing::source("problems/cams/smallest_buildable.toml")))
           .space());
   // The base circle leaves a quarter of the bore's 20 mm, and the largest roller turns in the
   // least.

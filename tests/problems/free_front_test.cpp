@@ -4,6 +4,7 @@
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
+#include "tests/paths.h"
 
 /// Fronts of the free law against the limit that no law passes.
 namespace camlaw::problems::free_front_test {
@@ -15,7 +16,7 @@ struct Solved {
 };
 
 Solved solved(const char* file, std::size_t points) {
-  const std::string path = std::string(CAMLAW_SOURCE_DIR "/problems/spine_cutter/") + file;
+  const std::string path = testing::source("problems/spine_cutter/") + file;
   FrontStudy study(problem_text(path), path, {points, optim::ParetoMethod::Sweep});
   optim::ProcessExecutor workers(study.space(), study.options().solve, 2);
   optim::Front front = study.run(workers);
@@ -73,7 +74,7 @@ TEST_CASE("few knots that move come within a ten-thousandth", "[fronts][free][he
 TEST_CASE("fronts of machines stay where they are with twice as many points", "[fronts][long]") {
   const char* file = GENERATE("die_press/front.toml", "sheet_delivery/front.toml");
   INFO(file);
-  const std::string path = std::string(CAMLAW_SOURCE_DIR "/problems/") + file;
+  const std::string path = testing::source("problems/") + file;
   const auto front_with = [&](std::size_t points) {
     const FrontStudy study(problem_text(path), path, {points, optim::ParetoMethod::Sweep});
     optim::ProcessExecutor workers(study.space(), study.options().solve, 2);

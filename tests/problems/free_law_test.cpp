@@ -13,6 +13,7 @@
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::free_law_test {
 namespace {
@@ -22,7 +23,7 @@ using optim::Optimum;
 using optim::Verdict;
 
 std::string shipped(const std::string& name) {
-  std::ifstream file(std::string(CAMLAW_SOURCE_DIR) + "/problems/free_law/" + name);
+  std::ifstream file(testing::source("problems/free_law/") + name);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/paths.h"
+
 namespace camlaw::testing {
 
 /// problems/spine_cutter/front.toml.
 inline std::string shipped_front() {
-  std::ifstream file(std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml");
+  std::ifstream file(testing::source("problems/spine_cutter/front.toml"));
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

@@ -11,6 +11,7 @@
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 // Load cases against the same file with the constants of each case written into it.
@@ -159,7 +160,7 @@ TEST_CASE("A least worst case of numbers stands where two cases are equal") {
 
 TEST_CASE("The worst of two curves is found, proved and told with its case") {
   const ProblemStatement problem =
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/load_cases.toml");
+      read_problem_file(testing::source("problems/cams/load_cases.toml"));
   const BoundProblem bound(problem);
   const auto optimum = optim::optimise(bound.space(), {});
   const auto& a = optimum.found.assessment;

@@ -9,6 +9,7 @@
 #include "optim/search/optimise.h"
 #include "optim/search/plan.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 /// Responses and machines that a problem file states.
@@ -230,7 +231,7 @@ unit = "rad"
 
 TEST_CASE("a machine of the file's own is worked out as its closed forms", "[formula][problems]") {
   const ProblemStatement problem =
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/own/slider_crank.toml");
+      read_problem_file(testing::source("problems/own/slider_crank.toml"));
   const double r = 0.04, l = 0.16, omega = 120 * std::numbers::pi / 30;
   const EvaluatedResponse angle = evaluated(problem, "rod_angle");
   CHECK(angle.highest == Approx(std::asin(r / l) * 180 / std::numbers::pi).epsilon(1e-12));

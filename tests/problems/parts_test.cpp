@@ -15,6 +15,7 @@
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 namespace camlaw::problems::parts_test {
@@ -178,8 +179,8 @@ TEST_CASE("a result holds its catalogue and the row that was chosen", "[parts]")
 
 TEST_CASE("the shipped cam takes the smallest roller of its catalogue that lives long enough",
           "[parts][long]") {
-  const BoundProblem bound(read_problem_file(std::string(CAMLAW_SOURCE_DIR) +
-                                             "/problems/cams/roller_from_catalogue.toml"));
+  const BoundProblem bound(
+      read_problem_file(testing::source("problems/cams/roller_from_catalogue.toml")));
   const optim::Optimum found = optim::optimise(bound.space());
   CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
   const ProblemStatement design = bound.at(found.options, found.found.x);

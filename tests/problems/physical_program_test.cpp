@@ -10,6 +10,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 /// Motion programs in millimetres, degrees and metres per second.
@@ -207,7 +208,7 @@ TEST_CASE("a free segment has ends of its own", "[physical_program]") {
 
 TEST_CASE("the film feed's crossover is where both peaks of its torque are equal",
           "[physical_program]") {
-  const BoundProblem bound(read_problem_file(CAMLAW_SOURCE_DIR "/problems/motions/film_feed.toml"));
+  const BoundProblem bound(read_problem_file(testing::source("problems/motions/film_feed.toml")));
   const optim::Optimum best = optim::optimise(bound.space(), {});
   // K C / (2 c) + P = K C / (2 (1 - c)) - P with K = J p / r over the feed's time squared, P = F r.
   const double time = 200.0 / 360 * 60 / 150;

@@ -10,6 +10,7 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 /// Programs in problem files whose lift makes up for an elastic follower.
@@ -71,7 +72,7 @@ TEST_CASE("the shipped polydyne lift leaves what the damping makes alone",
   const auto optimum = optim::optimise(bound.space());
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
   const ProblemStatement problem =
-      read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/polydyne_lift.toml");
+      read_problem_file(testing::source("problems/cams/polydyne_lift.toml"));
   const auto left = [](const ProblemStatement& p) {
     for (const EvaluatedResponse& r : evaluate(p)) {
       if (r.name == "residual_amplitude") return r.value;

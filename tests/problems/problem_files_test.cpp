@@ -14,6 +14,7 @@
 #include "optim/search/optimise.h"
 #include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::problem_files_test {
 namespace {
@@ -24,8 +25,7 @@ using optim::Verdict;
 /// "least_radius.toml" of the spine cutter, or "cams/flat_least_base.toml".
 BoundProblem shipped(const std::string& name) {
   const std::string folder = name.find('/') == std::string::npos ? "spine_cutter/" : "";
-  return BoundProblem(
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + folder + name));
+  return BoundProblem(read_problem_file(testing::source("problems/") + folder + name));
 }
 
 const std::vector<const char*> kShipped = {"least_radius.toml",

@@ -8,6 +8,7 @@
 #include "problems/law_files/law_file.h"
 #include "problems/law_files/pieces_json.h"
 #include "problems/results/design_json.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems::recorded_design_test {
@@ -75,8 +76,7 @@ minimize = "cam_radius"
 
 TEST_CASE("A recorded design comes back to the last bit", "[results]") {
   for (const char* folder : {"cams", "spine_cutter", "springs", "free_law", "die_press"}) {
-    for (const auto& file :
-         fs::directory_iterator(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + folder)) {
+    for (const auto& file : fs::directory_iterator(testing::source("problems/") + folder)) {
       if (file.path().extension() != ".toml") continue;
       INFO(file.path());
       const BoundProblem bound(read_problem_file(file.path()));

@@ -7,6 +7,7 @@
 
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "tests/paths.h"
 #include "tests/shipped_problems.h"
 
 namespace camlaw::problems::sensitivity_test {
@@ -15,7 +16,7 @@ namespace {
 using Catch::Matchers::Contains;
 
 ProblemStatement shipped_statement(const std::string& name) {
-  return read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name);
+  return read_problem_file(testing::source("problems/") + name);
 }
 
 /// y = 3 p^2 q^-1.5 r^0 and a linear one, of a machine of one's own.

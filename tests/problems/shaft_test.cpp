@@ -18,6 +18,7 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/shaft_cams.h"
 #include "tests/machines/mechanism_fixture.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 /// Several cams on one shaft.
@@ -284,7 +285,7 @@ TEST_CASE("a clearance between followers is proved, and found broken where it is
 }
 
 TEST_CASE("the shipped pair of cams is certified, and no phase on a grid is better", "[shaft]") {
-  const BoundProblem bound(read_problem_file(CAMLAW_SOURCE_DIR "/problems/shaft/two_cams.toml"));
+  const BoundProblem bound(read_problem_file(testing::source("problems/shaft/two_cams.toml")));
   const optim::ProblemSpace space = bound.space();
   const auto best = optim::optimise(space);
   REQUIRE(best.found.assessment.verdict == optim::Verdict::Certified);
@@ -311,7 +312,7 @@ TEST_CASE("the shipped pair of cams is certified, and no phase on a grid is bett
 }
 
 TEST_CASE("a design of several cams is recorded and read back", "[shaft]") {
-  const BoundProblem bound(read_problem_file(CAMLAW_SOURCE_DIR "/problems/shaft/two_cams.toml"));
+  const BoundProblem bound(read_problem_file(testing::source("problems/shaft/two_cams.toml")));
   const std::vector<double> x{131, 251};
   const Json design = recorded_design(bound, {}, x);
   const ReadDesign read =

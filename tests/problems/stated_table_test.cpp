@@ -14,6 +14,7 @@
 #include "problems/published/systems.h"
 #include "problems/published/table/printed_text.h"
 #include "problems/published/table/readout.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems::stated_table_test {
@@ -343,7 +344,7 @@ printed = "1.234"
 }
 
 TEST_CASE("the documents' example comes out as they say", "[stated-table]") {
-  const std::string page = testing::read(CAMLAW_SOURCE_DIR "/docs/reproduction.md");
+  const std::string page = testing::read(testing::source("docs/reproduction.md"));
   const std::string fence = "```toml\n";
   const auto start = page.find(fence) + fence.size();
   const auto result = reproduced(page.substr(start, page.find("```", start) - start));

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems::statement_test {
@@ -278,7 +279,7 @@ TEST_CASE("a problem is read from a file, which its errors name", "[statement]")
 }
 
 TEST_CASE("the examples of docs/problem-files.md can be read", "[statement]") {
-  std::ifstream file(CAMLAW_SOURCE_DIR "/docs/problem-files.md");
+  std::ifstream file(testing::source("docs/problem-files.md"));
   const std::string page(std::istreambuf_iterator<char>(file), {});
   const std::string fence = "```toml\n";
   std::vector<ProblemStatement> read;
@@ -466,7 +467,7 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
 }
 
 TEST_CASE("a sentence about a free law ends with its words", "[statement]") {
-  const std::string path = CAMLAW_SOURCE_DIR "/problems/free_law/least_acceleration_at_jerk.toml";
+  const std::string path = testing::source("problems/free_law/least_acceleration_at_jerk.toml");
   CHECK_THAT(in_words(read_problem_file(path)), Contains("100 knots, C2.\n"));
 }
 

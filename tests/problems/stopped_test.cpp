@@ -13,6 +13,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/doubtful_limits.h"
+#include "tests/paths.h"
 
 namespace camlaw::problems::stopped_test {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using optim::Interrupted;
 
 ProblemStatement shipped(const std::string& file, const std::atomic<bool>* stop) {
-  ProblemStatement statement = read_problem_file(CAMLAW_SOURCE_DIR "/problems/" + file);
+  ProblemStatement statement = read_problem_file(testing::source("problems/") + file);
   statement.stop = stop;
   return statement;
 }

@@ -22,6 +22,7 @@
 #include "problems/fronts/study_worker.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 #include "tests/threads/many_threads.h"
 
@@ -108,7 +109,7 @@ void solve(std::atomic<bool>& held, const std::atomic<bool>& over) {
 }
 
 problems::FrontStudy study_of(const std::string& file) {
-  const std::string path = CAMLAW_SOURCE_DIR "/problems/" + file;
+  const std::string path = testing::source("problems/") + file;
   return {problems::problem_text(path), path, {8, optim::ParetoMethod::Sweep}};
 }
 
@@ -198,7 +199,7 @@ TEST_CASE("several studies at once, each from a thread of its own", "[threads][s
 
 TEST_CASE("studies that are joined by a choice are sent as such", "[threads][study]") {
   const Watchdog watchdog;
-  const std::string path = CAMLAW_SOURCE_DIR "/problems/spine_cutter/front.toml";
+  const std::string path = testing::source("problems/spine_cutter/front.toml");
   std::string text = problems::problem_text(path);
   const problems::FrontSettings settings{6, optim::ParetoMethod::Sweep};
   std::vector<problems::FrontStudy> studies{{text, path, settings}};

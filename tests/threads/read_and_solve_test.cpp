@@ -18,6 +18,7 @@
 #include "problems/statement/bind.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
+#include "tests/paths.h"
 #include "tests/threads/many_threads.h"
 
 /// The library from eight threads at once gives what it gives from one, to the last bit.
@@ -34,7 +35,7 @@ constexpr std::array kFiles{"spine_cutter/least_radius.toml", "cams/roller_least
                             "free_law/least_acceleration.toml", "springs/follower_spring.toml",
                             "geneva/fastest.toml"};
 
-std::string path_of(const std::string& file) { return CAMLAW_SOURCE_DIR "/problems/" + file; }
+std::string path_of(const std::string& file) { return testing::source("problems/") + file; }
 
 std::string bits(const optim::Optimum& optimum) {
   const optim::Assessment& a = optimum.found.assessment;

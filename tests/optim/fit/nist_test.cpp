@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/paths.h"
 #include "tests/sets/nist/nist_models.h"
 #include "tests/sets/nist/nist_runs.h"
 #include "tests/temporary_folder.h"
@@ -16,7 +17,7 @@ std::filesystem::path folder() {
   const char* const named = std::getenv("CAMLAW_NIST");
   const std::filesystem::path place =
       named ? std::filesystem::path(named)
-            : std::filesystem::path(CAMLAW_SOURCE_DIR) / ".." / "shared" / "nist";
+            : std::filesystem::path(testing::source()) / ".." / "shared" / "nist";
   return std::filesystem::is_directory(place) ? place : std::filesystem::path();
 }
 

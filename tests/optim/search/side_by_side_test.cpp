@@ -12,6 +12,7 @@
 #include "optim/search/search_task.h"
 #include "problems/statement/bind.h"
 #include "tests/optim/search/search_problems.h"
+#include "tests/paths.h"
 
 namespace camlaw::optim::side_by_side_test {
 namespace {
@@ -42,7 +43,7 @@ void check_same(const ProblemSpace& space, const OptimiseOptions& options = {}) 
 }
 
 ProblemSpace shipped(const std::string& file) {
-  const std::string path = CAMLAW_SOURCE_DIR "/problems/" + file;
+  const std::string path = testing::source("problems/") + file;
   return problems::BoundProblem(problems::read_problem_file(path)).space();
 }
 
@@ -105,7 +106,7 @@ TEST_CASE("combinations in several processes lead to the same answer", "[search]
 }
 
 TEST_CASE("laws and rollers in several processes lead to the same answer", "[search][workers]") {
-  const std::string path = CAMLAW_SOURCE_DIR "/problems/die_press/least_approach.toml";
+  const std::string path = testing::source("problems/die_press/least_approach.toml");
   std::string text = problems::problem_text(path);
   const auto replace = [&text](const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
