@@ -43,11 +43,9 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
 }
 
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
-                         optim::Place place, const std::array<bool, 4>& uses)
-    : law_(std::move(law)),
-      stretch_(cycle.stretch_at(place)),
-      part_(cycle.part_of(stretch_)),
-      place_(law_place(stretch_, place)) {
+                         const Stretch& stretch, const LawPlace& place,
+                         const std::array<bool, 4>& uses)
+    : law_(std::move(law)), stretch_(stretch), part_(cycle.part_of(stretch_)), place_(place) {
   if (!law_->is_linear()) {
     for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
     return;

@@ -20,8 +20,8 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law);
 class PlaceMotion {
  public:
   /// `uses` tells which of s, v, a, j matter.
-  PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, optim::Place place,
-              const std::array<bool, 4>& uses);
+  PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, const Stretch& stretch,
+              const LawPlace& place, const std::array<bool, 4>& uses);
   /// Where a piece of the law meets the next one, wherever that is.
   PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, std::size_t stretch,
               std::size_t piece, Side side);

@@ -2,6 +2,7 @@
 #include "machines/model/design_rows.h"
 
 #include "machines/model/curve_row.h"
+#include "machines/model/jumps.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/blocks/formula_blocks.h"
@@ -27,10 +28,14 @@ class RecordedRows final : public DesignRows {
       : cycle_(*response.cycle),
         law_(law_of_cam(binding.law, response.cam)),
         formula_(motion_first(response, binding)),
-        blocks_({&formula_, 1}, kOfPlace) {}
+        blocks_({&formula_, 1}, kOfPlace),
+        may_jump_(Jumps(recorded_for(binding, response.write, kOfPlace, {})).possible()) {}
 
   Motion motion_at(optim::Place place) const override {
-    const PlaceMotion motion(law_, cycle_, place, {true, true, true, true});
+    const Stretch& stretch = cycle_.stretch_at(place);
+    const LawPlace at = law_place(stretch, place);
+    const PlaceMotion motion(law_, cycle_, stretch, may_jump_ ? beside_jump(at) : at,
+                             {true, true, true, true});
     const auto known = motion.at({}, 0).value;
     return {known[0], known[1], known[2], known[3], motion.place_at({}, 0).value[0]};
   }
@@ -45,6 +50,7 @@ class RecordedRows final : public DesignRows {
   std::shared_ptr<const LawBinding> law_;
   Formula formula_;
   FormulaBlocks blocks_;
+  bool may_jump_;
 };
 
 }  // namespace

@@ -40,6 +40,38 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
   return place;
 }
 
+const Jumps& MechanismCurve::jumps() const {
+  std::call_once(jumps_asked_, [&] {
+    if (affine() == nullptr && parts_->find_jumps) jumps_ = parts_->find_jumps();
+  });
+  return jumps_;
+}
+
+bool MechanismCurve::jumps_move() const {
+  return jumps().possible() && (!law_->variables().empty() || !jumps().moved_by().empty());
+}
+
+bool MechanismCurve::breaks_move() const { return !law_->is_linear() || jumps_move(); }
+
+/// Where the formula may jump; none where it never does.
+std::optional<std::vector<double>> MechanismCurve::jump_places(optim::Design x) const {
+  if (!jumps().possible()) return {};
+  const auto places = [&]() -> std::vector<double> {
+    const auto law = law_->possible_law_at<double>(x);
+    if (!law) return {};
+    return jumps().places(parts_->cycle, *law, arguments(x));
+  };
+  if (jumps_move()) return places();
+  std::call_once(places_asked_, [&] { still_places_ = places(); });
+  return still_places_;
+}
+
+std::vector<double> MechanismCurve::arguments(optim::Design x) const {
+  std::vector<double> result;
+  for (const std::size_t variable : variables_) result.push_back(x[variable]);
+  return result;
+}
+
 std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {
   const AffineCurve* known = affine();
   if (known != nullptr && !known->may_rest(bound, x)) return {};
@@ -48,7 +80,9 @@ std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) co
 
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
   if (place.joint < 0) {
-    return {law_, parts_->cycle, place, parts_->uses};
+    const Stretch& stretch = parts_->cycle.stretch_at(place);
+    const LawPlace at = law_place(stretch, place);
+    return {law_, parts_->cycle, stretch, jumps().possible() ? beside_jump(at) : at, parts_->uses};
   }
   const std::size_t joint = static_cast<std::size_t>(place.joint);
   return {law_, parts_->cycle, joint / kMostPieces, joint % kMostPieces,
@@ -131,19 +165,19 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
 }
 
 std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
-  const auto whole = [parts = parts_](const Member& member, const std::vector<double>& arguments) {
+  const auto whole = [parts = parts_](const Member& member, const std::vector<double>& arguments,
+                                      const std::optional<std::vector<double>>& jumps = {}) {
     return std::make_unique<MechanismTrace>(
         parts->cycle, parts->uses, member.possible_law<double>().if_any(),
-        [member] { return member.possible_law<Interval>().if_any(); }, parts->formula(arguments));
+        [member] { return member.possible_law<Interval>().if_any(); }, parts->formula(arguments),
+        jumps);
   };
   if (const AffineCurve* known = affine()) {  // of a law alone
     const std::vector<double> design(x.begin(), x.end());
     return known->trace(x,
                         [whole, law = law_, design] { return whole(law->member_at(design), {}); });
   }
-  std::vector<double> arguments;
-  for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
-  return whole(law_->member_at(x), arguments);
+  return whole(law_->member_at(x), arguments(x), jump_places(x));
 }
 
 }  // namespace camlaw::problems

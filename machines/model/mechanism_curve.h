@@ -9,6 +9,7 @@
 
 #include "machines/model/curve_formula.h"
 #include "machines/model/cycle.h"
+#include "machines/model/jumps.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 #include "optim/problem/curve.h"
@@ -27,6 +28,8 @@ struct CurveParts {
   std::shared_ptr<const optim::Kernel> point;
   /// The formula for given arguments of the machine.
   std::function<std::unique_ptr<const CurveFormula>(std::span<const double>)> formula;
+  /// What to look for jumps with, made from the record when it is first asked for.
+  std::function<Jumps()> find_jumps;
 };
 
 /// A curve of a mechanism over the variables of a binding.
@@ -36,7 +39,7 @@ class MechanismCurve final : public optim::Curve {
 
   optim::Function at(optim::Place place) const override;
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
-  bool breaks_move() const override { return !law_->is_linear(); }
+  bool breaks_move() const override;
   double memory() const override { return law_->memory(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
@@ -50,14 +53,20 @@ class MechanismCurve final : public optim::Curve {
  private:
   PlaceMotion motion_at(optim::Place place) const;
   const AffineCurve* affine() const;
+  const Jumps& jumps() const;
+  bool jumps_move() const;
+  std::optional<std::vector<double>> jump_places(optim::Design x) const;
+  std::vector<double> arguments(optim::Design x) const;
 
   std::shared_ptr<const CurveParts> parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments
   std::shared_ptr<const LawBinding> law_;
   optim::Shape shape_;
   /// Worked out when it is first asked for.
-  mutable std::once_flag affine_asked_;
+  mutable std::once_flag affine_asked_, jumps_asked_, places_asked_;
   mutable std::shared_ptr<const AffineCurve> affine_;
+  mutable Jumps jumps_;
+  mutable std::vector<double> still_places_;  ///< of jumps that do not move
 };
 
 }  // namespace camlaw::problems

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "machines/model/enclosed.h"
+#include "machines/model/jumps.h"
 #include "machines/model/pulse.h"
 
 namespace camlaw::problems {
@@ -20,13 +21,35 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
                                std::optional<Law<double>> law,
                                std::function<std::optional<Law<Interval>>()> enclosing,
-                               std::unique_ptr<const CurveFormula> formula)
+                               std::unique_ptr<const CurveFormula> formula,
+                               const std::optional<std::vector<double>>& jumps)
     : cycle_(std::move(cycle)),
       law_(std::move(law)),
       enclosing_(std::move(enclosing)),
-      formula_(std::move(formula)) {
+      formula_(std::move(formula)),
+      may_jump_(jumps.has_value()) {
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
   if (law_) pulse_ = pulse_place(cycle_, *law_, uses);
+  if (law_ && may_jump_) keep_jumps(*jumps);
+}
+
+/// Where what is chosen between differs, and no less so the nearer one looks: the contact stress of
+/// a follower that changes its flank goes through 0 as a root does.
+void MechanismTrace::keep_jumps(const std::vector<double>& places) {
+  constexpr double kSame = 1e-9, kFarther = 1e4 * kBesideJump, kStays = 0.7;
+  for (const double angle : places) {
+    const double before = at({angle, true})[0], behind = at({angle})[0];
+    const double size = std::max(std::abs(before), std::abs(behind));
+    if (!(std::abs(before - behind) > kSame * size)) continue;
+    const double far = kFarther * cycle_.stretch_at({angle}).length();
+    const double around = at({angle - far})[0] - at({angle + far})[0];
+    if (std::abs(before - behind) > kStays * std::abs(around)) jumps_.push_back(angle);
+  }
+}
+
+LawPlace MechanismTrace::law_place_in(const Stretch& stretch, optim::Place place) const {
+  const LawPlace at = law_place(stretch, place);
+  return may_jump_ ? beside_jump(at) : at;
 }
 
 const std::vector<PieceExpander>& MechanismTrace::expanders() const {
@@ -56,6 +79,9 @@ std::vector<double> MechanismTrace::breaks() const {
   std::vector<double> result;
   for (const Section& section : sections_) result.push_back(section.begin);
   result.push_back(sections_.back().end);
+  const auto sections = static_cast<std::ptrdiff_t>(result.size());
+  result.insert(result.end(), jumps_.begin(), jumps_.end());
+  std::inplace_merge(result.begin(), result.begin() + sections, result.end());
   return result;
 }
 
@@ -84,7 +110,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   if (const auto pulse = pulse_at(place)) return {*pulse, 0, 0};
   const Section& section = section_at(place);
   const Stretch& stretch = cycle_.stretches[section.stretch];
-  const double x = law_place(stretch, place).x;
+  const double x = law_place_in(stretch, place).x;
   const auto d = derivatives<6>(law_->pieces()[section.piece], x);
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
@@ -95,7 +121,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
 std::optional<double> MechanismTrace::place_inside(const Section& section,
                                                    optim::Place place) const {
   if (!(place.angle > section.begin && place.angle < section.end) || pulse_at(place)) return {};
-  const double x = law_place(cycle_.stretches[section.stretch], place).x;
+  const double x = law_place_in(cycle_.stretches[section.stretch], place).x;
   const auto& piece = law_->pieces()[section.piece];
   return x > piece.begin && x < piece.end ? std::optional(x) : std::nullopt;
 }

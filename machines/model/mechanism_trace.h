@@ -15,14 +15,17 @@
 namespace camlaw::problems {
 
 /// A mechanism's curve for one design (docs/theory.md, "Enclosing a stretch"). A design that makes
-/// no law is NaN everywhere and bounded nowhere. At a pulse (pulse_place) the curve is -infinite
+/// no law is NaN everywhere and bounded nowhere. A jump of the formula inside a piece of the law is
+/// a break. At a pulse (pulse_place) the curve is -infinite
 /// from the left and infinite from the right: bounded neither way.
 class MechanismTrace final : public optim::Trace {
  public:
-  /// `uses` tells which of s, v, a, j the formula depends on.
+  /// `uses` tells which of s, v, a, j the formula depends on, and `jumps` where it may jump
+  /// (Jumps::places); none where it never does.
   MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses, std::optional<Law<double>> law,
                  std::function<std::optional<Law<Interval>>()> enclosing,
-                 std::unique_ptr<const CurveFormula> formula);
+                 std::unique_ptr<const CurveFormula> formula,
+                 const std::optional<std::vector<double>>& jumps = {});
 
   std::vector<double> breaks() const override;
   std::array<double, 3> at(optim::Place place) const override;
@@ -39,9 +42,11 @@ class MechanismTrace final : public optim::Trace {
   };
 
   void add_sections(std::size_t stretch);
+  void keep_jumps(const std::vector<double>& places);
   /// Infinite beside the pulse; elsewhere none.
   std::optional<double> pulse_at(optim::Place place) const;
   const Section& section_at(optim::Place place) const;
+  LawPlace law_place_in(const Stretch& stretch, optim::Place place) const;
   /// The law's x of a place inside a section; none elsewhere.
   std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
@@ -74,6 +79,8 @@ class MechanismTrace final : public optim::Trace {
   std::unique_ptr<const CurveFormula> formula_;
   std::vector<Section> sections_;
   std::optional<double> pulse_;  ///< its place
+  bool may_jump_;                ///< the formula
+  std::vector<double> jumps_;    ///< where it does
 };
 
 }  // namespace camlaw::problems

@@ -21,8 +21,10 @@ Expression written_again(Step step, Numbers inputs, Numbers before) {
   return Expression::of(step);
 }
 
+using Decisions = std::vector<std::function<Expression(Numbers)>>;
+
 /// What a step decides by.
-std::vector<std::function<Expression(Numbers)>> decisions(const Step& step) {
+Decisions decisions(const Step& step) {
   const auto one = [](std::uint32_t number) {
     return [number](Numbers results) { return results[number]; };
   };
@@ -42,9 +44,13 @@ std::vector<std::function<Expression(Numbers)>> decisions(const Step& step) {
   }
 }
 
-}  // namespace
+/// The first number of a step that may jump where that one changes its sign.
+Decisions jumps(const Step& step) {
+  if (step.operation != Operation::BySide && step.operation != Operation::Along) return {};
+  return {[number = step.a](Numbers results) { return results[number]; }};
+}
 
-std::vector<Formula> deciders(const Formula& formula) {
+std::vector<Formula> deciders_by(const Formula& formula, Decisions (*decisions)(const Step&)) {
   const std::vector<Step>& steps = formula.steps();
   const auto searches = [](const Step& step) { return step.operation == Operation::Root; };
   if (std::ranges::any_of(steps, searches)) return {};
@@ -64,5 +70,11 @@ std::vector<Formula> deciders(const Formula& formula) {
   }
   return result;
 }
+
+}  // namespace
+
+std::vector<Formula> deciders(const Formula& formula) { return deciders_by(formula, decisions); }
+
+std::vector<Formula> jump_deciders(const Formula& formula) { return deciders_by(formula, jumps); }
 
 }  // namespace camlaw

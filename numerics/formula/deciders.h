@@ -12,4 +12,7 @@ namespace camlaw {
 /// searches for roots.
 std::vector<Formula> deciders(const Formula& formula);
 
+/// Those at which it may jump: what chooses between two numbers, or gives one a sign.
+std::vector<Formula> jump_deciders(const Formula& formula);
+
 }  // namespace camlaw

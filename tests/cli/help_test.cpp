@@ -55,7 +55,7 @@ TEST_CASE("what the README says to try has commands, options and files that exis
     const std::string help = done({words.front(), "--help"});
     for (const std::string& word : words) {
       if (word.starts_with("--")) CHECK_THAT(help, Contains(word));
-      if (word.starts_with("problems/")) CHECK(fs::exists(testing::source("") + word));
+      if (word.starts_with("problems/")) CHECK(fs::exists(testing::source(word)));
     }
   }
 }

@@ -48,7 +48,7 @@ void check_alike(const std::string& drawn, const std::string& kept) {
 
 /// Runs a page's commands and looks for the lines that it says they print.
 void check_page(const ProjectFolder& folder, const std::string& page, std::size_t least) {
-  const auto steps = steps_of(read(testing::source("") + page));
+  const auto steps = steps_of(read(testing::source(page)));
   CHECK(steps.size() >= least);
   for (const Step& step : steps) {
     INFO(step.command);

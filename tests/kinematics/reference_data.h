@@ -127,7 +127,7 @@ inline std::vector<std::string> split_fields(const std::string& line) {
 
 /// Reads a table by its path from the root of the repository.
 inline std::vector<Row> read_table(const std::string& path) {
-  std::ifstream file(testing::source("") + path);
+  std::ifstream file(testing::source(path));
   if (!file) throw std::runtime_error("cannot read " + path);
   std::string line;
   std::getline(file, line);

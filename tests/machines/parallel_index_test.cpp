@@ -8,6 +8,7 @@
 
 #include "machines/index_drives/parallel_index_cam.h"
 #include "machines/registry.h"
+#include "optim/cycle/extremes.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/machines/index_fixture.h"
@@ -250,6 +251,35 @@ TEST_CASE("curves of a parallel index drive have exact derivatives and close enc
                          {"axis_distance", "turret_radius", "roller_radius", "inertia", "speed"});
   testing::check_curves(mechanism, design, {100, 150, 215, 260});
   testing::check_numbers(mechanism, design);
+}
+
+TEST_CASE("a limit's worst value is that of either roller where one hands over to the next",
+          "[index-drives]") {
+  const std::vector<double> x{0.5};
+  const BoundProblem bound(
+      read_problem(drive() + "[variables.friction_torque]\nlower = 0\nupper = 1\nstart = 0.5\n"
+                             "[objective]\nminimize = 'peak_torque'\n"
+                             "[[constraints]]\nresponse = 'undercut'\nupper = 1\n"
+                             "[[constraints]]\nresponse = 'peak_undercut'\nupper = 1\n",
+                   "drive.toml"));
+  const optim::Problem problem = bound.problem({});
+  const optim::Curve& curve = problem.constraints[0].response.curve();
+  const auto trace = curve.trace(x);
+  const optim::Extreme worst = optim::highest(*trace, 1);
+  const optim::ProvedExtreme proved = optim::proved_highest(*trace, 1);
+  CHECK(proved.proved);
+  CHECK(worst.value == Approx(proved.peak.value).epsilon(1e-9));
+  const double before = trace->at({worst.place.angle, true})[0];
+  CHECK(std::abs(before - trace->at({worst.place.angle})[0]) > 1e-4);
+  CHECK(curve.at(worst.place).value(x) == Approx(worst.value).epsilon(1e-11));
+  // Nothing that is looked at between breaks is higher.
+  double highest = 0;
+  for (int i = 0; i <= 40000; ++i) {
+    highest = std::max(highest, trace->at({360.0 * i / 40000})[0]);
+  }
+  CHECK(highest < worst.value);
+  CHECK(highest > worst.value - 1e-4);
+  CHECK(optim::prove_below(*trace, 1, worst.value + 1e-9).proved);
 }
 
 TEST_CASE("a dwell at a hand-over belongs to the roller that takes over", "[index-drives]") {

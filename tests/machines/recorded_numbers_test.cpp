@@ -120,7 +120,7 @@ TEST_CASE("the numbers of every response are recorded", "[.record-numbers]") {
     }
     text += "\n";
   });
-  std::ofstream(testing::source("") + kTable) << text;
+  std::ofstream(testing::source(kTable)) << text;
 }
 
 }  // namespace camlaw::problems::testing

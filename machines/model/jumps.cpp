@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/jumps.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <set>
+
+#include "numerics/formula/deciders.h"
+
+namespace camlaw::problems {
+
+/// A piece of the law in a stretch of the cycle.
+class PieceInStretch {
+ public:
+  PieceInStretch(const Cycle& cycle, const Stretch& stretch, const Piece<double>& piece)
+      : part_(cycle.part_of(stretch)), stretch_(stretch), piece_(piece) {}
+
+  /// s, v, a, j and the place in the whole cycle at x of the law: a formula's other inputs.
+  std::array<double, 5> at(double x) const {
+    const auto d = derivatives<4>(piece_, x);
+    const auto m = follower_motion(stretch_, Motion<double>{d[0], d[1], d[2], d[3]});
+    return {m.s, m.v, m.a, m.j, part_.at(x)};
+  }
+  double angle(double x) const { return stretch_.begin + stretch_.length() * x; }
+  double begin() const { return piece_.begin; }
+  double end() const { return piece_.end; }
+
+ private:
+  Cycle::Part part_;
+  const Stretch& stretch_;
+  const Piece<double>& piece_;
+};
+
+namespace {
+
+/// Where a function has a root between two places at which its signs differ; the bracket is far
+/// narrower than kBesideJump, so that either end tells.
+template <class F>
+double root_between(const F& f, double low, double high, double at_low, double at_high) {
+  const auto is_narrow = [](double a, double b) { return std::abs(b - a) <= 0.05 * kBesideJump; };
+  std::uintmax_t steps = 200;
+  const auto [a, b] =
+      boost::math::tools::toms748_solve(f, low, high, at_low, at_high, is_narrow, steps);
+  return std::midpoint(a, b);
+}
+
+/// Even steps over a piece of a law that has so many.
+int steps_of_piece(std::size_t pieces) {
+  constexpr int kFewest = 8, kMost = 64, kOfLaw = 512;
+  return std::clamp(kOfLaw / static_cast<int>(pieces), kFewest, kMost);
+}
+
+struct Bracket {
+  double low, high, at_low, at_high;
+};
+
+/// Neighbouring x at which a number has other signs. What is noise has none.
+std::vector<Bracket> sign_changes(std::span<const double> x, std::span<const double> values) {
+  constexpr double kNoise = 1e-13;  // of the largest value
+  double size = 0;
+  for (const double value : values) size = std::max(size, std::abs(value));
+  std::vector<Bracket> found;
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(std::abs(values[i]) > kNoise * size)) continue;
+    if (before && values[*before] * values[i] < 0) {
+      found.push_back({x[*before], x[i], values[*before], values[i]});
+    }
+    before = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+Jumps::Jumps(const Recorded& record) {
+  std::set<std::size_t> moved_by;
+  for (Formula& decider : jump_deciders(record.formula)) {
+    const std::vector<std::size_t> uses = decider.uses();
+    const auto is_of_motion = [&](std::size_t input) { return input >= record.arguments; };
+    if (std::ranges::none_of(uses, is_of_motion)) continue;
+    std::ranges::remove_copy_if(uses, std::inserter(moved_by, moved_by.end()), is_of_motion);
+    deciders_.push_back(std::move(decider));
+  }
+  moved_by_.assign(moved_by.begin(), moved_by.end());
+  if (possible()) together_.emplace(deciders_, record.arguments);
+}
+
+/// Of a piece: so near its ends, where a motion begins or ends, signs of a velocity are noise.
+constexpr double kNearEnd = 1e-6;
+
+void Jumps::add_places(const PieceInStretch& piece, int steps, std::span<const double> arguments,
+                       std::set<double>& places) const {
+  std::vector<double> x;
+  std::array<std::vector<double>, 5> motion;
+  for (int i = 0; i <= steps; ++i) {
+    x.push_back(std::lerp(piece.begin(), piece.end(), static_cast<double>(i) / steps));
+    const auto at = piece.at(x.back());
+    for (std::size_t k = 0; k < at.size(); ++k) motion[k].push_back(at[k]);
+  }
+  std::vector<std::vector<double>> values(deciders_.size(), std::vector<double>(x.size()));
+  const std::vector<std::span<const double>> inputs(motion.begin(), motion.end());
+  const std::vector<std::span<double>> rows(values.begin(), values.end());
+  (*together_)(arguments, inputs, rows);
+  for (std::size_t k = 0; k < deciders_.size(); ++k) {
+    for (const auto& [low, high, at_low, at_high] : sign_changes(x, values[k])) {
+      const FormulaAlong<double> decider(deciders_[k], arguments);
+      const auto f = [&](double at) { return decider(std::span<const double>(piece.at(at))); };
+      const double root = root_between(f, low, high, at_low, at_high);
+      const double near_end = kNearEnd * (piece.end() - piece.begin());
+      const bool is_inside = std::min(root - piece.begin(), piece.end() - root) > near_end;
+      if (is_inside) places.insert(piece.angle(root + kBesideJump));
+    }
+  }
+}
+
+std::vector<double> Jumps::places(const Cycle& cycle, const Law<double>& law,
+                                  std::span<const double> arguments) const {
+  if (!possible()) return {};
+  const int steps = steps_of_piece(law.pieces().size());
+  std::set<double> places;
+  for (const Stretch& stretch : cycle.stretches) {
+    for (const Piece<double>& piece : law.pieces()) {
+      add_places({cycle, stretch, piece}, steps, arguments, places);
+    }
+  }
+  return {places.begin(), places.end()};
+}
+
+LawPlace beside_jump(LawPlace place) {
+  if (place.side == Side::Left && place.x < 1) place.x = std::max(0.0, place.x - 2 * kBesideJump);
+  return place;
+}
+
+}  // namespace camlaw::problems
