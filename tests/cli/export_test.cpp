@@ -283,7 +283,7 @@ TEST_CASE("every format takes every cam", "[export][heavy]") {
   }
 }
 
-TEST_CASE("a picture has the cam's real size", "[export]") {
+TEST_CASE("a picture has the cam's real size", "[export][long]") {
   const Folder folder;
   const std::string svg = folder / "cam.svg";
   for (const char* form : {"lines", "arcs", "spline"}) {
@@ -491,7 +491,7 @@ TEST_CASE("a cam of which a stretch runs backwards as a whole is not cut", "[exp
       !Contains("turns back"));
 }
 
-TEST_CASE("a verdict is that of the design it was passed on", "[export]") {
+TEST_CASE("a verdict is that of the design it was passed on", "[export][long]") {
   const Folder folder;
   done({"optimize", kRoller, "--out", folder / ""});
   const std::string result = folder / "result.json";
@@ -509,7 +509,8 @@ TEST_CASE("a verdict is that of the design it was passed on", "[export]") {
              Contains("\ncertified optimum") && !Contains("before the changes"));
 }
 
-TEST_CASE("a result that does not meet its limits is exported with a note of it", "[export]") {
+TEST_CASE("a result that does not meet its limits is exported with a note of it",
+          "[export][long]") {
   const Folder folder;
   std::string text = read(kRoller);
   text.replace(text.find("[[constraints]]"), 0,

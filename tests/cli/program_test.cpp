@@ -288,7 +288,7 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program][heav
   }
 }
 
-TEST_CASE("two runs give the same bytes", "[program]") {
+TEST_CASE("two runs give the same bytes", "[program][long]") {
   const Folder folder;
   for (const char* out : {"1", "2"}) {
     done({"study", "spine-cutter", "--table", "--out", folder / out});

@@ -61,7 +61,8 @@ void check_whole(const std::string& page) {
   CHECK(page.size() < 3'000'000);
 }
 
-TEST_CASE("a report of a problem file says verdict, margins and how to search", "[cli][report]") {
+TEST_CASE("a report of a problem file says verdict, margins and how to search",
+          "[cli][report][long]") {
   const Folder folder;
   const std::string page = page_of(shipped("spine_cutter/least_radius.toml"), folder);
   check_whole(page);
@@ -147,7 +148,7 @@ TEST_CASE("the same input and time make the same report to the last byte", "[cli
   CHECK_THAT(first, Contains("1970-01-02 00:00:00 UTC"));
 }
 
-TEST_CASE("text of a problem file stays text in its report", "[cli][report]") {
+TEST_CASE("text of a problem file stays text in its report", "[cli][report][long]") {
   const Folder folder;
   std::string text = read(shipped("spine_cutter/least_radius.toml"));
   const std::string title = "Least cam radius of the spine cutter";
@@ -195,7 +196,7 @@ TEST_CASE("a design of one of several laws is not called an optimum among them",
   CHECK_THAT(section_of(page, "problem"), Contains("cosine"));
 }
 
-TEST_CASE("a page says the problem of a result as the problem was asked", "[cli][report]") {
+TEST_CASE("a page says the problem of a result as the problem was asked", "[cli][report][long]") {
   const Folder folder;
   const std::string problem = shipped("cams/roller_least_base.toml");
   done({"optimize", problem, "--out", folder / "out"});
@@ -204,7 +205,7 @@ TEST_CASE("a page says the problem of a result as the problem was asked", "[cli]
   CHECK(section_of(page_of(folder / "out/result.json", folder), "problem") == asked);
 }
 
-TEST_CASE("the program of a result is that of its design", "[cli][report]") {
+TEST_CASE("the program of a result is that of its design", "[cli][report][long]") {
   const Folder folder;
   done({"optimize", shipped("cams/end_rise_share.toml"), "--out", folder / "out"});
   const std::string page = page_of(folder / "out/result.json", folder);
@@ -217,7 +218,8 @@ TEST_CASE("the program of a result is that of its design", "[cli][report]") {
   CHECK(count_of(limits, "<tr") == 4);  // with the title's and that of the undercut
 }
 
-TEST_CASE("a report of an infeasible result says which limit cannot be met", "[cli][report]") {
+TEST_CASE("a report of an infeasible result says which limit cannot be met",
+          "[cli][report][long]") {
   const Folder folder;
   std::string text = read(shipped("cams/end_rise_share.toml"));
   text += "[[constraints]]\nresponse = \"radius\"\nupper = \"6 mm\"\n";
@@ -231,7 +233,7 @@ TEST_CASE("a report of an infeasible result says which limit cannot be met", "[c
   CHECK(count_of(section_of(page, "limits"), ">blamed</span>") == result["blamed"].size());
 }
 
-TEST_CASE("a recorded verdict that the page finds untrue is not a badge", "[cli][report]") {
+TEST_CASE("a recorded verdict that the page finds untrue is not a badge", "[cli][report][long]") {
   const Folder folder;
   done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
   const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));

@@ -125,7 +125,7 @@ TEST_CASE("a keyway points to the zero mark, also where that is not on the y axi
 }
 
 TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times as small",
-          "[export][shop]") {
+          "[export][shop][long]") {
   const Folder folder;
   done({"export", kRoller, "--unit", "inch", "--drawing", "--as", "lines", "--curve", "profile",
         "--step", "1 deg", "--out", folder / "cam.dxf"});
@@ -170,7 +170,7 @@ TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times 
 }
 
 TEST_CASE("the tool comes to its path and leaves it outside the profile, tangent to the path",
-          "[export][shop]") {
+          "[export][shop][long]") {
   const GcodeRun run = run_gcode(done({"export", kRoller, "--format", "gcode", "--lead", "6 mm",
                                        "--allowances", "0.5, 0.1 mm", "--depth", "3 mm"}));
   REQUIRE(run.passes.size() == 3);
@@ -191,7 +191,7 @@ TEST_CASE("the tool comes to its path and leaves it outside the profile, tangent
 }
 
 TEST_CASE("a controller's compensation begins before the lead and ends behind it",
-          "[export][shop]") {
+          "[export][shop][long]") {
   const std::string text = done({"export", kRoller, "--format", "gcode", "--curve", "profile",
                                  "--lead", "12 mm", "--compensation", "3"});
   const GcodeRun run = run_gcode(text);
@@ -258,7 +258,8 @@ TEST_CASE("an inspection table has nominal points, normals and the tolerance", "
              Contains("of profile or second-profile"));
 }
 
-TEST_CASE("a result that was changed by hand is judged before it is written", "[export][shop]") {
+TEST_CASE("a result that was changed by hand is judged before it is written",
+          "[export][shop][long]") {
   const Folder folder;
   done({"optimize", kRoller, "--out", folder / ""});
   const std::string path = folder / "result.json";
