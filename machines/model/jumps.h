@@ -16,7 +16,8 @@ namespace camlaw::problems {
 class PieceInStretch;
 
 /// Where a curve's formula jumps inside the stretches of its law: where it goes over to another
-/// number, as an index drive does to its next roller, or changes a sign, as friction does.
+/// number, as an index drive does to its next roller, or changes a sign, as friction does
+/// (docs/theory.md, "Where a formula jumps").
 class Jumps {
  public:
   Jumps() = default;
