@@ -27,6 +27,7 @@
 #include "problems/fronts/study_worker.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
+#include "problems/results/start_settings.h"
 #include "problems/results/stated_numbers.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/solver_settings.h"
@@ -69,7 +70,8 @@ optim::OptimiseOptions options_of(const SearchSettings& told,
   result.seed = told.seed.value_or(stated.seed.value_or(result.seed));
   result.time_limit = told.time_limit ? told.time_limit : stated.time_limit;
   if (result.time_limit && !(*result.time_limit > 0)) {
-    throw std::invalid_argument("time_limit: it is not above zero");
+    throw std::invalid_argument(
+        fmt::format("time_limit: {} s is not above zero", *result.time_limit));
   }
   result.memory = told.memory;
   result.native = stated.native;
@@ -93,7 +95,8 @@ void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, int 
       more.add("rulers", cli::rulers_document(answer, *measured));
     }
   } catch (const std::exception& error) {
-    more.say(fmt::format("\nthe law is not measured: {}\n", error.what()));
+    more.say(
+        fmt::format("\nthe law could not be compared with what is possible: {}\n", error.what()));
   }
   facts.update(cli::json_of(more));
   document.add(std::move(more));
@@ -319,6 +322,17 @@ void add_results(nb::module_& module) {
              nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
              nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("progress").none());
   module.def("result_file", &result_file, nb::arg("path"));
+  module.def(
+      "beginning_at",
+      [](const StatedProblem& problem, const StoredResult& result) {
+        StatedProblem changed = problem;
+        without_lock([&] {
+          problems::set_values(changed.statement,
+                               problems::start_settings(problem.statement, design_in(result)));
+        });
+        return changed;
+      },
+      nb::arg("problem"), nb::arg("result"));
   module.def("report_of_problem", &report_of_problem, nb::arg("problem"));
 }
 
