@@ -12,7 +12,7 @@
 
 namespace {
 
-const std::string kFormulas = testing::source("docs/machine-formulas");
+const std::string kFormulas = camlaw::testing::source("docs/machine-formulas");
 
 std::string file_text(const std::string& path) {
   std::ifstream stream(path);
@@ -42,18 +42,20 @@ bool shows(const std::string& page, const std::string& file) {
 }  // namespace
 
 TEST_CASE("the README shows the example that is compiled here") {
-  CHECK(shows(testing::source("README.md"), testing::source("examples/peaks_and_cam.cpp")));
+  CHECK(shows(camlaw::testing::source("README.md"),
+              camlaw::testing::source("examples/peaks_and_cam.cpp")));
 }
 
 TEST_CASE("the page of optimisation shows the solver that is registered here", "[solvers]") {
-  CHECK(shows(testing::source("docs/optimisation.md"), testing::source("examples/own_solver.cpp")));
+  CHECK(shows(camlaw::testing::source("docs/optimisation.md"),
+              camlaw::testing::source("examples/own_solver.cpp")));
   // From 2 (x - 1) + y = 0 and x + 4 y = 0: x = 8/7, y = -2/7, and (1 - 16 + 8) / 49 = -1/7.
-  CHECK(output_of(testing::own_solver_program()) ==
+  CHECK(output_of(camlaw::testing::own_solver_program()) ==
         "-0.142857 at (1.142857, -0.285714) by compass: certified optimum\n");
 }
 
 TEST_CASE("the example prints what the library's closed forms give") {
-  const std::string output = output_of(testing::example_program());
+  const std::string output = output_of(camlaw::testing::example_program());
   // Modified sine: C = 4 pi^2 / (4 + pi); B = C (1/8 (2/pi) + 3/8 (2/pi)) = C / pi.
   CHECK(output.find("C_v = 1.7596033860, C_a = 5.5279570") != std::string::npos);
   // R = 30 mm B / (pi tan 30 deg)
@@ -62,22 +64,22 @@ TEST_CASE("the example prints what the library's closed forms give") {
 }
 
 TEST_CASE("the page of laws is what the catalogue prints") {
-  const std::string page = output_of(testing::program() + " laws --markdown");
+  const std::string page = output_of(camlaw::testing::program() + " laws --markdown");
   CHECK(page.find("| modified-sine |") != std::string::npos);
-  CHECK(page == file_text(testing::source("docs/laws.md")));
+  CHECK(page == file_text(camlaw::testing::source("docs/laws.md")));
 }
 
 TEST_CASE("the page of mechanisms is what the program prints", "[documents]") {
-  const std::string page = output_of(testing::program() + " mechanisms --markdown");
+  const std::string page = output_of(camlaw::testing::program() + " mechanisms --markdown");
   CHECK(page.find("## disc-cam-roller") != std::string::npos);
-  CHECK(page == file_text(testing::source("docs/mechanisms.md")));
+  CHECK(page == file_text(camlaw::testing::source("docs/mechanisms.md")));
 }
 
 TEST_CASE("the pages of the machines' formulas are what they are computed by", "[documents]") {
   std::size_t pages = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFormulas)) {
     INFO(entry.path());
-    const std::string page = output_of(testing::program() + " mechanisms " +
+    const std::string page = output_of(camlaw::testing::program() + " mechanisms " +
                                        entry.path().stem().string() + " --formulas");
     CHECK(page.find("&= ") != std::string::npos);
     CHECK(page == file_text(entry.path()));

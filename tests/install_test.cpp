@@ -15,7 +15,7 @@ TEST_CASE("the API's reference builds without warnings where Doxygen is installe
 
 TEST_CASE("what is installed builds and runs programs, and makes packages", "[install][heavy]") {
   const std::string command = std::string("CXXFLAGS='") + CAMLAW_CXX_FLAGS + "' " +
-                              testing::source("tests/install/check_install.sh") +
-                              " '" CAMLAW_BUILD_DIR "' '" + testing::source() + "'";
+                              camlaw::testing::source("tests/install/check_install.sh") +
+                              " '" CAMLAW_BUILD_DIR "' '" + camlaw::testing::source() + "'";
   CHECK(std::system(command.c_str()) == 0);
 }
