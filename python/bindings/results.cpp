@@ -166,6 +166,8 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   problems::seal(facts);
   StoredResult result{.facts = std::move(facts)};
   result.say(document);
+  const Json table = cli::json_of(cli::combinations_document(answer));
+  if (table.contains("table")) result.combinations = table["table"];
   if (auto design = design_of(answer)) {
     design->stated = problems::stated_numbers(result.facts);
     result.design = std::move(*design);
@@ -261,17 +263,18 @@ cli::Figure cycle_figure_of(const StoredResult& result) {
 }
 
 /// A result as its file has it, whether there is a design, what it is called, and what a search
-/// says of it in words and in HTML.
+/// says of it in words and in HTML, and of its combinations.
 using ResultState = std::tuple<std::string, bool, std::string, std::optional<std::string>,
-                               std::optional<std::string>>;
+                               std::optional<std::string>, std::string>;
 
 ResultState result_state_of(const StoredResult& result) {
-  return {result.facts.dump(), result.design.has_value(), result.file, result.text, result.html};
+  return {result.facts.dump(), result.design.has_value(), result.file, result.text,
+          result.html,         result.combinations.dump()};
 }
 
 StoredResult result_from(const ResultState& state) {
   const nb::gil_scoped_release released;
-  const auto& [facts, has_design, file, text, html] = state;
+  const auto& [facts, has_design, file, text, html, combinations] = state;
   StoredResult result;
   if (has_design) {
     result = result_of_text(facts, file);
@@ -281,6 +284,7 @@ StoredResult result_from(const ResultState& state) {
   }
   result.text = text;
   result.html = html;
+  result.combinations = problems::parse_json(combinations);
   return result;
 }
 
@@ -300,6 +304,7 @@ StoredResult result_of(Json facts, ReadDesign design) {
 void add_results(nb::module_& module) {
   nb::class_<StoredResult>(module, "Result")
       .def_prop_ro("file", [](const StoredResult& r) { return r.file; })
+      .def("combinations", [](const StoredResult& r) { return python_of(r.combinations); })
       .def("facts", [](const StoredResult& r) { return python_of(r.facts); })
       .def("json_text", [](const StoredResult& r) { return r.facts.dump(2) + "\n"; })
       .def_prop_ro("text", [](const StoredResult& r) { return r.text; })

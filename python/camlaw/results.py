@@ -121,6 +121,12 @@ class Result(Answer):
         return tables.of_rows(self.facts.get("constraints") or [], index="name")
 
     @property
+    def table(self) -> Any:
+        """A table of what the search found with each combination of laws, parts and other choices, the
+        best first. It is empty if there was nothing to choose, or if the result was read from a file."""
+        return tables.of_rows(self._native.combinations())
+
+    @property
     def warnings(self) -> list[str]:
         return self.facts.get("warnings", [])
 
