@@ -58,9 +58,12 @@ std::optional<std::string> found(const std::string& name, int access_mode) {
   return std::nullopt;
 }
 
-/// The folders of data that people read too.
+/// The folders of data that people read too: first those that were added.
 std::vector<fs::path> data_folders() {
-  std::vector<fs::path> folders;
+  std::vector<fs::path> folders = [] {
+    const std::lock_guard lock(added().mutex);
+    return added().folders;
+  }();
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error && program.is_absolute()) {

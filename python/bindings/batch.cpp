@@ -27,7 +27,7 @@ VariableStatement variable_of(const ProblemStatement& statement, const std::stri
   const problems::NamedParameter parameter = problems::find_parameter(statement, name);
   if (parameter.list && !parameter.element) {
     throw std::invalid_argument(
-        fmt::format("{}: it is a list; give its elements one by one, {}[1]", name, name));
+        fmt::format("{} is a list; give its elements one by one, such as {}[1]", name, name));
   }
   const std::size_t element = parameter.element.value_or(0);
   if (const auto known = problems::find_variable(statement, parameter, element)) {
@@ -65,8 +65,8 @@ void check_values(const std::vector<VariableStatement>& variables,
     for (std::size_t i = 0; i < columns[k].shape(0); ++i) {
       const double value = columns[k].data()[i];
       if (value >= v.lower && value <= v.upper) continue;
-      throw std::invalid_argument(fmt::format("{}: {} at {} is outside {}", v.name,
-                                              problems::with_unit(value, v.unit), i,
+      throw std::invalid_argument(fmt::format("{}: {}, number {} counted from 0, is outside {}",
+                                              v.name, problems::with_unit(value, v.unit), i,
                                               problems::range_text(v.lower, v.upper, v.unit)));
     }
   }
@@ -250,13 +250,14 @@ nb::list evaluate_many(const StatedProblem& problem, const std::vector<std::stri
                        const std::vector<Column>& values,
                        const std::optional<std::vector<std::string>>& responses) {
   if (names.empty() || values.size() != names.size()) {
-    throw std::invalid_argument("evaluate_many: name the variables, each with its values");
+    throw std::invalid_argument("values: give an array for at least one variable or constant");
   }
   const std::size_t count = values.front().shape(0);
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (values[k].shape(0) == count) continue;
-    throw std::invalid_argument(fmt::format("{}: {} values, where {} has {}", names[k],
-                                            values[k].shape(0), names.front(), count));
+    throw std::invalid_argument(
+        fmt::format("{} has {} values, but {} has {}; all arrays must be of one length", names[k],
+                    values[k].shape(0), names.front(), count));
   }
   std::vector<BatchColumn> columns = run_whole([&](const Work& work) {
     const optim::Deadline deadline({}, work.stop());

@@ -53,8 +53,7 @@ SampleTable table_of(const std::string& source,
   table.source = source;
   constexpr std::size_t kFewest = 2;
   if (columns.size() < kFewest || columns.front().shape(0) < kFewest) {
-    throw std::invalid_argument(source +
-                                ": a table of two columns and two rows at least is wanted");
+    throw std::invalid_argument(source + ": a table needs at least two columns and two rows");
   }
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Column& column = columns[k];
@@ -63,7 +62,7 @@ SampleTable table_of(const std::string& source,
       if (!std::isfinite(value)) value = std::nan("");
     }
     if (values.size() != columns.front().shape(0)) {
-      throw std::invalid_argument(fmt::format("{}: {} has {} rows, where {} has {}", source,
+      throw std::invalid_argument(fmt::format("{}: {} has {} rows, but {} has {}", source,
                                               names[k].first, values.size(), names.front().first,
                                               columns.front().shape(0)));
     }
@@ -134,14 +133,15 @@ problems::LawFitOptions options_of(const FitQuestion& asked, Work& work, optim::
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 FoundFit fitted_motion(const FitQuestion& asked, const SampleTable& table, Work& work) {
-  if (asked.response) refuse("response: it goes with a machine's recorded curve");
+  if (asked.response)
+    refuse("response: it names a recorded curve of a machine; give mechanism too");
   if (asked.place || asked.value) {
-    refuse("shift: of a motion or a cam's profile the centre alone can be unknown");
+    refuse("shift: a motion or a cam's profile accepts centre alone");
   }
   if (problems::goes_round(table)) {
     refuse(
-        "x and y go round as a cam's profile does: state what runs on it, mechanism, and the "
-        "unit, 'x [mm]'");
+        "x and y go round as a cam's profile does: give mechanism, which says what runs on it, and "
+        "the unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
   const problems::MotionSamples& read = record.samples;
@@ -154,12 +154,12 @@ FoundFit fitted_motion(const FitQuestion& asked, const SampleTable& table, Work&
 
 FoundFit fitted_cam(const FitQuestion& asked, SampleTable table, Work& work) {
   if (asked.place || asked.value) {
-    refuse("shift: of a motion or a cam's profile the centre alone can be unknown");
+    refuse("shift: a motion or a cam's profile accepts centre alone");
   }
   if (!asked.machine) {
     refuse(
-        fmt::format("it is a cam's profile; what runs on it is needed: mechanism, a problem or "
-                    "one of {}",
+        fmt::format("the table is a cam's profile: give mechanism, which says what runs on it, a "
+                    "problem or one of {}",
                     fmt::join(problems::measured_cams(), ", ")));
   }
   std::vector<std::string> notes = problems::assume_profile_units(table);
@@ -178,13 +178,13 @@ FoundFit fitted_cam(const FitQuestion& asked, SampleTable table, Work& work) {
 FoundFit fitted_record(const FitQuestion& asked, const SampleTable& table, const Work& work) {
   if (asked.law) {
     refuse(
-        "law: it goes with a motion or a cam's profile; of a recorded curve the law is the "
-        "machine's own");
+        "law: a recorded curve does not take it, as the law is the machine's own; a motion or a "
+        "cam's profile does");
   }
   if (asked.centre) {
     refuse(
-        "shift: the centre goes with a motion or a cam's profile; of a recorded curve the zeros "
-        "of abscissa and value can be unknown");
+        "shift: a recorded curve accepts abscissa and value, whose zeros may be unknown, but not "
+        "centre");
   }
   problems::RecordedCurve record =
       problems::recorded_curve(table, *asked.machine->mechanism, asked.response);
@@ -219,7 +219,7 @@ optim::Loss loss_of(const std::string& name) {
         std::pair{"cauchy", optim::Loss::Cauchy}}) {
     if (name == known) return loss;
   }
-  refuse(fmt::format("loss: no loss is called '{}'; there are none, huber, cauchy", name));
+  refuse(fmt::format("loss: '{}' is not a loss; none, huber and cauchy are accepted", name));
 }
 
 FitQuestion question_of(std::optional<std::string> law, const StatedProblem* machine,
@@ -237,12 +237,12 @@ FitQuestion question_of(std::optional<std::string> law, const StatedProblem* mac
                         : what == "value"                       ? &asked.value
                                                                 : nullptr;
     if (known == nullptr) {
-      refuse(fmt::format("shift: '{}' is none of centre, abscissa, value", what));
+      refuse(fmt::format("shift: '{}' is not accepted; centre, abscissa and value are", what));
     }
     *known = true;
   }
   if (time_limit && !(*time_limit > 0)) {
-    refuse(fmt::format("the time limit of {} s is not above zero", *time_limit));
+    refuse(fmt::format("time_limit: {} s is not above zero", *time_limit));
   }
   asked.time_limit = time_limit;
   asked.workers = workers_of(workers);
@@ -274,8 +274,8 @@ FoundFit constants_fitted(const std::string& constants, const StatedProblem* mac
   if (law && *law != "auto") {
     fits = problems::fit_constants(question, problems::find_any_law(*law));
     if (fits.empty()) {
-      refuse(fmt::format("law {}: it prints none of these constants, whatever its coefficients",
-                         *law));
+      refuse(
+          fmt::format("law {} has none of these constants, whatever its coefficients are", *law));
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());

@@ -91,21 +91,24 @@ void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
 
 nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::string& method,
                  std::optional<int> workers, nb::handle carrier, const std::string& record,
-                 bool resume, std::optional<double> time_limit, nb::handle progress) {
+                 bool resume, std::optional<double> time_limit, std::optional<double> memory,
+                 nb::handle progress) {
   if (points < 2 || points > problems::kMostPoints) {
     throw std::invalid_argument(
         fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
   }
   const Labour labour{workers_of(workers), carrier};
-  if (resume && record.empty()) throw std::invalid_argument("resume: name the record");
+  if (resume && record.empty())
+    throw std::invalid_argument("resume: it goes with record, the file of the study");
   const problems::ProblemStatement& statement = problem.statement;
-  problems::FrontSettings settings{points, problems::parse_method(method), statement.settings};
+  problems::FrontSettings settings{points, problems::parse_method(method), settings_of(statement)};
   settings.files = statement.files;
   if (resume && fs::exists(record)) {
     settings.scouts = problems::FrontStudy::settings_of(optim::StudyRecord::read(record)).scouts;
   }
   FrontOwner front(
       new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
+  front->study.options().solve.memory = memory;
   const bool interrupted = run_beside(
       [&](Work& work) {
         search(*front, labour, resume, work);
@@ -301,7 +304,8 @@ void add_fronts(nb::module_& module) {
            [](FoundFront& front, const FrontOwnState& state) { restore(&front, state); });
   module.def("pareto", &pareto, nb::arg("problem"), nb::arg("points"), nb::arg("method"),
              nb::arg("workers").none(), nb::arg("carrier").none(), nb::arg("record"),
-             nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("progress").none());
+             nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("memory").none(),
+             nb::arg("progress").none());
   module.def("front_file", &front_file, nb::arg("path"));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -85,15 +86,33 @@ MotionArrays motion_at(const NamedLaw& law, const Places& x) {
   return result;
 }
 
+/// Whether two arrays have a number in common.
+bool overlap(std::span<const double> a, std::span<const double> b) {
+  const std::less<> before;
+  return !a.empty() && !b.empty() && before(a.data(), b.data() + b.size()) &&
+         before(b.data(), a.data() + a.size());
+}
+
+void check_apart(const MotionSpans& out, std::span<const double> x) {
+  const std::array<std::span<const double>, 5> all{x, out.s, out.v, out.a, out.j};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      if (!overlap(all[i], all[k])) continue;
+      throw std::invalid_argument("into: two of x, s, v, a and j share numbers; give five arrays");
+    }
+  }
+}
+
 void motion_into(const NamedLaw& law, const Places& x, const std::array<Out, 4>& out) {
   for (const Out& row : out) {
     if (row.shape(0) == x.shape(0)) continue;
     throw std::invalid_argument(
-        fmt::format("an array of {} numbers is given for {} places", row.shape(0), x.shape(0)));
+        fmt::format("into: an array has {} numbers, but x has {}", row.shape(0), x.shape(0)));
   }
   const auto span = [](const Out& row) { return std::span<double>(row.data(), row.shape(0)); };
   const std::span<const double> places{x.data(), x.shape(0)};
   const MotionSpans spans{span(out[0]), span(out[1]), span(out[2]), span(out[3])};
+  check_apart(spans, places);
   if (places.size() > kFew) {
     evaluate_beside(law, places, spans);
   } else {
@@ -218,6 +237,8 @@ void add_laws(nb::module_& module) {
       .def_prop_ro("family", [](const NamedLaw& law) { return law.member.family->name; })
       .def_prop_ro("formula", [](const NamedLaw& law) { return law.member.family->formula; })
       .def_prop_ro("ends", [](const NamedLaw& law) { return to_string(law.law.ends()); })
+      .def_prop_ro("is_of_catalogue",
+                   [](const NamedLaw& law) { return problems::is_of_catalogue(law.member); })
       .def("at", &motion_at, nb::arg("x").noconvert())
       .def("at_into", &motion_into, nb::arg("x").noconvert(), nb::arg("out").noconvert())
       .def("parameters", &parameters_of)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "machines/registry.h"
 #include "output/answers/buildable_output.h"
@@ -18,10 +19,15 @@
 #include "output/figure/profile_figure.h"
 #include "output/report/html.h"
 #include "problems/law_files/json_text.h"
+#include "problems/law_files/law_file.h"
+#include "problems/results/start_settings.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/default_machine.h"
+#include "problems/statement/first_file.h"
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
+#include "problems/statement/shipped_files.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/module.h"
 
@@ -31,9 +37,26 @@ namespace {
 using problems::EvaluatedResponse;
 using problems::ProblemStatement;
 
-StatedProblem problem_of_text(const std::string& text, const std::string& source) {
+/// `laws`: those that the text names as files without there being any.
+StatedProblem problem_of_text(const std::string& text, const std::string& source,
+                              const std::map<std::string, const NamedLaw*>& laws) {
   const nb::gil_scoped_release released;
-  return {problems::read_problem(text, source)};
+  problems::HeldFiles files;
+  for (const auto& [name, law] : laws) {
+    const std::string file = problems::law_text(law->law, law->member.label());
+    files.laws.emplace(name, problems::read_law_text(file, name));
+  }
+  return {problems::read_problem(text, source, std::move(files))};
+}
+
+/// The files that a problem's text names, as texts by these names.
+std::map<std::string, std::string> held_files(const StatedProblem& problem) {
+  const nb::gil_scoped_release released;
+  std::map<std::string, std::string> texts = problem.statement.files.tables;
+  for (const auto& [name, law] : problem.statement.files.laws) {
+    texts.emplace(name, problems::law_text(law.law(), law.label()));
+  }
+  return texts;
 }
 
 StatedProblem problem_file(const std::string& path) {
@@ -217,6 +240,15 @@ nb::dict dict_of(const problems::Mechanism& mechanism) {
   return result;
 }
 
+/// The problem files that are installed with the library, and what each is about.
+std::vector<std::pair<std::string, std::string>> example_names() {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const problems::ShippedFile& file : problems::shipped_files()) {
+    result.emplace_back(file.name, file.sentence);
+  }
+  return result;
+}
+
 std::vector<std::string> mechanism_names() {
   std::vector<std::string> names;
   for (const problems::Mechanism& mechanism : problems::mechanisms()) {
@@ -273,19 +305,32 @@ ProblemState state_of(const StatedProblem& problem) {
   for (const problems::VariableStatement& v : statement.variables) starts.push_back(v.start);
   std::vector<ArgumentsState> laws;
   for (Member law : statement.laws) laws.emplace_back(law.family->name, law.arguments.values());
+  std::vector<PartState> parts;
+  for (const problems::PartStatement& part : statement.parts) {
+    if (!part.is_chosen()) parts.emplace_back(part.name, part.items.front().name);
+  }
   return {statement.text,         statement.source,
           statement.settings,     problems::laws_to_json(statement.files.laws).dump(),
           statement.files.tables, statement.constants,
-          std::move(starts),      std::move(laws)};
+          std::move(starts),      std::move(laws),
+          std::move(parts)};
 }
 
 StatedProblem problem_of(const ProblemState& state) {
   const nb::gil_scoped_release released;
-  const auto& [text, source, settings, law_files, tables, constants, starts, laws] = state;
+  const auto& [text, source, settings, law_files, tables, constants, starts, laws, parts] = state;
   problems::HeldFiles files{problems::laws_from_json(problems::parse_json(law_files)), tables};
   StatedProblem result{problems::read_problem(text, source, std::move(files))};
   ProblemStatement& statement = result.statement;
   problems::set_values(statement, settings);
+  for (const auto& [name, row] : parts) {
+    const problems::PartStatement* part = problems::find_part(statement, name);
+    if (part == nullptr) {
+      throw std::invalid_argument(
+          fmt::format("the problem was pickled with a part '{}', which it does not have", name));
+    }
+    problems::keep_item(statement, name, problems::item_named(*part, row));
+  }
   statement.constants = constants;
   for (std::size_t i = 0; i < statement.variables.size(); ++i) {
     statement.variables[i].start = starts.at(i);
@@ -294,6 +339,27 @@ StatedProblem problem_of(const ProblemState& state) {
   for (const ArgumentsState& law : laws) at_design.push_back(law_with(statement.laws, law));
   statement.laws = std::move(at_design);
   return result;
+}
+
+std::vector<std::string> settings_of(const ProblemStatement& statement) {
+  std::vector<std::string> settings = statement.settings;
+  ProblemStatement plain =
+      problems::read_problem(statement.text, statement.source, statement.files);
+  problems::set_values(plain, settings);
+  const bool is_chosen = !statement.parts.empty() && !problems::chooses_part(statement) &&
+                         problems::chooses_part(plain);
+  const bool stands_elsewhere = !std::equal(
+      plain.variables.begin(), plain.variables.end(), statement.variables.begin(),
+      statement.variables.end(), [](const auto& a, const auto& b) { return a.start == b.start; });
+  if (statement.mechanism->moved_by == problems::MovedBy::Law && plain.chooses_law() &&
+      !statement.chooses_law()) {
+    settings.push_back("law=" + statement.laws.front().family->name);
+  }
+  if (!is_chosen && !stands_elsewhere) return settings;
+  for (std::string& found : problems::start_settings(plain, problems::ReadDesign{statement})) {
+    settings.push_back(std::move(found));
+  }
+  return settings;
 }
 
 nb::dict curves_of(const StatedProblem& problem, int count) {
@@ -340,6 +406,11 @@ void add_problems(nb::module_& module) {
              }
              return NamedLaw(p.statement.laws.front().listed());
            })
+      .def("held_files", &held_files)
+      .def("found_settings",
+           [](const StatedProblem& p) {
+             return without_lock([&] { return settings_of(p.statement); });
+           })
       .def("with_settings", &problem_with, nb::arg("settings"))
       .def("variables", &variables_of)
       .def("constants", &constants_of)
@@ -369,8 +440,23 @@ void add_problems(nb::module_& module) {
       .def("__setstate__", [](StatedProblem& problem, const ProblemState& state) {
         new (&problem) StatedProblem(problem_of(state));
       });
-  module.def("problem", &problem_of_text, nb::arg("text"), nb::arg("source"));
+  module.def("problem", &problem_of_text, nb::arg("text"), nb::arg("source"),
+             nb::arg("laws") = std::map<std::string, const NamedLaw*>{});
   module.def("problem_file", &problem_file, nb::arg("path"));
+  module.def(
+      "first_file",
+      [](const std::string& mechanism) {
+        return without_lock(
+            [&] { return problems::first_file(problems::find_mechanism(mechanism)); });
+      },
+      nb::arg("mechanism"));
+  module.def("examples", &example_names);
+  module.def(
+      "example",
+      [](const std::string& name) {
+        return problem_file(problems::find_shipped(name).path.string());
+      },
+      nb::arg("name"));
   module.def("mechanism_names", &mechanism_names);
   module.def("formula", [](const std::string& mechanism, const std::string& response) {
     return formula_of(problems::find_mechanism(mechanism), response);

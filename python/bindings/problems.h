@@ -31,14 +31,21 @@ nb::list list_of(const std::vector<optim::LimitReport>& limits);
 
 /// A law's family, and the values of its parameters.
 using ArgumentsState = std::pair<std::string, std::vector<std::vector<double>>>;
+/// A part of a catalogue and the row that was chosen for it.
+using PartState = std::pair<std::string, std::string>;
 /// All of a problem: its text, what it is called, what was set beside it, and the files that were
 /// read with it, laws as JSON and tables by path; of the design that it stands at the values of the
-/// mechanism's parameters, the starts of the variables, and the laws.
-using ProblemState = std::tuple<std::string, std::string, std::vector<std::string>, std::string,
-                                std::map<std::string, std::string>, std::vector<double>,
-                                std::vector<double>, std::vector<ArgumentsState>>;
+/// mechanism's parameters, the starts of the variables, the laws, and the parts that are chosen.
+using ProblemState =
+    std::tuple<std::string, std::string, std::vector<std::string>, std::string,
+               std::map<std::string, std::string>, std::vector<double>, std::vector<double>,
+               std::vector<ArgumentsState>, std::vector<PartState>>;
 ProblemState state_of(const StatedProblem& problem);
 StatedProblem problem_of(const ProblemState& state);
+
+/// What set_values takes so that the problem's text comes to stand where it stands: what was set,
+/// and of a design what was found and chosen.
+std::vector<std::string> settings_of(const problems::ProblemStatement& statement);
 
 /// Every curve of the design at count + 1 even places: the place first, then each curve with its
 /// unit, as 'camlaw evaluate --curves' writes them.

@@ -27,6 +27,7 @@
 #include "problems/fronts/study_worker.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
+#include "problems/results/start_settings.h"
 #include "problems/results/stated_numbers.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/solver_settings.h"
@@ -69,7 +70,8 @@ optim::OptimiseOptions options_of(const SearchSettings& told,
   result.seed = told.seed.value_or(stated.seed.value_or(result.seed));
   result.time_limit = told.time_limit ? told.time_limit : stated.time_limit;
   if (result.time_limit && !(*result.time_limit > 0)) {
-    throw std::invalid_argument("time_limit: it is not above zero");
+    throw std::invalid_argument(
+        fmt::format("time_limit: {} s is not above zero", *result.time_limit));
   }
   result.memory = told.memory;
   result.native = stated.native;
@@ -93,7 +95,8 @@ void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, int 
       more.add("rulers", cli::rulers_document(answer, *measured));
     }
   } catch (const std::exception& error) {
-    more.say(fmt::format("\nthe law is not measured: {}\n", error.what()));
+    more.say(
+        fmt::format("\nthe law could not be compared with what is possible: {}\n", error.what()));
   }
   facts.update(cli::json_of(more));
   document.add(std::move(more));
@@ -163,6 +166,8 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   problems::seal(facts);
   StoredResult result{.facts = std::move(facts)};
   result.say(document);
+  const Json table = cli::json_of(cli::combinations_document(answer));
+  if (table.contains("table")) result.combinations = table["table"];
   if (auto design = design_of(answer)) {
     design->stated = problems::stated_numbers(result.facts);
     result.design = std::move(*design);
@@ -258,17 +263,18 @@ cli::Figure cycle_figure_of(const StoredResult& result) {
 }
 
 /// A result as its file has it, whether there is a design, what it is called, and what a search
-/// says of it in words and in HTML.
+/// says of it in words and in HTML, and of its combinations.
 using ResultState = std::tuple<std::string, bool, std::string, std::optional<std::string>,
-                               std::optional<std::string>>;
+                               std::optional<std::string>, std::string>;
 
 ResultState result_state_of(const StoredResult& result) {
-  return {result.facts.dump(), result.design.has_value(), result.file, result.text, result.html};
+  return {result.facts.dump(), result.design.has_value(), result.file, result.text,
+          result.html,         result.combinations.dump()};
 }
 
 StoredResult result_from(const ResultState& state) {
   const nb::gil_scoped_release released;
-  const auto& [facts, has_design, file, text, html] = state;
+  const auto& [facts, has_design, file, text, html, combinations] = state;
   StoredResult result;
   if (has_design) {
     result = result_of_text(facts, file);
@@ -278,6 +284,7 @@ StoredResult result_from(const ResultState& state) {
   }
   result.text = text;
   result.html = html;
+  result.combinations = problems::parse_json(combinations);
   return result;
 }
 
@@ -297,6 +304,7 @@ StoredResult result_of(Json facts, ReadDesign design) {
 void add_results(nb::module_& module) {
   nb::class_<StoredResult>(module, "Result")
       .def_prop_ro("file", [](const StoredResult& r) { return r.file; })
+      .def("combinations", [](const StoredResult& r) { return python_of(r.combinations); })
       .def("facts", [](const StoredResult& r) { return python_of(r.facts); })
       .def("json_text", [](const StoredResult& r) { return r.facts.dump(2) + "\n"; })
       .def_prop_ro("text", [](const StoredResult& r) { return r.text; })
@@ -319,6 +327,17 @@ void add_results(nb::module_& module) {
              nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
              nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("progress").none());
   module.def("result_file", &result_file, nb::arg("path"));
+  module.def(
+      "beginning_at",
+      [](const StatedProblem& problem, const StoredResult& result) {
+        StatedProblem changed = problem;
+        without_lock([&] {
+          problems::set_values(changed.statement,
+                               problems::start_settings(problem.statement, design_in(result)));
+        });
+        return changed;
+      },
+      nb::arg("problem"), nb::arg("result"));
   module.def("report_of_problem", &report_of_problem, nb::arg("problem"));
 }
 

@@ -18,6 +18,8 @@ struct StoredResult {
   /// What is said of a search, in words and as a notebook shows it; a file has facts alone.
   std::optional<std::string> text = {}, html = {};
   std::string file = {};  ///< as it was named
+  /// Of a search, what was found in each combination of choices, the best first; a list of objects.
+  problems::Json combinations = problems::Json::array();
   /// Draws what was limited and sought, over the cycle; of a search alone.
   std::function<cli::Figure()> cycle = {};
 

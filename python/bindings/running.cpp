@@ -68,8 +68,7 @@ void raise_interrupted() {
 bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
                 std::optional<double> time_limit) {
   if (time_limit && !(*time_limit > 0)) {
-    throw std::invalid_argument(
-        fmt::format("the time limit of {} s is not above zero", *time_limit));
+    throw std::invalid_argument(fmt::format("time_limit: {} s is not above zero", *time_limit));
   }
   const optim::Deadline deadline(time_limit, nullptr);
   Work work;

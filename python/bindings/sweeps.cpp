@@ -5,13 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <tuple>
 
+#include "optim/study/encoding.h"
 #include "output/answers/sweep_answer.h"
 #include "output/document/printing.h"
 #include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/fronts/stored_front.h"
+#include "problems/statement/parameters.h"
+#include "problems/sweeps/stored_sweep.h"
 #include "problems/sweeps/sweep_worker.h"
 #include "python/bindings/executors.h"
 #include "python/bindings/module.h"
@@ -32,7 +37,7 @@ struct FoundSweep {
 
   cli::SweepAnswer answer() const {
     cli::SweepAnswer result(study, sweep);
-    result.notes = notes;
+    result.notes.insert(result.notes.end(), notes.begin(), notes.end());
     return result;
   }
 };
@@ -46,8 +51,8 @@ struct SweepWords {
   bool evaluates = false, is_cold = false;
 };
 
-problems::SweepSettings settings_of(const SweepWords& words,
-                                    const std::vector<std::string>& set_before) {
+problems::SweepSettings asked_settings(const SweepWords& words,
+                                       const std::vector<std::string>& set_before) {
   problems::SweepSettings settings{.evaluates = words.evaluates, .is_cold = words.is_cold};
   settings.set = set_before;
   problems::add_settings(settings, words.set);
@@ -56,7 +61,7 @@ problems::SweepSettings settings_of(const SweepWords& words,
         *words.sample, static_cast<std::uint64_t>(words.seed), words.over);
   } else if (!words.over.empty()) {
     throw std::invalid_argument(
-        "over: it is a range that samples are drawn from; say how many, sample=\"sobol 64\"");
+        "over: samples are drawn from these ranges; say how many, such as sample=\"sobol 64\"");
   }
   return settings;
 }
@@ -65,9 +70,11 @@ void search(FoundSweep& found, const Labour& labour, const std::string& path, bo
             Work& work) {
   SweepStudy& study = found.study;
   study.options().stop = work.stop();
-  const auto show = [&work](const problems::SweepProgress& p) {
-    work.tell(static_cast<double>(p.done) / static_cast<double>(p.all),
-              fmt::format("{} of {} combinations", p.done, p.all));
+  const std::string unit = study.statement().objectives.front().response.unit;
+  const auto show = [&work, &unit](const problems::SweepProgress& p) {
+    std::string words = fmt::format("{} of {} combinations", p.done, p.all);
+    if (p.best) words += ", best " + problems::with_unit(*p.best, unit);
+    work.tell(static_cast<double>(p.done) / static_cast<double>(p.all), std::move(words));
   };
   auto record = record_of(path, study, resume);
   const auto workers = executor_of(labour, problems::sweep_service(study),
@@ -91,13 +98,17 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
                 std::optional<std::string> sample, std::int64_t seed,
                 const std::vector<std::string>& over, bool evaluates, bool is_cold,
                 std::optional<int> workers, nb::handle carrier, const std::string& record,
-                bool resume, std::optional<double> time_limit, nb::handle progress) {
+                bool resume, std::optional<double> time_limit, std::optional<double> memory,
+                nb::handle progress) {
   const Labour labour{workers_of(workers), carrier};
-  if (resume && record.empty()) throw std::invalid_argument("resume: name the record");
+  if (resume && record.empty())
+    throw std::invalid_argument("resume: it goes with record, the file of the study");
   const problems::ProblemStatement& statement = problem.statement;
   const SweepWords words{set, over, std::move(sample), seed, evaluates, is_cold};
-  SweepOwner found(new FoundSweep{SweepStudy(
-      statement.text, statement.source, settings_of(words, statement.settings), statement.files)});
+  SweepOwner found(
+      new FoundSweep{SweepStudy(statement.text, statement.source,
+                                asked_settings(words, settings_of(statement)), statement.files)});
+  found->study.options().memory = memory;
   const bool interrupted = run_beside(
       [&](Work& work) { search(*found, labour, record, resume, work); }, progress, time_limit);
   return nb::make_tuple(std::move(found), interrupted);
@@ -116,6 +127,58 @@ StatedProblem design_of(const FoundSweep& found, std::size_t k) {
         fmt::format("combination {} has no design: {}", k, found.answer().rows[k].verdict));
   }
   return {found.study.design(k, outcome->points.front().x)};
+}
+
+/// The sweep that a record holds, without a search.
+SweepOwner sweep_file(const std::string& path) {
+  return run_whole([&](const Work& work) {
+    optim::StudyRecord record = optim::StudyRecord::read(path);
+    if (!SweepStudy::is_sweep(record.settings())) {
+      throw std::invalid_argument(
+          path + ": the study is one of a front, not of a sweep; Front.load reads it");
+    }
+    SweepOwner found(new FoundSweep{SweepStudy::of(record.settings())});
+    found->study.options().stop = work.stop();
+    problems::StoredSweep stored = problems::stored_sweep(found->study, record);
+    found->study.options().stop = nullptr;
+    found->sweep = std::move(stored.sweep);
+    found->notes = std::move(stored.notes);
+    return found;
+  });
+}
+
+/// What a sweep is pickled as: its study as a record keeps it, what came of each combination as
+/// processes tell each other, whether each began at a neighbour's design, remark and notes.
+using SweepState =
+    std::tuple<std::map<std::string, std::string>, std::vector<std::optional<nb::bytes>>,
+               std::vector<bool>, std::string, std::vector<std::string>>;
+
+SweepState sweep_state_of(const FoundSweep& found) {
+  std::vector<std::optional<nb::bytes>> outcomes;
+  for (const auto& outcome : found.sweep.outcomes) {
+    outcomes.emplace_back();
+    if (!outcome) continue;
+    const std::string bytes = optim::encoded(*outcome);
+    outcomes.back() = nb::bytes(bytes.data(), bytes.size());
+  }
+  return {found.study.settings(), std::move(outcomes), found.sweep.is_warm, found.sweep.remark,
+          found.notes};
+}
+
+FoundSweep sweep_from(const SweepState& state) {
+  const auto& [settings, outcomes, is_warm, remark, notes] = state;
+  FoundSweep found{without_lock([&] { return SweepStudy::of(settings); }),
+                   {.outcomes = {}, .is_warm = is_warm, .remark = remark},
+                   notes};
+  for (const auto& bytes : outcomes) {
+    found.sweep.outcomes.emplace_back();
+    if (!bytes) continue;
+    found.sweep.outcomes.back() = optim::decoded({bytes->c_str(), bytes->size()});
+    if (!found.sweep.outcomes.back()) {
+      throw std::invalid_argument("the pickled sweep is damaged, or of another version of camlaw");
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -138,11 +201,18 @@ void add_sweeps(nb::module_& module) {
            [](const FoundSweep& f, const std::string& name) {
              return cli::page_html(cli::sweep_report(f.answer(), name));
            })
-      .def("design", &design_of, nb::arg("combination"));
+      .def("notes", [](const FoundSweep& f) { return f.answer().notes; })
+      .def("design", &design_of, nb::arg("combination"))
+      .def("__getstate__", &sweep_state_of)
+      .def("__setstate__", [](FoundSweep& place, const SweepState& state) {
+        new (&place) FoundSweep(sweep_from(state));
+      });
   module.def("sweep", &sweep, nb::arg("problem"), nb::arg("set"), nb::arg("sample").none(),
              nb::arg("seed"), nb::arg("over"), nb::arg("evaluates"), nb::arg("is_cold"),
              nb::arg("workers").none(), nb::arg("carrier").none(), nb::arg("record"),
-             nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("progress").none());
+             nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("memory").none(),
+             nb::arg("progress").none());
+  module.def("sweep_file", &sweep_file, nb::arg("path"));
 }
 
 }  // namespace camlaw::python

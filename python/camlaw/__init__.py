@@ -7,8 +7,8 @@
     result = problem.optimize()
 
 docs/python.md is a tutorial. The names are those of the program's files and of docs/glossary.md.
-What is wrong with an input is said by InputError; all that the package raises by itself is an
-Error, but for Interrupted, which Ctrl-C brings.
+InputError says what is wrong with an input. All that the package raises by itself is an Error,
+except Interrupted, which Ctrl-C raises.
 """
 
 from importlib import import_module
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .fronts import Front
     from .machines import mechanism, mechanisms
     from .motion_laws import Law, Motion, Peaks, law, law_file, laws
-    from .problems import Problem
+    from .problems import Problem, examples
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
     from .sweeps import Sweep
@@ -52,6 +52,7 @@ _HOMES = {
     "Sensitivity": "evaluations",
     "Tolerance": "evaluations",
     "Problem": "problems",
+    "examples": "problems",
     "cam_shape": "published",
     "Reproduction": "published",
     "Study": "published",

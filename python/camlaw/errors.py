@@ -5,21 +5,21 @@ from typing import Any
 
 
 class Error(Exception):
-    """Something went wrong that is not the input's fault, such as a file that cannot be written."""
+    """Something went wrong that is not the input's fault."""
 
 
 class InputError(Error, ValueError):
-    """Bad input: the sentence names what is wrong with it, and what is accepted."""
+    """An input is wrong: the sentence names it and says what is accepted."""
 
 
 class MissingPackage(Error, ImportError):
-    """An optional package is wanted and not installed: the sentence names it."""
+    """A call needs an optional package that is not installed: the sentence names it."""
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C ended long work, and this is what it had by then.
+    """Ctrl-C ended long work.
 
-    result: the answer so far, as the work would have returned it; None where it has none.
+    result: the answer so far, as the call would have returned it; None if there is none yet.
     """
 
     def __init__(self, result: Any = None) -> None:

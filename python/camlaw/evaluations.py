@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""What is said of a problem without a search: a design evaluated, a problem said back."""
+"""What is said of a problem without a search: a design evaluated, a problem in words."""
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
 from . import tables
+from .answers import Answer
+from .arguments import text
 from .errors import InputError
 
 
 class Range(NamedTuple):
-    """What a curve does over the cycle: its extremes, where they are, and whether they are proved."""
+    """Extremes of a curve over the cycle, where they are, and whether they are proved."""
 
     lowest: float
     lowest_at: float
@@ -20,21 +22,22 @@ class Range(NamedTuple):
     proved: bool
 
 
-class Evaluation:
-    """Every response of a design, how its limits stand, and whether it can be built."""
+class Evaluation(Answer):
+    """Every response of a design, the margins of its limits, and whether it can be built."""
 
     def __init__(self, facts: dict[str, Any]) -> None:
+        self.facts = facts
         self._rows = {row["response"]: row for row in facts["responses"]}
         self._limits = facts["limits"]
         self.buildable: dict[str, Any] | None = facts["buildable"]
         self.warnings: list[str] = facts["warnings"]
 
     def __getitem__(self, response: str) -> float | Range:
-        """A number's value; of a curve its Range."""
-        row = self._rows.get(response)
+        """The value of a number, or the Range of a curve."""
+        row = self._rows.get(text(response, "response"))
         if row is None:
             raise InputError(
-                f"no response is called '{response}'; there are {', '.join(self._rows)}"
+                f"the machine has no response '{response}'; it has {', '.join(self._rows)}"
             )
         if not row["curve"]:
             return float(row["value"])
@@ -70,8 +73,8 @@ class Evaluation:
         return self.responses._repr_html_() + (self.margins._repr_html_() if self._limits else "")
 
 
-class _Answer:
-    """What the program says: facts, text and HTML."""
+class _Told(Answer):
+    """What the program says, as facts, text and HTML."""
 
     def __init__(self, answer: tuple[dict[str, Any], str, str]) -> None:
         self.facts, self._text, self._html = answer
@@ -86,49 +89,49 @@ class _Answer:
         return self._html
 
 
-class Sensitivity(_Answer):
-    """How a design's numbers depend on its parameters. `facts` is what 'camlaw evaluate --sensitivity
-    --json' adds."""
+class Sensitivity(_Told):
+    """How a design's numbers depend on its parameters. `facts` has what 'camlaw evaluate
+    --sensitivity --json' adds."""
 
     @property
     def derivatives(self) -> Any:
-        """A table: the derivative of the objective and of each limit's number by each parameter, and
-        the elasticity, % for 1 %. Where `exact` is false it is by differences."""
+        """A table of derivatives: of the objective and of each limited number by each parameter, with
+        the elasticity, % for 1 %. If `exact` is false, a derivative is worked out by differences."""
         return tables.of_rows(self.facts["sensitivity"]["derivatives"])
 
     @property
     def indices(self) -> Any:
-        """A table of Sobol indices with their intervals; None if there are no ranges."""
+        """A table of Sobol indices with their intervals; None if no parameter has a range."""
         found = self.facts["sensitivity"].get("sobol")
         return None if found is None else tables.of_rows(found["indices"])
 
 
-class Tolerance(_Answer):
-    """What manufacture makes of a design. `facts` is what 'camlaw tolerance --json' prints."""
+class Tolerance(_Told):
+    """What manufacture makes of a design. `facts` has what 'camlaw tolerance --json' prints."""
 
     @property
     def worst(self) -> Any:
-        """A table of the worst case of each limit: value, where it is, whether it is proved."""
+        """A table of the worst case of each limit: its value, where it occurs, whether it is proved."""
         return tables.of_rows(self.facts["worst_cases"])
 
     @property
     def finished(self) -> bool:
-        """Whether it was worked out to its end; facts["cut_short"] says why not."""
+        """Whether the work was finished; facts["cut_short"] says why it was not."""
         return not self.facts["cut_short"]
 
     @property
     def failing(self) -> float:
-        """The share of parts that break a limit, as it is estimated."""
+        """The estimated fraction of parts that break a limit."""
         return float(self.facts["failing"])
 
     @property
     def standard_error(self) -> float:
-        """Of `failing`."""
+        """The standard error of `failing`."""
         return float(self.facts["standard_error"])
 
 
 class Check(NamedTuple):
-    """A problem said back: in words, as facts, as HTML."""
+    """A problem in words: as text, as facts and as HTML."""
 
     text: str
     facts: dict[str, Any]

@@ -46,7 +46,7 @@ def labour(executor: Any, workers: int | None) -> Iterator[Carrier | None]:
         yield None
         return
     if workers is not None:
-        raise InputError("workers: an executor has its own; state one of the two")
+        raise InputError("workers: an executor has workers of its own; give one of the two")
     with contextlib.closing(Carrier(executor)) as carrier:
         yield carrier
 
@@ -63,11 +63,16 @@ class Carrier:
         if isinstance(executor, type) or not hasattr(executor, "submit"):
             if not callable(executor):
                 raise InputError(
-                    f"executor: {type(executor).__name__} has no submit(); a client of Dask or an "
-                    "executor of concurrent.futures is wanted, or a function that makes one"
+                    f"executor: {type(executor).__name__} has no submit(); a client of Dask, an executor "
+                    "of concurrent.futures or a function that makes one is accepted"
                 )
             self._make = executor
             executor = executor()
+            if not (hasattr(executor, "submit") and hasattr(executor, "shutdown")):
+                raise InputError(
+                    f"executor: the function made a {type(executor).__name__}, which is no executor of "
+                    "concurrent.futures"
+                )
         self._executor = executor
         self._broken: BaseException | None = None
         self._problem = b""
@@ -97,7 +102,7 @@ class Carrier:
         try:
             return list(self._executor.nthreads().values())
         except Exception as error:
-            raise Error(f"the scheduler does not answer: {error}") from error
+            raise Error(f"the scheduler of Dask does not answer: {error}") from error
 
     def send(self, parcel: int, orders: list[bytes]) -> None:
         options = {"pure": False, "retries": 0} if _is_dask(self._executor) else {}
@@ -121,7 +126,7 @@ class Carrier:
             # By us, when the parcel is not waited for any more, or by the engine.
             if known is not None:
                 self._broken = error
-            return self._arrivals.put(parcel, died="the engine gave it up", deaths=0)
+            return self._arrivals.put(parcel, died="the executor gave it up", deaths=0)
         except BaseException as error:  # whatever an engine raises
             return self._failed(parcel, error)
         if what[0] == "refused":
@@ -146,7 +151,7 @@ class Carrier:
         if self._broken is None:
             return
         error, self._broken = self._broken, None
-        again = "a function that makes an executor, in its place, is called again where one breaks"
+        again = "give a function that makes an executor: it is called again if one breaks"
         hint = f"; {again}" if isinstance(error, BrokenExecutor) else ""
         raise Error(f"the executor failed: {type(error).__name__}: {error}{hint}") from error
 

@@ -8,9 +8,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from . import plots, tables, units
+from .answers import Answer
+from .arguments import mapping, numbers, optional_text, optional_whole, text, texts
+from .arguments import path as checked_path
+from .arguments import shown as shown_value
 from .errors import InputError, Interrupted
 from .kept import Kept
 from .motion_laws import Law
@@ -29,11 +31,11 @@ def _name_and_unit(title: Any) -> tuple[str, str]:
 
 def _sample_table(data: Any) -> Any:
     if isinstance(data, (str, Path)):
-        return native.sample_file(str(data))
+        return native.sample_file(checked_path(data, "data"))
     if not hasattr(data, "items"):
         raise InputError(
-            "a table is wanted: a DataFrame, a dict of arrays or a file's path, with columns "
-            "such as 'angle [deg]' and 'lift [mm]'"
+            f"data: {shown_value(data)} is not a table; a DataFrame, a dict of arrays or the path of a "
+            "file is accepted, with columns such as 'angle [deg]' and 'lift [mm]'"
         )
     names, columns = [], []
     for title, values in data.items():
@@ -42,27 +44,27 @@ def _sample_table(data: Any) -> Any:
             unit, values = units.pint_unit(values.units), values.magnitude
         elif units.is_pint(getattr(values, "array", None)):
             unit, values = units.pint_unit(values.array.units), values.array.quantity.magnitude
-        try:
-            columns.append(np.ascontiguousarray(values, dtype=np.float64))
-        except (TypeError, ValueError) as error:
-            raise InputError(f"{title}: {error}") from None
+        columns.append(numbers(values, str(title)))
         names.append((name, unit))
     return native.sample_table("samples", names, columns)
 
 
 def _machine(mechanism: Any, settings: Mapping[str, Any] | None) -> Any:
+    values = mapping(settings, "set", "{'roller_radius': '8 mm'}")
     if mechanism is None:
+        if values:
+            raise InputError("set: it sets values of a mechanism; give mechanism too")
         return None
     problem = (
         mechanism
         if isinstance(mechanism, Problem)
-        else Problem(_native=native.machine(str(mechanism)))
+        else Problem(_native=native.machine(checked_path(mechanism, "mechanism")))
     )
-    return (problem.set(settings) if settings else problem)._native
+    return (problem.set(values) if values else problem)._native
 
 
-class Fit:
-    """What is behind a table, and whether it may be trusted."""
+class Fit(Answer):
+    """The law or the machine behind a table, and whether the fit may be trusted."""
 
     def __init__(self, native_fit: Any, machine: Any = None) -> None:
         self._native = native_fit
@@ -74,8 +76,8 @@ class Fit:
 
     @property
     def law(self) -> Law | None:
-        """The law of the largest motion with its fitted coefficients: a spline where no law that has
-        a name follows the samples; of a recorded curve the machine's own."""
+        """The law of the largest motion with its fitted coefficients: a spline if no named law follows
+        the samples; the machine's own law if the table is a recorded curve."""
         found = self._native.law()
         return None if found is None else Law(found)
 
@@ -85,7 +87,7 @@ class Fit:
 
     @property
     def reason(self) -> str:
-        """Why it is not to be trusted; else empty."""
+        """Why the fit may not be trusted; empty if it may."""
         return str(self.facts.get("reason", ""))
 
     @property
@@ -95,24 +97,24 @@ class Fit:
 
     @property
     def motions(self) -> list[dict[str, Any]]:
-        """What was found of each rise and return, as facts."""
+        """What was found for each rise and return, as facts."""
         return self.facts.get("motions", [])
 
     @property
     def machine(self) -> Problem | None:
-        """Of a recorded curve the machine with the values that were found."""
+        """The machine with the values that were found, if the table is a recorded curve."""
         found = self._native.machine()
         return None if found is None else Problem(_native=found)
 
     @property
     def program(self) -> str | None:
-        """Of a measured cam its motion program, as the text of a problem file."""
+        """The motion program of a measured cam, as the text of a problem file."""
         found = self._native.program()
         return None if found is None else str(found[0])
 
     def save(self, folder: str | Path) -> None:
-        """Writes fit.json, and law.json and program.toml where there are such."""
-        place = Path(folder)
+        """Writes fit.json into a folder, and law.json and program.toml if the fit has them."""
+        place = Path(checked_path(folder, "folder"))
         place.mkdir(parents=True, exist_ok=True)
         written(self._native.json_text(), place / "fit.json")
         law = self._native.law_text()
@@ -125,7 +127,7 @@ class Fit:
                 written(text, place / name)
 
     def plot(self) -> Any:
-        """Samples, law and what is left, drawn by matplotlib; returns the axes."""
+        """Draws samples, law and residuals with matplotlib; returns the axes."""
         return plots.draw(self._native.figure())
 
     def __str__(self) -> str:
@@ -152,33 +154,33 @@ def fit(
     workers: int | None = None,
     progress: Progress = None,
 ) -> Fit:
-    """The law behind measured samples, a worn cam, or a machine behind a recorded curve.
+    """Finds the law behind measured samples or a worn cam, or the machine behind a recorded curve.
 
     data: a DataFrame, a dict of arrays, or a file's path. Columns have names with their units,
-    "angle [deg]", "lift [mm]"; "x [mm]", "y [mm]" of a cam's profile; a machine's curve by its name.
-    law: whose coefficients are wanted; by default every law is tried. mechanism: the name of one, a
-    problem file or a Problem: what runs on a measured cam, or whose curve was recorded and whose
-    variables are unknown; `set` sets its values. response: the recorded curve where several columns
-    could be one. shift: what of the record is unknown: "centre"; of a recorded curve "abscissa",
-    "value". loss: "none", "huber" or "cauchy". time_limit: seconds, or such as "1 min": the laws that
-    were tried by then, or the best values seen, are the answer. workers: processes that fit laws side
-    by side where that takes longer than some seconds; the fit does not depend on them. Raises
+    "angle [deg]" and "lift [mm]"; "x [mm]" and "y [mm]" for a cam's profile; a recorded curve has its
+    own name. law: the law whose coefficients are fitted; by default every law is tried. mechanism: a
+    mechanism's name, a problem file or a Problem: what runs on a measured cam, or the machine whose
+    curve was recorded and whose variables are unknown; `set` sets its values. response: the recorded
+    curve, if several columns could be one. shift: what is unknown of the record: "centre", or for a
+    recorded curve "abscissa" and "value". loss: "none", "huber" or "cauchy". time_limit: seconds, or a
+    text such as "1 min"; the answer is then the best of what was tried. workers: processes that fit
+    laws side by side if that takes longer than a few seconds; the fit does not depend on them. Raises
     InputError.
     """
     table = _sample_table(data)
-    shifts = [shift] if isinstance(shift, str) else list(shift)
-    name = law.name if isinstance(law, Law) else law
+    shifts = [shift] if isinstance(shift, str) else texts(shift, "shift")
+    name = law.name if isinstance(law, Law) else optional_text(law, "law")
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
         found, interrupted = native.fit(
             table,
             name,
             machine,
-            response,
+            optional_text(response, "response"),
             shifts,
-            loss,
+            text(loss, "loss"),
             units.seconds(time_limit),
-            units.whole(workers, "workers", 1),
+            optional_whole(workers, "workers", 1, 256),
             tell,
         )
     answer = None if found is None else Fit(found)
@@ -194,11 +196,14 @@ def fit_constants(
     mechanism: Any = None,
     set: Mapping[str, Any] | None = None,
 ) -> Fit:
-    """The law, or the sizes of a machine, behind printed constants: "C_v=1.6125, C_a=4.66".
+    """Finds the law, or the sizes of a machine, behind printed constants: "C_v=1.6125, C_a=4.66".
 
-    The digits count: give texts, {"C_v": "1.6125"}, where a last digit is a zero.
+    The digits count: if a last digit is a zero, give a text, {"C_v": "1.6120"}.
     """
     if not isinstance(constants, str):
-        constants = ", ".join(f"{name}={value}" for name, value in constants.items())
-    name = law.name if isinstance(law, Law) else law
+        printed = mapping(constants, "constants", "{'C_v': '1.6125'}")
+        constants = ", ".join(
+            f"{name}={units.value_text(value, name)}" for name, value in printed.items()
+        )
+    name = law.name if isinstance(law, Law) else optional_text(law, "law")
     return Fit(native.fit_constants(constants, _machine(mechanism, set), name))

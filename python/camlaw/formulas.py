@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Responses and machines of one's own, written as Python functions.
 
-A function is called once, with what stands for the machine, and writes down what it computes: a
-formula in the grammar of docs/formulas.md, which the library records as it records its own. No
-Python runs while a search does, and derivatives, enclosures and verdicts are those of any other
-response.
+A function is called once, with an object that stands for the machine, and its formula is recorded in
+the grammar of docs/formulas.md, as the library records its own. No Python runs during a search, and
+derivatives, enclosures and verdicts are those of any other response.
 
     machine = cl.Machine("toggle press", moved_by="law", parameters={
         "crank_radius": {"unit": "mm", "default": 40, "lower": 1, "upper": 500}, ...})
@@ -13,7 +12,7 @@ response.
     def inertia_force(m):
         return 2 * m.crank_radius * m.moved_mass / m.cycle_time**2 * m.a
 
-Every quantity counts in the units of the SI, angles in radians.
+All quantities are in SI units, and angles in radians.
 """
 
 from __future__ import annotations
@@ -22,6 +21,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from .arguments import mapping, optional_text, shown, text
 from .errors import InputError
 from .units import is_pint, pint_unit
 
@@ -29,9 +29,9 @@ _SUM, _TERM, _SIGN, _POWER, _PRIMARY = range(1, 6)
 
 
 class Expression:
-    """A number of a formula that is being written down. It has no value.
+    """A number in a formula that is being recorded. It has no value.
 
-    It takes +, -, *, /, **, the functions of this module, and numpy's of the same names.
+    It accepts +, -, *, /, **, the functions of this module, and numpy's functions of the same names.
     """
 
     __slots__ = ("text", "_rank")
@@ -84,11 +84,20 @@ class Expression:
 
     def __bool__(self) -> bool:
         raise InputError(
-            "a formula is written down once and has no value to decide by; "
-            "write select(f, y, z): y where f is 0 or above, else z"
+            "an expression has no value to compare or to decide by, as its formula is written down only "
+            "once; write select(f, y, z), which is y where f is 0 or above and z elsewhere"
         )
 
-    __lt__ = __le__ = __gt__ = __ge__ = lambda self, other: self.__bool__()
+    def __float__(self) -> float:
+        raise InputError(
+            "an expression has no value; take sin, sqrt and the like from camlaw.formulas or numpy"
+        )
+
+    def _refuse(self, other: Any) -> bool:
+        return self.__bool__()
+
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refuse  # type: ignore[assignment]
+    __hash__ = object.__hash__
     __array_priority__ = 1000
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
@@ -107,11 +116,13 @@ def expression(value: Any) -> Expression:
         return value
     if is_pint(value):
         return quantity(value.magnitude, pint_unit(value.units))
-    if hasattr(value, "item"):
-        value = value.item()
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return _signed(repr(value))
-    raise InputError(f"{value!r} is no part of a formula; numbers are, and quantity('9.81 m/s^2')")
+    raise InputError(
+        f"{shown(value)} cannot be part of a formula; numbers, expressions and quantity('9.81 m/s^2') can"
+    )
 
 
 def _signed(text: str) -> Expression:
@@ -127,8 +138,11 @@ def quantity(value: Any, unit: str | None = None) -> Expression:
             value = float(number)
         except ValueError:
             raise InputError(f"'{number}' is not a number; write quantity('9.81 m/s^2')") from None
-    if hasattr(value, "item"):
-        value = value.item()
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if not isinstance(value, (int, float)) or isinstance(value, bool):
+        raise InputError(f"quantity: {shown(value)} is not a number")
+    unit = optional_text(unit, "unit")
     return _signed(f"{value!r} [{unit}]" if unit else repr(value))
 
 
@@ -207,7 +221,7 @@ def select(f: Any, y: Any, z: Any) -> Expression:
 
 
 def where_positive(f: Any, y: Any) -> Expression:
-    """y where f is above 0, elsewhere no value."""
+    """y where f is above 0, and undefined elsewhere."""
     return _call("where_positive", f, y)
 
 
@@ -230,8 +244,8 @@ def root(
     f: Callable[[Expression], Any],
     level: Callable[[Expression], Any] | None = None,
 ) -> Expression:
-    """The first y between low and high at which f(y) is 0; of several that at which level(y) is
-    highest, where that is given."""
+    """The first y between low and high at which f(y) is 0; if `level` is given, the one of several at
+    which level(y) is highest."""
     global _roots
     _roots += 1
     y = Expression(f"root_{_roots}")
@@ -273,8 +287,8 @@ _UFUNCS: dict[str, Callable[..., Expression]] = {
 
 
 class Names:
-    """What a formula may name, as attributes: parameters and responses by their names, and s, v, a,
-    j, x and angle of the motion. peak, highest and lowest take the name of a curve, or the curve."""
+    """What a formula may name, as attributes: parameters, responses, and s, v, a, j, x and angle of the
+    motion. peak, highest and lowest accept a curve or its name."""
 
     pi = pi
 
@@ -302,9 +316,9 @@ class Names:
 
 
 class Response:
-    """A response as a formula: a function of the machine's names, or the formula's text.
+    """A response as a formula: a function of the machine's names, or the text of the formula.
 
-    unit: what it is listed in; "1" for a plain number. meaning: a line for tables and reports; by
+    unit: the unit it is listed in; "1" for a plain number. meaning: a line for tables and reports; by
     default the first line of the function's documentation.
     """
 
@@ -315,25 +329,31 @@ class Response:
             written = formula(Names())
             meaning = meaning or (inspect.getdoc(formula) or "").partition("\n")[0]
             formula = expression(written)
-        self.formula = formula.text if isinstance(formula, Expression) else formula
-        self.unit = unit
-        self.meaning = meaning
+        self.formula = formula.text if isinstance(formula, Expression) else text(formula, "formula")
+        self.unit = text(unit, "unit")
+        self.meaning = text(meaning, "meaning")
 
     def table(self) -> dict[str, str]:
         """[responses.NAME] of a problem file."""
         table = {"formula": self.formula, "unit": self.unit}
         return table | {"meaning": self.meaning} if self.meaning else table
 
+    def __eq__(self, other: object) -> bool:
+        return self.table() == other.table() if isinstance(other, Response) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self.formula, self.unit, self.meaning))
+
     def __repr__(self) -> str:
         return f"camlaw.Response({self.formula!r}, unit={self.unit!r})"
 
 
 class Machine:
-    """A machine of one's own: parameters, and responses that are formulas.
+    """A machine of one's own: its parameters, and its responses as formulas.
 
-    moved_by: "law": curves run over x, from 0 to 1; "program": over the cam's angle; "nothing":
-    formulas know the angle of a shaft that turns evenly. A parameter is a dict of default and, where
-    wanted, unit, lower, upper, type, symbol, meaning.
+    moved_by: with "law" curves run over x, from 0 to 1; with "program" they run over the cam's angle;
+    with "nothing" formulas know the angle of a shaft that turns evenly. A parameter is a dict with
+    default and, if you like, unit, lower, upper, type, symbol and meaning.
     """
 
     def __init__(
@@ -344,15 +364,15 @@ class Machine:
         title: str | None = None,
         source: str | None = None,
     ) -> None:
-        self.name = name
-        self.moved_by = moved_by
-        self.title = title
-        self.source = source
-        self.parameters: dict[str, Any] = dict(parameters or {})
+        self.name = text(name, "name")
+        self.moved_by = text(moved_by, "moved_by")
+        self.title = optional_text(title, "title")
+        self.source = optional_text(source, "source")
+        self.parameters: dict[str, Any] = mapping(parameters, "parameters")
         self.responses: dict[str, Response] = {}
 
     def response(self, unit: str = "1", meaning: str = "", name: str | None = None) -> Any:
-        """A decorator: makes the function a response of the machine, under its own name."""
+        """A decorator that makes a function a response of the machine, under the function's name."""
 
         def add(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
             self.responses[name or function.__name__] = Response(function, unit, meaning)
@@ -369,6 +389,14 @@ class Machine:
             "moved_by": self.moved_by,
             "parameters": self.parameters,
         }
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Machine):
+            return NotImplemented
+        return self.table() == other.table() and self.responses == other.responses
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.moved_by))
 
     def __repr__(self) -> str:
         return f"<camlaw machine {self.name}: {', '.join(self.responses)}>"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Fronts: the designs than which none is better in one objective without being worse in another."""
+"""Fronts: designs that no other design beats in one objective without losing in another."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from . import plots, tables, units
+from .answers import Answer
+from .arguments import mapping, numbers, place
+from .arguments import path as checked_path
 from .errors import InputError
 from .evaluations import Check
 from .native import native
@@ -16,17 +19,18 @@ from .problems import Problem
 from .results import Result
 
 
-class Front:
-    """The front of a problem. len(front) designs; front[k] is one as a Result, front.table all."""
+class Front(Answer):
+    """The front of a problem: len(front) designs. front[k] is one of them as a Result, and front.table
+    has all."""
 
     def __init__(self, native_front: Any) -> None:
         self._native = native_front
 
     @classmethod
     def load(cls, path: str | Path) -> Front:
-        """The front that a study's record holds, without a search. What is damaged or wrong in it
-        does not count; notes says so."""
-        return cls(native.front_file(str(path)))
+        """Reads the front that a study's record holds, without a search. What is damaged or wrong in
+        the record does not count; notes says so."""
+        return cls(native.front_file(checked_path(path)))
 
     @property
     def table(self) -> Any:
@@ -43,7 +47,7 @@ class Front:
 
     @property
     def complete(self) -> bool:
-        """Whether it was not stopped and has no large gap."""
+        """Whether the search was not stopped and the front has no large gap."""
         return self._native.complete
 
     @property
@@ -52,7 +56,7 @@ class Front:
 
     @property
     def notes(self) -> list[str]:
-        """What is to be said of its record, and of how it was worked out."""
+        """Remarks on its record, and on how it was worked out."""
         return [*self._native.notes, *filter(None, [self._native.remark])]
 
     @property
@@ -64,21 +68,18 @@ class Front:
         return self._native.size
 
     def __getitem__(self, k: int) -> Result:
-        size = len(self)
-        if not -size <= k < size:
-            raise IndexError(f"point {k}: the front has {size}")
-        return Result(self._native.result(k % size))
+        return Result(self._native.result(place(k, "point", len(self))))
 
     def __iter__(self) -> Iterator[Result]:
         return (self[k] for k in range(len(self)))
 
     def knee(self) -> Result:
-        """The design that lies deepest below the line through the ends. Raises InputError where the
-        front has none."""
+        """The design that lies deepest below the line through the ends. Raises InputError if no design
+        lies below it."""
         k = self._native.knee()
         if k is None:
             raise InputError(
-                "this front has no knee; no point lies below the line through its ends"
+                "the front has no knee: no point lies below the line through its ends"
             )
         return self[k]
 
@@ -87,30 +88,30 @@ class Front:
         return self._native.knee()
 
     def compromise(self, weights: Sequence[float]) -> Result:
-        """The design with the least of the greatest weighed objective; a weight for each."""
-        return self[self._native.compromise([float(w) for w in weights])]
+        """The design whose greatest weighted objective is least. There is a weight for each objective."""
+        return self[self._native.compromise(list(numbers(weights, "weights")))]
 
     def sensitivity(self, k: int, tolerances: Mapping[str, Any] | None = None) -> Check:
-        """What becomes of a design that is not made as it was meant: `tolerances` by variable; by
-        default hundredths."""
+        """What becomes of a design that is not made exactly: `tolerances` by variable; by default a
+        hundredth of each value."""
         facts, text, html = self._native.sensitivity(
-            k % len(self), units.settings_of(dict(tolerances or {}))
+            place(k, "point", len(self)), units.settings_of(mapping(tolerances, "tolerances"))
         )
         return Check(text, facts, html)
 
     def csv(self, path: str | Path | None = None) -> str:
-        """The front as CSV, every digit."""
+        """The front as CSV with every digit; written to `path` if that is given."""
         return written(self._native.csv(), path)
 
     def plot(self) -> Any:
-        """The front of two or three objectives, drawn by matplotlib; returns the axes."""
+        """Draws a front of two or three objectives with matplotlib; returns the axes."""
         figure = self._native.figure()
         if not figure["panels"]:
-            raise InputError("fronts of two or three objectives are drawn")
+            raise InputError("plot draws fronts of two or three objectives")
         return plots.draw(figure)
 
     def report(self, path: str | Path | None = None) -> str:
-        """A page for any browser: the front, and the curves of its designs."""
+        """A page for any browser with the front and the curves of its designs; written to `path` if given."""
         return written(self._native.report(self._native.file or "front"), path)
 
     def __str__(self) -> str:

@@ -10,7 +10,7 @@ from .errors import InputError
 
 
 class Kept:
-    """What an answer of the library tells, by the names of its methods, and is asked for as it is."""
+    """What the methods of an answer of the library return, by their names; it is asked as the answer is."""
 
     def __init__(self, answer: Any, names: Sequence[str]) -> None:
         self._told = {name: self._tell(answer, name) for name in names}

@@ -7,11 +7,12 @@ from html import escape
 from typing import Any
 
 from . import tables
+from .arguments import text
 from .native import native
 
 
 class Mechanism:
-    """A mechanism of the program: title, source, tables of parameters and responses."""
+    """A built-in mechanism: its title, its source, and tables of its parameters and responses."""
 
     def __init__(self, facts: dict[str, Any]) -> None:
         self._facts = facts
@@ -30,17 +31,17 @@ class Mechanism:
 
     @property
     def parameters(self) -> Any:
-        """parameter, symbol, default, lower, upper, unit, integer, meaning."""
+        """A table: parameter, symbol, default, lower, upper, unit, integer, meaning."""
         return tables.of_rows(self._facts["parameters"], index="parameter")
 
     @property
     def responses(self) -> Any:
-        """response, kind, unit, meaning."""
+        """A table: response, kind, unit, meaning."""
         return tables.of_rows(self._facts["responses"], index="response")
 
     def formula(self, response: str) -> str:
-        """How a response is worked out, in the grammar of docs/formulas.md."""
-        return native.formula(self.name, response)
+        """The formula of a response, in the grammar of docs/formulas.md."""
+        return native.formula(self.name, text(response, "response"))
 
     def __repr__(self) -> str:
         return f"<camlaw mechanism {self.name}: {self.title}>"
@@ -53,8 +54,8 @@ class Mechanism:
 
 
 def mechanism(name: str) -> Mechanism:
-    """A mechanism by its name. Raises InputError with the known ones."""
-    return Mechanism(native.mechanism(name))
+    """A mechanism by its name. Raises InputError for an unknown name, with those that are known."""
+    return Mechanism(native.mechanism(text(name, "mechanism")))
 
 
 def mechanisms() -> list[str]:

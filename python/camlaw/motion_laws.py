@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Motion laws: displacement, velocity, acceleration and jerk of one normalised stretch."""
+"""Motion laws: displacement, velocity, acceleration and jerk of one normalised motion."""
 
 from __future__ import annotations
 
@@ -11,11 +11,17 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import plots, tables, units
+from .arguments import flag, numbers, text, whole
+from .arguments import path as checked_path
 from .errors import InputError
 from .native import native
 from .outputs import written
 
 Place = namedtuple("Place", ["value", "at"])
+
+
+#: Points of a table, as many as the program tabulates.
+_MOST_SAMPLES = 1_000_000
 
 
 class _Arrays(NamedTuple):
@@ -26,9 +32,9 @@ class _Arrays(NamedTuple):
 
 
 class Motion:
-    """s, v, a and j at some places: displacement, velocity, acceleration and jerk, each an array.
+    """Displacement s, velocity v, acceleration a and jerk j at some x, each an array.
 
-    It unpacks: s, v, a, j = law(x).
+    It can be unpacked: s, v, a, j = law(x).
     """
 
     __slots__ = ("_arrays",)
@@ -73,10 +79,9 @@ class Motion:
 class Peaks(NamedTuple):
     """Highest and lowest velocity, acceleration, jerk and dynamic moment of a law.
 
-    Each is a pair (highest, lowest). Of peaks(proved=False) one of these is (value, at), the value
-    with the place where it is first reached; of peaks(proved=True) it is (low, high), numbers that
-    the exact value is proved to lie between. A jump of acceleration makes both peaks of jerk
-    infinite.
+    Each is a pair (highest, lowest). With peaks(proved=False) each of the two is (value, at), the value
+    and the x where it is first reached. With peaks(proved=True) it is (low, high), two numbers between
+    which the exact value is proved to lie. If the acceleration jumps, both peaks of jerk are infinite.
     """
 
     v: Any
@@ -97,7 +102,7 @@ class Law:
 
     @property
     def name(self) -> str:
-        """Family and coefficients, as law() and problem files read them."""
+        """The family and its coefficients, as law() and problem files read them."""
         return self._native.name
 
     @property
@@ -119,30 +124,33 @@ class Law:
         return self._native.parameters()
 
     def __call__(self, x: Any) -> Motion:
-        """s, v, a, j at x: an array of one dimension, or what makes one.
+        """s, v, a and j at x: a number, an array of one dimension, or a list of numbers.
 
-        At a break they are the limits from the right; outside 0 .. 1 they are NaN. An array of
-        float64 in one piece is read in place.
+        Where they jump, they are the limits from the right; outside 0 .. 1 they are NaN. An array of
+        float64 in one piece is not copied.
         """
-        try:
-            return Motion(self._at(x))
-        except TypeError:
-            array = np.ascontiguousarray(np.atleast_1d(x), dtype=np.float64)
-            if array.ndim != 1:
-                raise InputError(
-                    f"x has {array.ndim} dimensions; an array of one is wanted"
-                ) from None
-            return Motion(self._at(array))
+        if type(x) is np.ndarray:
+            try:
+                return Motion(self._at(x))
+            except TypeError:
+                pass  # of other numbers, or not in one piece
+        return Motion(self._at(numbers(x, "x")))
 
     def into(
         self, x: np.ndarray, s: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
     ) -> None:
-        """The same into arrays of float64 that are there already."""
-        self._native.at_into(x, [s, v, a, j])
+        """Writes s, v, a and j into arrays of yours: of float64, in one piece and as long as x."""
+        try:
+            self._native.at_into(x, [s, v, a, j])
+        except TypeError:
+            raise InputError(
+                "into: x, s, v, a and j must be numpy arrays of float64 of one dimension that lie in "
+                "one piece and, but for x, can be written to"
+            ) from None
 
     def peaks(self, proved: bool = False) -> Peaks:
         """Highest and lowest velocity, acceleration, jerk and dynamic moment; see Peaks."""
-        if proved:
+        if flag(proved, "proved"):
             return Peaks(**self._native.enclosures())
         if self._peaks is None:
             found = self._native.peaks()
@@ -177,32 +185,34 @@ class Law:
 
     @property
     def limit_index(self) -> float | None:
-        """lambda: 1 of a law than which none is faster with its peaks; None unless it goes from
-        rest to rest."""
+        """lambda: 1 if no law with the same peaks is faster; None unless the law goes from rest to
+        rest."""
         return self._native.limit_index()
 
     def facts(self) -> dict[str, Any]:
-        """All that 'camlaw law NAME --json' says of it."""
+        """All that 'camlaw law NAME --json' says of the law."""
         return self._native.facts()
 
     def samples(self, count: int = 361) -> Any:
-        """A table of x, s, v, a, j at even points."""
-        x = np.linspace(0, 1, count)
+        """A table of x, s, v, a, j at evenly spaced points."""
+        x = np.linspace(0, 1, whole(count, "count", 2, _MOST_SAMPLES))
         motion = self(x)
         return tables.of_columns(
             {"x": x, "s": motion.s, "v": motion.v, "a": motion.a, "j": motion.j}
         )
 
     def plot(self) -> Any:
-        """s, v, a, j one above the other, drawn by matplotlib; returns the axes."""
+        """Draws s, v, a and j one above the other with matplotlib; returns the axes."""
         return plots.draw(self._native.figure(400))
 
     def save(self, path: str | Path, title: str = "") -> None:
-        """Writes the law's own file, which law(path) and problem files read."""
-        written(self._native.file_text(title or self._native.label), path)
+        """Writes the law to a file, which law_file(path) and problem files read."""
+        written(self._native.file_text(text(title, "title") or self._native.label), path)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Law) and self.name == other.name
+        if not isinstance(other, Law):
+            return NotImplemented
+        return bool(self._native.__getstate__() == other._native.__getstate__())
 
     def __reduce__(self) -> Any:
         return Law, (self._native,)
@@ -211,7 +221,9 @@ class Law:
         return hash(self.name)
 
     def __repr__(self) -> str:
-        return f"camlaw.law({self.name!r})"
+        if self._native.is_of_catalogue:
+            return f"camlaw.law({self.name!r})"
+        return f"<camlaw law: {self.name}>"
 
     def _repr_html_(self) -> str:
         index = self.limit_index
@@ -228,18 +240,18 @@ class Law:
 def law(name: str | Law, /, **coefficients: Any) -> Law:
     """A law by its name: English, German or Ukrainian, with or without coefficients.
 
-    `name` may hold coefficients, "modified-sine crossover=0.42", and may be the path of a law's
-    file. A coefficient is a number, a text with a unit or a quantity of pint; a list for those that
-    are lists. Raises InputError for unknown names, which lists near ones, and for values that make
-    no law.
+    `name` may contain coefficients, "modified-sine crossover=0.42", and may be the path of a law's
+    file. A coefficient is a number, a text with a unit, a quantity of pint, or a list of these if the
+    law has a list of them. Raises InputError for an unknown name, with similar names, and for values
+    that make no law.
     """
-    text = name.name if isinstance(name, Law) else name
-    return Law(native.law(text, units.settings_of(coefficients)))
+    known = name.name if isinstance(name, Law) else text(name, "law")
+    return Law(native.law(known, units.settings_of(coefficients)))
 
 
 def law_file(path: str | Path) -> Law:
-    """The law of a file."""
-    return Law(native.law(str(Path(path).absolute()), []))
+    """Reads the law of a file."""
+    return Law(native.law(str(Path(checked_path(path)).absolute()), []))
 
 
 def laws() -> list[str]:

@@ -10,25 +10,29 @@ from pathlib import Path
 from typing import Any
 
 from . import units
+from .arguments import flag
+from .arguments import path as checked_path
 from .errors import InputError
 
 
 def written(text: str, path: str | Path | None) -> str:
     """Writes a text, all of it or nothing, where a path is given; returns it."""
     if path is not None:
-        place = Path(path)
+        place = Path(checked_path(path))
         beside = place.with_name(f".{place.name}.{os.getpid()}.{threading.get_ident()}")
         try:
             try:
                 beside.write_text(text, encoding="utf-8")
                 os.replace(beside, place)
             except OSError as error:
-                error.filename, error.filename2 = str(place), None
-                raise
+                raise type(error)(error.errno, error.strerror, str(place)) from None
         finally:
             beside.unlink(missing_ok=True)
     return text
 
+
+#: What is True or False.
+_SWITCHES = {"drawing", "decimal_comma"}
 
 #: What an export may be told; its format and what they mean: docs/exports.md.
 _OPTIONS = {
@@ -43,6 +47,7 @@ _OPTIONS = {
     "clearance",
     "depth",
     "slave",
+    "cam",
     "unit",
     "master",
     "cycle",
@@ -64,12 +69,13 @@ def export_options(path: str | Path | None, options: Mapping[str, Any]) -> dict[
     unknown = set(options) - _OPTIONS
     if unknown:
         raise InputError(
-            f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_OPTIONS))}"
+            f"an export has no option '{min(unknown)}'; it accepts {', '.join(sorted(_OPTIONS))}"
         )
-    told = {
-        name: units.value_text(value)
-        for name, value in options.items()
-        if value is not None and value is not False and value is not True
-    }
-    told |= {name: "yes" for name, value in options.items() if value is True}
-    return told | ({"out": str(path)} if path is not None else {})
+    told = {}
+    for name, value in options.items():
+        if name in _SWITCHES:
+            if value is not None and flag(value, name):
+                told[name] = "yes"
+        elif value is not None:
+            told[name] = units.value_text(value, name)
+    return told | ({"out": checked_path(path)} if path is not None else {})

@@ -13,7 +13,7 @@ def pyplot() -> Any:
     try:
         import matplotlib.pyplot
     except ImportError as error:
-        raise MissingPackage("plots are drawn by matplotlib: pip install matplotlib") from error
+        raise MissingPackage("plots need matplotlib, which is not installed: pip install matplotlib") from error
     return matplotlib.pyplot
 
 

@@ -7,6 +7,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from .arguments import shown as value_shown
+from .errors import InputError
+
 Told = Callable[[float | None, str], None]
 
 #: What may be given as `progress`: True and False show a bar or none, None shows one where somebody
@@ -26,6 +29,10 @@ def shown(progress: Progress, what: str) -> Iterator[Told | None]:
     if callable(progress):
         yield progress
         return
+    if progress is not None and not isinstance(progress, bool):
+        raise InputError(
+            f"progress: {value_shown(progress)} is none of True, False, None and a function"
+        )
     if progress is False or (progress is None and not _is_watched()):
         yield None
         return

@@ -8,14 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from . import plots, tables, units
+from .answers import Answer
+from .arguments import flag, mapping, optional_whole, text, whole
+from .arguments import path as checked_path
 from .kept import Kept
 from .native import native
 from .outputs import written
 from .progress import Progress, shown
 
 
-class Reproduction:
-    """A published table computed again: how many values come out, and why others do not."""
+class Reproduction(Answer):
+    """A published table computed again: which values are reproduced, and why others are not."""
 
     def __init__(self, native_reproduction: Any) -> None:
         self._native = native_reproduction
@@ -34,7 +37,7 @@ class Reproduction:
 
     @property
     def worsened(self) -> list[str]:
-        """What used to come out and no longer does; empty."""
+        """Values that used to be reproduced and no longer are; there are none in a released version."""
         return self._native.worsened
 
     @property
@@ -55,7 +58,7 @@ class Reproduction:
         return self._native.html()
 
 
-class Study:
+class Study(Answer):
     """Laws compared on a published machine."""
 
     def __init__(self, native_study: Any) -> None:
@@ -66,7 +69,7 @@ class Study:
         return self.__dict__ | {"_native": Kept(self._native, ("text", "html", "figure"))}
 
     def plot(self) -> Any:
-        """What is gained for what, drawn by matplotlib; returns the axes."""
+        """Draws the trade-off with matplotlib; returns the axes."""
         return plots.draw(self._native.figure())
 
     def __str__(self) -> str:
@@ -81,20 +84,21 @@ class Study:
 
 
 def reproducible() -> list[str]:
-    """The systems that reproduce() knows."""
+    """The names of the systems that reproduce() knows."""
     return native.system_names()
 
 
 def reproduce(system: str | Path, *, progress: Progress = None) -> Reproduction:
-    """A published table computed again, each difference with its cause. system: one of
-    reproducible(), or the file of a table, whose name ends in .toml."""
-    with shown(progress, f"reproduce {system}") as tell:
-        return Reproduction(native.reproduce(str(system), tell))
+    """Computes a published table again and explains each difference. system: one of reproducible(), or
+    the file of a table, whose name ends in .toml."""
+    name = checked_path(system, "system")
+    with shown(progress, f"reproduce {name}") as tell:
+        return Reproduction(native.reproduce(name, tell))
 
 
 def cam_shape(n: int) -> dict[str, Any]:
-    """The COPS cam of n radii solved: objective, true optimum, verdict, iterations, time."""
-    return native.solve_cam_shape(n)
+    """Solves the COPS cam with n radii: objective, true optimum, verdict, iterations, time."""
+    return native.solve_cam_shape(whole(n, "n", 1, 1_000_000))
 
 
 def study(
@@ -105,9 +109,12 @@ def study(
     workers: int | None = None,
     progress: Progress = None,
 ) -> Study:
-    """Laws compared on "spine-cutter" or "sheet-delivery". table: of the spine cutter the table of
-    laws alone, without the proved fronts."""
-    with shown(progress, f"study {system}") as tell:
-        return Study(
-            native.study(system, units.settings_of(dict(set or {})), table, workers, tell)
+    """Compares laws on "spine-cutter" or "sheet-delivery". table: gives the table of laws of the spine
+    cutter alone, without the proved fronts."""
+    name = text(system, "system")
+    settings = units.settings_of(mapping(set, "set"))
+    with shown(progress, f"study {name}") as tell:
+        found = native.study(
+            name, settings, flag(table, "table"), optional_whole(workers, "workers", 1, 256), tell
         )
+    return Study(found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Results: a design that was found, and what it is worth."""
+"""Results: a design that was found, with its verdict."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import plots, tables
+from .answers import Answer
+from .arguments import text
+from .arguments import path as checked_path
 from .errors import InputError
 from .motion_laws import Law
 from .native import native
@@ -18,8 +21,8 @@ from .problems import Problem
 class Verification(NamedTuple):
     """A result's claim judged again by its own problem, without a search.
 
-    holds: whether all of it is confirmed. disagreements: what is not, in words. not_judged: what
-    cannot be judged without a search. record: what is to be said of the file.
+    holds: whether the whole claim is confirmed. disagreements: what is not confirmed, in words.
+    not_judged: what cannot be judged without a search. record: remarks on the file.
     """
 
     holds: bool
@@ -37,11 +40,11 @@ class Verification(NamedTuple):
         return f"<camlaw verification: {said}; {self.verdict}>"
 
 
-class Result:
+class Result(Answer):
     """The answer to a problem: a design with its verdict.
 
-    result["base_radius"] is a variable's value, in the unit result.units has. facts has all that
-    the program's --json prints.
+    result["base_radius"] is the value of a variable, in the unit that result.units has. facts has all
+    that the program's --json prints.
     """
 
     def __init__(self, native_result: Any) -> None:
@@ -58,12 +61,12 @@ class Result:
 
     @classmethod
     def load(cls, path: str | Path) -> Result:
-        """Reads a result's file. Nothing in it is believed: review says where it is not what its
-        design is."""
-        return cls(native.result_file(str(path)))
+        """Reads a result's file. camlaw believes nothing in it: review says where the file and its design
+        disagree."""
+        return cls(native.result_file(checked_path(path)))
 
     def save(self, path: str | Path) -> None:
-        """Writes the result as 'camlaw optimize --out' does: it stands alone."""
+        """Writes the result as 'camlaw optimize --out' does. The file stands alone."""
         written(self._native.json_text(), path)
 
     @property
@@ -82,18 +85,19 @@ class Result:
 
     @property
     def is_global(self) -> bool:
-        """Whether no better design exists anywhere."""
+        """Whether it is proved that no better design exists anywhere."""
         return bool(self.facts.get("global"))
 
     @property
     def objective(self) -> float:
-        """The objective's value, in its listed unit."""
+        """The objective's value, in its listed unit; of a design of a front, facts["objectives"] has
+        all."""
         value = self.facts.get("objective")
         return float("nan") if value is None else float(value)
 
     @property
     def variables(self) -> dict[str, Any]:
-        """What was found: values of variables, and choices, by name."""
+        """The values of variables that were found, and the choices, by name."""
         return self.facts.get("variables", {})
 
     @property
@@ -101,8 +105,8 @@ class Result:
         return self.facts.get("units", {})
 
     def __getitem__(self, name: str) -> Any:
-        """A variable or a choice of the design; else a parameter of its machine."""
-        if name in self.variables:
+        """The value of a variable or a choice of the design, or of a parameter of its machine."""
+        if text(name, "result") in self.variables:
             return self.variables[name]
         known = self.design.constants
         if name in known:
@@ -113,8 +117,14 @@ class Result:
 
     @property
     def margins(self) -> Any:
-        """A table of the limits: value, bound, margin, unit, where, whether met and proved, price."""
+        """A table of the limits: value, bound, margin, unit, place, whether met and proved, multiplier."""
         return tables.of_rows(self.facts.get("constraints") or [], index="name")
+
+    @property
+    def table(self) -> Any:
+        """A table of what the search found with each combination of laws, parts and other choices, the
+        best first. It is empty if there was nothing to choose, or if the result was read from a file."""
+        return tables.of_rows(self._native.combinations())
 
     @property
     def warnings(self) -> list[str]:
@@ -122,7 +132,7 @@ class Result:
 
     @property
     def buildable(self) -> Any:
-        """Whether it can be made: what the program's checks say, as facts."""
+        """Whether the design can be built: what the program's checks say, as facts."""
         return self.facts.get("buildable")
 
     @property
@@ -132,10 +142,10 @@ class Result:
 
     @property
     def design(self) -> Problem:
-        """The problem at the design: its evaluate(), curves() and so on are the design's."""
+        """The problem at the design that was found, for evaluate(), curves() and so on."""
         found = self._native.design()
         if found is None:
-            raise InputError("the result has no design: its search found none")
+            raise InputError("the result has no design, as its search found none")
         return Problem(_native=found)
 
     @property
@@ -145,13 +155,13 @@ class Result:
 
     @property
     def curves(self) -> Any:
-        """A table of every curve of the design over the cycle, at 721 even places."""
+        """A table of every curve of the design at 721 evenly spaced places of the cycle."""
         return self.design.curves()
 
     @property
     def review(self) -> list[str]:
-        """Of a result that was read, what is to be said of it: that it was changed, that a number is
-        not the design's. Empty where it is as it was written."""
+        """Remarks on a result that was read: that it was changed, or that a number does not fit the
+        design. Empty if the file is as it was written."""
         return self._native.review()
 
     def verify(self) -> Verification:
@@ -162,30 +172,30 @@ class Result:
         )
 
     def plot(self) -> Any:
-        """The curves that are limited or sought, with their limits; of a result that was read, every
-        curve. Returns the axes."""
+        """Draws the curves that are limited or optimized, with their limits; of a result that was read,
+        every curve. Returns the axes."""
         figure = self._cycle_figure()
         return plots.draw(figure) if figure["panels"] else self.design.plot()
 
     def plot_profile(self) -> Any:
-        """The cam: profile, pitch curve and path of the tool."""
+        """Draws the cam's profile, its pitch curve and the cutter-centre path; returns the axes."""
         return self.design.plot_profile()
 
     def report(self, path: str | Path | None = None) -> str:
-        """A page for any browser, offline: verdict, limits, curves, the machine in motion. Returned,
-        and written where `path` is given."""
+        """A page for any browser, without a network: verdict, limits, curves, the machine in motion. It
+        is returned, and written to `path` if given."""
         return written(self._native.report(), path)
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
-        """The cam for drawing, cutting or control, as the text of a file; written to `path`, whose
-        ending tells the format: .csv, .dxf, .svg, .json, .nc.
+        """The cam for drawing, cutting or control, as the text of a file; written to `path` if given, whose
+        ending decides the format: .csv, .dxf, .svg, .json, .nc.
 
-        format: csv, dxf, svg, json, gcode, inspection, table, or a drive's: beckhoff-points, beckhoff-motion,
-        codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch, cutter,
-        all. tolerance: how far the exact curve may be from what is written. step: even steps of
-        the angle in place of a tolerance. form: lines, arcs, spline. decimals, tool, feed,
-        clearance, depth, slave and others: as docs/exports.md has them; drawing and decimal_comma are True or
-        False.
+        format: csv, dxf, svg, json, gcode, inspection, table, or a drive's: beckhoff-points,
+        beckhoff-motion, codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch,
+        cutter, all. cam: of several cams on one shaft, the one to export. tolerance: how far the exact
+        curve may be from what is written. step: even steps of the angle instead of a tolerance. form:
+        lines, arcs, spline. docs/exports.md explains decimals, tool, feed, clearance, depth, slave and
+        others; drawing and decimal_comma are True or False.
         """
         text = native.export_result(self._native, export_options(path, options))
         return written(text, path)
@@ -195,7 +205,14 @@ class Result:
         return repr(self) if text is None else str(text)
 
     def __repr__(self) -> str:
-        return f"<camlaw result: {self.verdict}, {self.facts.get('objective_name', 'objective')} = {self.objective:.10g}>"
+        return f"<camlaw result: {self.verdict}{self._objectives()}>"
+
+    def _objectives(self) -> str:
+        """", base_radius = 52.6": every objective, of a design of a front several."""
+        several = self.facts.get("objectives") or {}
+        if not several and "objective_name" in self.facts:
+            several = {self.facts["objective_name"]: self.objective}
+        return "".join(f", {name} = {value:.10g}" for name, value in several.items())
 
     def _repr_html_(self) -> str:
         html = self._native.html

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sweeps: a problem with each combination of some settings."""
+"""Sweeps: a problem solved with each combination of some settings."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from . import tables, units
+from .answers import Answer
+from .arguments import mapping, place, shown
+from .arguments import path as checked_path
 from .errors import InputError
+from .motion_laws import Law
 from .native import native
 from .outputs import written
 from .problems import Problem
@@ -17,14 +21,14 @@ from .problems import Problem
 def axes_of(values: Mapping[str, Any]) -> list[str]:
     """What the program's --set takes of a sweep: a text as it is, a list one value after the other."""
     texts = []
-    for name, value in values.items():
+    for name, value in mapping(values, "sweep").items():
         if isinstance(value, (list, tuple)) or hasattr(value, "tolist"):
             items = list(value)
             if not items:
-                raise InputError(f"{name}: there is no value in the list")
-            text = ",".join(units.value_text(item) for item in items)
+                raise InputError(f"{name}: the list is empty")
+            text = ",".join(_swept(item, name) for item in items)
         else:
-            text = units.value_text(value)
+            text = _swept(value, name)
         texts.append(f"{name}={text}")
     return texts
 
@@ -32,11 +36,11 @@ def axes_of(values: Mapping[str, Any]) -> list[str]:
 def ranges_of(over: Mapping[str, Any] | None) -> list[str]:
     """Ranges such as {"stroke": ("18 mm", "22 mm")} or {"stroke": "18:22 mm"}, as --over has them."""
     texts = []
-    for name, value in (over or {}).items():
+    for name, value in mapping(over, "over", "{'stroke': ('18 mm', '22 mm')}").items():
         if isinstance(value, str):
             texts.append(f"{name}={value}")
         elif isinstance(value, (list, tuple)) and len(value) == 2:
-            low, high = (units.value_text(end) for end in value)
+            low, high = (units.value_text(end, f"over: {name}") for end in value)
             number, _, unit = low.partition(" ")
             same = high.partition(" ")
             if unit != same[2]:
@@ -44,30 +48,41 @@ def ranges_of(over: Mapping[str, Any] | None) -> list[str]:
             texts.append(f"{name}={number}:{same[0]} {unit}".rstrip())
         else:
             raise InputError(
-                f"over: {name}: {value!r} is neither two ends nor a text such as '18:22 mm'"
+                f"over: {name}: {shown(value)} is neither (lower, upper) nor a text such as '18:22 mm'"
             )
     return texts
 
 
-class Sweep:
-    """What came of each combination. sweep.table has a row for each, sweep[k] is a design."""
+def _swept(value: Any, name: str) -> str:
+    """A value that is swept; a law may be one."""
+    return value.name if isinstance(value, Law) else units.value_text(value, name)
+
+
+class Sweep(Answer):
+    """What came of each combination: sweep.table has a row for each, and sweep[k] is a design."""
 
     def __init__(self, native_sweep: Any) -> None:
         self._native = native_sweep
         #: All that 'camlaw sweep --json' prints.
         self.facts: dict[str, Any] = native_sweep.facts()
 
+    @classmethod
+    def load(cls, path: str | Path) -> Sweep:
+        """Reads the sweep that a study's record holds, without a search. What is damaged or wrong in
+        the record does not count; notes says so."""
+        return cls(native.sweep_file(checked_path(path)))
+
     def __len__(self) -> int:
         return int(self.facts["count"])
 
     def __getitem__(self, k: int) -> Problem:
-        """The design of a combination as a problem. Raises InputError if it has none."""
-        number = units.whole(k, "combination")
-        return Problem(_native=self._native.design(number))
+        """The design of a combination as a problem. Raises InputError if it has none, and IndexError if
+        there is no such combination."""
+        return Problem(_native=self._native.design(place(k, "combination", len(self))))
 
     @property
     def table(self) -> Any:
-        """A table of the combinations: settings, objectives, verdict, what holds the design, variables,
+        """A table of the combinations: settings, objectives, verdict, active limits, variables,
         margins."""
         return tables.of_rows(self.facts["combinations"])
 
@@ -82,12 +97,17 @@ class Sweep:
         """Whether it was stopped before its end."""
         return not self.facts["finished"]
 
+    @property
+    def notes(self) -> list[str]:
+        """Remarks on its record and on how it was worked out, such as what was left out."""
+        return self._native.notes()
+
     def csv(self, path: str | Path | None = None) -> str:
-        """The table as CSV; written to `path`."""
+        """The table as CSV; written to `path` if given."""
         return written(self._native.csv(), path)
 
     def report(self, path: str | Path | None = None) -> str:
-        """A page for the browser with a map: which setting is best where; written to `path`."""
+        """A page for the browser with a map of which setting is best where; written to `path` if given."""
         return written(self._native.report("sweep"), path)
 
     def __str__(self) -> str:

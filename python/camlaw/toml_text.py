@@ -6,13 +6,16 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from .arguments import shown, text
 from .errors import InputError
 from .units import is_pint, value_text
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def _key(name: str) -> str:
+def _key(name: Any, where: str) -> str:
+    if not isinstance(name, str):
+        raise InputError(f"{where or 'problem'}: the name {shown(name)} is not a text")
     return name if _BARE.fullmatch(name) else json.dumps(name)
 
 
@@ -27,7 +30,7 @@ def _value(value: Any, where: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return _text(value)
+        return _text(text(value, where))
     if is_pint(value):
         return _text(value_text(value))
     if isinstance(value, (int, float)):
@@ -35,8 +38,8 @@ def _value(value: Any, where: str) -> str:
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(item, where) for item in value) + "]"
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_key(k)} = {_value(v, where)}" for k, v in value.items()) + "}"
-    raise InputError(f"{where}: {value!r} is not a number, a text, a list or a dict")
+        return "{" + ", ".join(f"{_key(k, where)} = {_value(v, where)}" for k, v in value.items()) + "}"
+    raise InputError(f"{where}: {shown(value)} is not a number, a text, a list or a dict")
 
 
 def _is_tables(value: Any) -> bool:
@@ -48,13 +51,15 @@ def _is_tables(value: Any) -> bool:
 
 
 def _table(table: Mapping[str, Any], path: tuple[str, ...], lines: list[str]) -> None:
+    within = ".".join(path)
+    keys = {name: _key(name, within) for name in table}
     for name, value in table.items():
         if value is None or isinstance(value, Mapping) or _is_tables(value):
             continue
-        lines.append(f"{_key(name)} = {_value(value, '.'.join((*path, name)))}")
+        lines.append(f"{keys[name]} = {_value(value, '.'.join((*path, name)))}")
     for name, value in table.items():
         inner = (*path, name)
-        title = ".".join(map(_key, inner))
+        title = ".".join(_key(part, within) for part in inner)
         if isinstance(value, Mapping):
             lines += ["", f"[{title}]"]
             _table(value, inner, lines)

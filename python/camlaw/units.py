@@ -5,9 +5,10 @@ A bare number is in the unit that the program lists; no unit is guessed.
 """
 
 import re
-from operator import index
+from collections.abc import Mapping
 from typing import Any
 
+from .arguments import shown
 from .errors import InputError
 from .native import native
 
@@ -22,43 +23,36 @@ def pint_unit(units: Any) -> str:
     return f"{units:~C}".replace("**", "^").replace("µ", "u").replace("Δ", "")
 
 
-def value_text(value: Any) -> str:
-    """A number to its last digit, a text as it is, a quantity as "30 mm"."""
+def value_text(value: Any, what: str = "") -> str:
+    """A number to its last digit, a text as it is, a quantity as "30 mm". `what` names it in errors."""
+    said = f"{what}: " if what else ""
     if isinstance(value, str):
-        return value
+        return str(value)
     if is_pint(value):
         unit = pint_unit(value.units)
-        number = value_text(value.magnitude)
+        number = value_text(value.magnitude, what)
         return f"{number} {unit}" if unit else number
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, bool):
-        raise InputError(f"{value} is not a number")
-    if hasattr(value, "item"):
-        value = value.item()
+        raise InputError(f"{said}{value} is not a number")
     if isinstance(value, (list, tuple)):
-        return ",".join(value_text(item) for item in value)
+        return ",".join(value_text(item, what) for item in value)
     if isinstance(value, (int, float)):
         return repr(value)
-    raise InputError(f"{value!r} is not a number, a text with a unit or a quantity of pint")
+    raise InputError(
+        f"{said}{shown(value)} is not a number, a text with a unit or a quantity of pint"
+    )
 
 
 def seconds(time_limit: Any) -> float | None:
     """A time limit, seconds or such as "1 min"; None where there is none."""
     if time_limit is None:
         return None
-    return native.quantity(value_text(time_limit), "s", "s", "time_limit")
-
-
-def whole(value: Any, what: str, least: int = 0) -> Any:
-    """A whole number from `least`; None where none is named. Raises InputError."""
-    if value is None:
-        return None
-    try:
-        number = -1 if isinstance(value, bool) else index(value)
-    except TypeError:
-        number = least - 1
-    if number < least:
-        raise InputError(f"{what}: {value!r} is not a whole number from {least}")
-    return number
+    time = native.quantity(value_text(time_limit, "time_limit"), "s", "s", "time_limit")
+    if not time > 0:
+        raise InputError(f"time_limit: {time:g} s is not above zero")
+    return None if time == float("inf") else time
 
 
 _SIZES = {
@@ -72,17 +66,18 @@ def size_in_bytes(memory: Any) -> float | None:
     """Memory, bytes or such as "4 GB" or "2 GiB"; None where none is named."""
     if memory is None:
         return None
-    found = re.fullmatch(r"\s*([-+.0-9eE]+)\s*([A-Za-z]*)\s*", value_text(memory))
+    found = re.fullmatch(r"\s*([-+.0-9eE]+)\s*([A-Za-z]*)\s*", value_text(memory, "memory"))
     try:
         if found is not None:
             return float(found[1]) * _SIZES[found[2]]
     except (KeyError, ValueError):
         pass
     raise InputError(
-        f"memory: {memory!r} is not bytes, nor a size with a unit from kB to TB or KiB to TiB"
+        f"memory: {shown(memory)} is not a size; write bytes as a number, or a text such as '4 GB' "
+        "with a unit from kB to TB or from KiB to TiB"
     )
 
 
-def settings_of(values: dict[str, Any]) -> list[str]:
+def settings_of(values: Mapping[str, Any]) -> list[str]:
     """What the program's --set takes: "name=value" of each."""
-    return [f"{name}={value_text(value)}" for name, value in values.items()]
+    return [f"{name}={value_text(value, name)}" for name, value in values.items()]

@@ -66,7 +66,7 @@ def test_printed_constants_give_the_law():
 
 
 def test_wrong_tables_are_refused():
-    with pytest.raises(cl.InputError, match="a table is wanted"):
+    with pytest.raises(cl.InputError, match="is not a table; a DataFrame"):
         cl.fit(7)
     with pytest.raises(cl.InputError, match="rows"):
         cl.fit({"angle [deg]": [0.0, 1, 2], "lift [mm]": [0.0, 1]})

@@ -172,7 +172,7 @@ def test_what_is_no_formula_is_refused():
     m = f.Names()
     with pytest.raises(cl.InputError, match="select"):
         cl.Response(lambda m: m.stroke if m.stroke > 1 else 0)
-    with pytest.raises(cl.InputError, match="no part of a formula"):
+    with pytest.raises(cl.InputError, match="cannot be part of a formula"):
         m.stroke + "mm"
     with pytest.raises(cl.InputError, match="responses.wrong.formula.*different kinds"):
         cl.Problem(

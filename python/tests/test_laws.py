@@ -39,7 +39,7 @@ def test_any_sequence_of_numbers_will_do():
     assert law([0, 1]).s.tolist() == [0, 1]
     assert law(np.arange(0, 10)[::5] / 10).s.tolist() == law([0, 0.5]).s.tolist()
     assert np.isnan(law([2.0]).s[0])
-    with pytest.raises(cl.InputError, match="one is wanted"):
+    with pytest.raises(cl.InputError, match="an array of one is accepted"):
         law(np.zeros((2, 2)))
 
 

@@ -125,6 +125,29 @@ def test_a_result(elsewhere, folder):
         assert (folder / "again.json").read_text() == (folder / "result.json").read_text()
 
 
+def test_a_design_keeps_the_row_that_was_chosen_from_a_catalogue(elsewhere, folder):
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_from_catalogue.toml")
+    result = problem.optimize()
+    rows = [name for name in ("roller_radius", "face_width", "dynamic_rating") if result[name]]
+    for found in (result, pickle.loads(pickle.dumps(result))):
+        for again in (found.design, *copies(found.design)):
+            assert again == result.design and again != problem
+            assert again.check().text == result.design.check().text
+            assert again.evaluate() == result.design.evaluate()
+            assert again.constants == result.design.constants
+            once_more = again.optimize()
+            assert [once_more[name] for name in rows] == [result[name] for name in rows]
+    assert len(result.table) == 6 and result.table["from_best"][0] == 0
+    assert str(pickle.loads(pickle.dumps(result)).table) == str(result.table)
+    assert copies(problem)[0] == problem
+    assert copies(problem)[0].optimize()["roller"] == result["roller"]
+    # What goes on from the design begins at its row.
+    swept = result.design.sweep({"stroke": [29, 30]}, evaluate=True, workers=1)
+    assert swept[1].constants == result.design.constants
+    with pytest.raises(cl.InputError, match="roller="):
+        result.design.save(folder / "design.toml")
+
+
 def test_a_problem_at_a_design_stays_there(folder):
     result = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml").optimize()
     several = cl.Problem.load(PROBLEMS / "motions/in_step.toml").optimize()
@@ -199,6 +222,44 @@ def test_fits(elsewhere, folder):
     assert again.machine.evaluate()["drive_torque"] == record.machine.evaluate()["drive_torque"]
     with pytest.raises(cl.InputError, match="has no figure"):
         pickle.loads(pickle.dumps(constants)).plot()
+
+
+def test_what_states_the_same_is_equal():
+    roller = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    again = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    assert roller == again == cl.Problem.from_text(roller.text)
+    assert roller == again and hash(roller) == hash(again)
+    assert roller.set(stroke=31) != roller and roller.set(stroke=31) == again.set(stroke=31)
+    assert roller != roller.text and roller.optimize() == again.optimize()
+    assert roller.evaluate() == again.evaluate() != roller.set(stroke=31).evaluate()
+    tolerances = {"base_radius": "0.02 mm"}
+    assert roller.tolerance(tolerances, samples=64) == again.tolerance(tolerances, samples=64)
+    assert roller.tolerance(tolerances, samples=64) != again.tolerance(tolerances, samples=128)
+    assert cl.Response("s", "1") == cl.Response(lambda m: m.s) != cl.Response("v", "1")
+    assert cl.Machine("press") == cl.Machine("press") != cl.Machine("pump")
+
+
+def test_laws_of_one_name_are_two_laws(tmp_path):
+    path = tmp_path / "own.json"
+    cl.law("modified-sine").save(path)
+    one = cl.law_file(path)
+    cl.law("cycloidal").save(path)
+    other = cl.law_file(path)
+    assert one.name == other.name and one != other
+    assert eval(repr(cl.law("fourier", a=[0.1, -0.05])), {"camlaw": cl}) == cl.law(
+        "fourier", a=[0.1, -0.05]
+    )
+    assert repr(other) == "<camlaw law: own>"
+    program = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml").law
+    assert repr(program).startswith("<camlaw law: program")
+
+
+def test_cases_ranges_windows_and_variations_come_back():
+    for name in ("load_cases", "speed_range", "tolerances", "robust_force"):
+        problem = cl.Problem.load(PROBLEMS / f"cams/{name}.toml")
+        for again in copies(problem):
+            assert again == problem and again.check() == problem.check()
+            assert again.evaluate() == problem.evaluate()
 
 
 def test_what_else_is_held():

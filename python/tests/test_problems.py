@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 import pickle
+import tomllib
 
 import camlaw as cl
 import numpy as np
@@ -102,7 +103,7 @@ def test_an_evaluation_is_the_programs():
             if "value" in row
             else mine.lowest == row["lowest"] or row["lowest"] is None
         )
-    with pytest.raises(cl.InputError, match="no response is called"):
+    with pytest.raises(cl.InputError, match="the machine has no response 'nonsense'; it has"):
         found["nonsense"]
 
 
@@ -196,6 +197,59 @@ def test_problems_and_laws_go_to_other_processes():
     assert again.evaluate()["pressure_angle"] == problem.evaluate()["pressure_angle"]
     law = cl.law("modified-sine", crossover=0.42)
     assert pickle.loads(pickle.dumps(law)) == law
+
+
+def test_a_law_of_any_kind_is_taken_and_goes_along(tmp_path):
+    cl.law("modified-sine", crossover=0.42).save(tmp_path / "own.json")
+    own = cl.law_file(tmp_path / "own.json")
+    x = np.linspace(0, 1, 101)
+    fitted = cl.fit(
+        {"angle [deg]": x, "lift [mm]": np.round(cl.law("cycloidal")(x).s, 5)}, law="cycloidal"
+    ).law
+    for law in (own, fitted):
+        program = [{"name": "rise", "angle": "80 deg", "law": law},
+                   {"name": "return", "law": "cycloidal"}]  # fmt: skip
+        problem = roller(program=program, objective=None, variables=None)
+        assert problem.evaluate()["displacement"].highest == pytest.approx(30)
+        assert pickle.loads(pickle.dumps(problem)) == problem
+        problem.save(tmp_path / "problem.toml")
+        again = cl.Problem.load(tmp_path / "problem.toml")
+        assert again.evaluate()["pressure_angle"] == problem.evaluate()["pressure_angle"]
+        again.save(tmp_path / "problem.toml")
+    (tmp_path / "own.json").write_text("{}")
+    with pytest.raises(cl.InputError, match="is there already"):
+        roller(program=[{"name": "rise", "angle": "80 deg", "law": own},
+                        {"name": "return", "law": "cycloidal"}]).save(tmp_path / "other.toml")  # fmt: skip
+    assert not (tmp_path / "other.toml").exists()
+
+
+def test_problems_to_begin_with():
+    for name in ("disc-cam-roller", "geneva"):
+        problem = cl.Problem.new(name)
+        assert problem.text == program("new", name) and problem.mechanism == name
+        assert problem.check().text
+    assert cl.Problem.example("cams/roller_least_base").text == ROLLER.read_text()
+    assert "least base circle" in cl.examples().loc["cams/roller_least_base", "about"]
+    with pytest.raises(cl.InputError, match="roller_least_base"):
+        cl.Problem.example("roller_least_bas")
+
+
+def test_variations_are_stated_and_a_search_begins_at_a_result():
+    varied = roller(variation={"base_radius": "0.05 mm", "roller_radius": {"plus": "0.02 mm"}})
+    stated = roller().tolerance({"base_radius": "0.05 mm"}, samples=64)
+    assert varied.tolerance(samples=64).worst.shape == stated.worst.shape
+    assert "+0.05/-0.05" in varied.check().text or "+-0.05" in varied.check().text
+    first = roller().optimize()
+    again = roller().optimize(start=first, starts=1)
+    assert again["base_radius"] == pytest.approx(first["base_radius"], rel=1e-9)
+
+
+def test_one_of_several_cams_is_exported():
+    shaft = cl.Problem.load(PROBLEMS / "shaft/two_cams.toml")
+    with pytest.raises(cl.InputError, match="such as cam="):
+        shaft.export(format="csv")
+    first, *_ = tomllib.loads(shaft.text)["cams"]
+    assert "profile" in shaft.export(format="csv", cam=first)
 
 
 def test_mechanisms_are_listed():

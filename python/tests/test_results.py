@@ -129,7 +129,7 @@ def test_exports_are_the_programs_byte_for_byte(roller, tmp_path, ending, option
 def test_a_table_for_a_controller(roller):
     table = roller.export(format="table", step="0.5 deg")
     assert len(table.splitlines()) >= 720
-    with pytest.raises(cl.InputError, match="there are allowances"):
+    with pytest.raises(cl.InputError, match="no option 'colour'; it accepts allowances"):
         roller.export(format="csv", colour="red")
     with pytest.raises(cl.InputError, match="format"):
         roller.export()

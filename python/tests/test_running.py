@@ -57,7 +57,7 @@ def test_a_time_limit_ends_a_front_with_what_it_has(tmp_path):
     assert front.stopped and not front.complete
     whole = cl.Problem.load(QUICK).pareto(points=6, workers=2, time_limit=600)
     assert not whole.stopped and len(whole) >= 6
-    with pytest.raises(cl.InputError, match="time limit of 0 s is not above zero"):
+    with pytest.raises(cl.InputError, match="time_limit: 0 s is not above zero"):
         problem.pareto(points=4, time_limit=0)
 
 

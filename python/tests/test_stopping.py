@@ -170,9 +170,9 @@ def test_a_fit_whose_time_has_passed_says_so():
     assert not found.trusted
     assert found.reason.startswith("the time limit of 1e-09 s was reached before the fit had ended")
     assert found.machine.constants["mass"] == machine.constants["mass"]
-    with pytest.raises(cl.InputError, match="time limit of 0 s is not above zero"):
+    with pytest.raises(cl.InputError, match="time_limit: 0 s is not above zero"):
         cl.fit(table, mechanism=machine, time_limit=0)
-    with pytest.raises(cl.InputError, match="time limit of -1 s is not above zero"):
+    with pytest.raises(cl.InputError, match="time_limit: -1 s is not above zero"):
         cl.fit(PROBLEMS / "cams/worn_cam.csv", mechanism="disc-cam-roller", time_limit=-1)
 
 

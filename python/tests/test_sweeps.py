@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Sweeps, tolerances and sensitivities of a problem: what the program says, digit for digit."""
 
+import copy
+import pickle
 from concurrent.futures import ThreadPoolExecutor
 
 import camlaw as cl
@@ -28,8 +30,40 @@ def test_a_sweep_is_the_programs(sweep):
 def test_a_combination_is_a_problem_with_its_design(sweep):
     design = sweep[sweep.best]
     assert design.evaluate().feasible
-    with pytest.raises(cl.InputError, match="combination 6: there are 6, counted from 0"):
+    with pytest.raises(IndexError, match="combination 6: there are 6, counted from 0"):
         sweep[6]
+
+
+def test_a_sweep_goes_to_other_processes_with_its_designs(sweep):
+    stopped = cl.Problem.load(ROLLER).sweep(SWEPT, workers=1, time_limit=1e-6)
+    for one in (sweep, stopped):
+        for again in (pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)):
+            assert again == one and same(again.facts, one.facts) and again.notes == one.notes
+            assert str(again) == str(one) and again.csv() == one.csv()
+    again = pickle.loads(pickle.dumps(sweep))
+    assert again[sweep.best] == sweep[sweep.best] and again != stopped
+    assert again[-1] == sweep[5]
+
+
+def test_a_sweep_is_read_from_its_record_and_begins_at_a_result(sweep, tmp_path):
+    problem = cl.Problem.load(ROLLER)
+    problem.sweep(SWEPT, workers=1, record=tmp_path / "sweep.db")
+    assert cl.Sweep.load(tmp_path / "sweep.db") == sweep
+    assert cl.Sweep.load(tmp_path / "sweep.db").notes == []
+    problem.sweep(SWEPT, workers=1, record=tmp_path / "cut.db", time_limit=1e-6)
+    assert cl.Sweep.load(tmp_path / "cut.db").stopped
+    front = cl.Problem.load(PROBLEMS / "spine_cutter/front.toml")
+    front.pareto(points=3, workers=1, record=tmp_path / "front.db")
+    with pytest.raises(cl.InputError, match="Front.load"):
+        cl.Sweep.load(tmp_path / "front.db")
+    with pytest.raises(cl.InputError):
+        cl.Front.load(tmp_path / "sweep.db")
+    found = problem.optimize()
+    swept = {"stroke": [29, 30]}
+    begun = problem.sweep(swept, evaluate=True, workers=1, start=found)
+    assert begun[1].constants["base_radius"] == found["base_radius"]
+    at_design = found.design.sweep(swept, evaluate=True, workers=1)
+    assert at_design[1].constants["base_radius"] == found["base_radius"]
 
 
 def test_executors_and_records_give_the_same_sweep(sweep, tmp_path):
@@ -50,7 +84,7 @@ def test_samples_are_evaluated():
     for wrong in ({"stroke": ("18 mm", "2 cm")}, {"stroke": 20}):
         with pytest.raises(cl.InputError, match="over: stroke"):
             cl.Problem.load(ROLLER).sweep(sample="sobol 8", over=wrong)
-    with pytest.raises(cl.InputError, match="no value"):
+    with pytest.raises(cl.InputError, match="law: the list is empty"):
         cl.Problem.load(ROLLER).sweep({"law": []})
 
 

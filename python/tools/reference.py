@@ -28,6 +28,9 @@ CLASSES = [
     "Result",
     "Verification",
     "Front",
+    "Sweep",
+    "Sensitivity",
+    "Tolerance",
     "Fit",
     "Reproduction",
     "Study",
@@ -47,6 +50,7 @@ FUNCTIONS = [
     "reproducible",
     "cam_shape",
     "study",
+    "examples",
 ]
 ERRORS = ["Error", "InputError", "MissingPackage", "Interrupted"]
 
@@ -66,7 +70,11 @@ def documentation(thing):
 
 
 def members(class_):
-    for name, value in vars(class_).items():
+    own = [base for base in class_.__mro__ if base.__module__.startswith("camlaw")]
+    all_of_them = {}
+    for base in own:
+        all_of_them |= {name: value for name, value in vars(base).items() if name not in all_of_them}
+    for name, value in all_of_them.items():
         if name.startswith("_") and name not in ("__call__", "__getitem__"):
             continue
         if isinstance(value, property) and value.__doc__:

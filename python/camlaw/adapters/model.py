@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arguments import numbers, shown
 from ..errors import InputError
 from ..native import native
 from ..problems import Problem
@@ -34,12 +35,14 @@ class Output(NamedTuple):
 class Model:
     """Objectives to be made small and margins to be kept at zero or above.
 
-    The variables are the problem's, all of them as continuous numbers; of laws to choose from it
-    has the first. A limit from above and one from below are a margin each; that of a curve is taken
-    at its peak over the cycle.
+    The variables are the problem's, all of them as continuous numbers; where the problem chooses
+    between laws, the first is taken. An upper and a lower limit are a margin each; that of a curve is
+    taken at its peak over the cycle.
     """
 
     def __init__(self, problem: Problem) -> None:
+        if not isinstance(problem, Problem):
+            raise InputError(f"problem: {shown(problem)} is not a camlaw.Problem")
         self.problem = problem
         self._native = native.Model(problem._native)
         self.variables = [Variable(*row) for row in self._native.variables()]
@@ -48,7 +51,7 @@ class Model:
         self.objectives = outputs[:count]
         self.margins = [Output(name, unit, 1.0) for name, unit, _ in outputs[count:]]
         if not self.variables:
-            raise InputError("nothing varies in the problem; it needs variables")
+            raise InputError("the problem has no variables, so there is nothing to search for")
 
     def __reduce__(self) -> Any:
         return Model, (self.problem,)
@@ -67,7 +70,7 @@ class Model:
 
     def values(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
         """Objectives and margins; of an array of designs, a row for each."""
-        designs = np.ascontiguousarray(x, dtype=np.float64)
+        designs = numbers(x, "x", 2)
         found = self._native.values(np.atleast_2d(designs))
         count = len(self.objectives)
         if designs.ndim == 1:
@@ -76,14 +79,17 @@ class Model:
 
     def derivatives(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
         """Of objectives and margins by the variables, a row for each function."""
-        found = self._native.jacobian(np.ascontiguousarray(x, dtype=np.float64))
+        found = self._native.jacobian(numbers(x, "x"))
         count = len(self.objectives)
         return found[:count], found[count:]
 
     def design(self, x: Any) -> Problem:
         """The problem at a design, to be evaluated and proved."""
+        values = numbers(x, "x")
+        if len(values) != len(self.variables):
+            raise InputError(f"x: a design has {len(self.variables)} numbers, not {len(values)}")
         rounded = [
-            round(float(value)) if v.integer else float(value)
-            for v, value in zip(self.variables, x)
+            round(value) if v.integer and np.isfinite(value) else float(value)
+            for v, value in zip(self.variables, values)
         ]
         return self.problem.set({v.name: value for v, value in zip(self.variables, rounded)})

@@ -24,7 +24,7 @@ class ScipyObjective:
         self.model = Model(problem)
         if len(self.model.objectives) != 1:
             raise InputError(
-                f"the problem has {len(self.model.objectives)} objectives; one is wanted"
+                f"the problem has {len(self.model.objectives)} objectives; SciPy searches with one"
             )
 
     def __call__(self, x: Any) -> float:

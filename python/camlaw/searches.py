@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: MIT
+"""Searches and studies of a problem: the best design, fronts, sweeps, sensitivities, tolerances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import units
+from .arguments import flag, mapping, optional_path, optional_text, optional_whole, shown, text, whole
+from .errors import InputError, Interrupted
+from .evaluations import Sensitivity, Tolerance
+from .native import native
+from .progress import Progress
+from .progress import shown as shown_to
+
+if TYPE_CHECKING:
+    from .fronts import Front
+    from .problems import Problem
+    from .results import Result
+    from .sweeps import Sweep
+
+#: As many as the program takes.
+_MOST_WORKERS = 256
+_MOST_STARTS = 1_000_000
+_MOST_POINTS = 100_000
+_MOST_SEED = 2**63 - 1
+_MOST_SOBOL = 1 << 20
+_MOST_SAMPLES = 100_000_000
+
+
+class Searches:
+    """The methods of Problem that may take long: they show progress, end at Ctrl-C and let other threads
+    run."""
+
+    _native: Any
+
+    if TYPE_CHECKING:
+
+        def set(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Problem: ...
+
+    def _beginning_at(self, start: Mapping[str, Any] | Result | None) -> Any:
+        """The problem with other starts, as the library has it."""
+        from .results import Result
+
+        if start is None:
+            return self._native
+        if isinstance(start, Result):
+            return native.beginning_at(self._native, start._native)
+        if not isinstance(start, Mapping):
+            raise InputError(
+                f"start: {shown(start)} is neither a dict of values by name nor a camlaw.Result"
+            )
+        return self.set(mapping(start, "start"))._native
+
+    def _search(
+        self,
+        synthesize: bool,
+        what: str,
+        solver: str | None,
+        starts: int | None,
+        seed: int | None,
+        time_limit: Any,
+        memory: Any,
+        workers: int | None,
+        start: Mapping[str, Any] | Result | None,
+        progress: Progress,
+    ) -> Result:
+        from .results import Result
+
+        problem = self._beginning_at(start)
+        with shown_to(progress, what) as tell:
+            found, interrupted = native.search(
+                problem,
+                synthesize,
+                optional_text(solver, "solver"),
+                optional_whole(starts, "starts", 1, _MOST_STARTS),
+                optional_whole(seed, "seed", 0, _MOST_SEED),
+                units.seconds(time_limit),
+                units.size_in_bytes(memory),
+                optional_whole(workers, "workers", 1, _MOST_WORKERS),
+                tell,
+            )
+        result = Result(found)
+        if interrupted:
+            raise Interrupted(result)
+        return result
+
+    def optimize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
+        workers: int | None = None,
+        start: Mapping[str, Any] | Result | None = None,
+        progress: Progress = None,
+    ) -> Result:
+        """Finds the best design, with a verdict.
+
+        The problem decides what is not given here. starts: how many places to search from. start: the
+        values to begin at, or a Result whose design to begin at. time_limit: seconds, or a text such as
+        "1 min", after which the best design so far is the answer. memory: bytes that the search may
+        use, or a text such as "4 GB". workers: processes that search side by side, from several starts
+        and in several combinations of choices, if that takes longer than a few seconds; the result
+        does not depend on them. Ctrl-C raises Interrupted, whose result is the best design so far.
+        """
+        return self._search(
+            False, "optimize", solver, starts, seed, time_limit, memory, workers, start, progress
+        )
+
+    def synthesize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
+        workers: int | None = None,
+        start: Mapping[str, Any] | Result | None = None,
+        progress: Progress = None,
+    ) -> Result:
+        """Finds the best law for a problem with a free law. facts["rulers"] compares it with what is
+        possible and with named laws. The arguments are those of optimize()."""
+        return self._search(
+            True, "synthesize", solver, starts, seed, time_limit, memory, workers, start, progress
+        )
+
+    def pareto(
+        self,
+        *,
+        points: int = 50,
+        workers: int | None = None,
+        executor: Any = None,
+        method: str = "auto",
+        record: str | Path | None = None,
+        resume: bool = False,
+        start: Mapping[str, Any] | Result | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
+        progress: Progress = None,
+    ) -> Front:
+        """Finds the front of two or more objectives.
+
+        workers: processes that search side by side; the front does not depend on them. They are started
+        afresh, so that it does not matter which threads run here. executor: carries the searches out
+        instead, perhaps on other machines: a client of Dask, an executor of concurrent.futures, or a
+        function that makes one, which is called again if the executor breaks; the front is the same
+        (docs/scale.md). record: a file to which the study is written while it runs; with resume, what
+        it has is not searched for again. start and memory: as in optimize(). time_limit: seconds, or a
+        text such as "1 min", after which the answer is what was found, and is `stopped`.
+        """
+        from .executors import labour
+        from .fronts import Front
+
+        with labour(executor, workers) as carrier, shown_to(progress, "pareto") as tell:
+            found, interrupted = native.pareto(
+                self._beginning_at(start),
+                whole(points, "points", 2, _MOST_POINTS),
+                text(method, "method"),
+                optional_whole(workers, "workers", 1, _MOST_WORKERS),
+                carrier,
+                optional_path(record, "record") or "",
+                flag(resume, "resume"),
+                units.seconds(time_limit),
+                units.size_in_bytes(memory),
+                tell,
+            )
+        front = Front(found)
+        if interrupted:
+            raise Interrupted(front)
+        return front
+
+    def sweep(
+        self,
+        values: Mapping[str, Any] | None = None,
+        /,
+        *,
+        sample: str | None = None,
+        over: Mapping[str, Any] | None = None,
+        seed: int = 1,
+        evaluate: bool = False,
+        cold: bool = False,
+        workers: int | None = None,
+        executor: Any = None,
+        record: str | Path | None = None,
+        resume: bool = False,
+        start: Mapping[str, Any] | Result | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
+        progress: Progress = None,
+        **more: Any,
+    ) -> Sweep:
+        """Finds the best design for each combination of settings, as 'camlaw sweep' does.
+
+        values: what is swept, by the names that set() accepts: {"speed": "60:15:120 rpm"} is from, step,
+        to; {"law": ["cycloidal", "modified-sine"]} is a list of values, and the law "all" is every law;
+        a single value is the same in all combinations. sample: "sobol 64" or "lhs 64" draws samples
+        from the ranges of `over`, such as {"stroke": ("18 mm", "22 mm")}; seed is the seed of lhs.
+        evaluate: evaluates the design as it stands in each combination, without a search. cold: begins
+        each search as optimize() does, not at the design of a neighbour. workers, executor, record,
+        resume, start, time_limit and memory: as in pareto().
+        """
+        from .executors import labour
+        from .sweeps import Sweep, axes_of, ranges_of
+
+        with (
+            labour(executor, workers) as carrier,
+            shown_to(progress, "sweep") as tell,
+        ):
+            found, interrupted = native.sweep(
+                self._beginning_at(start),
+                axes_of({**mapping(values, "sweep"), **more}),
+                optional_text(sample, "sample"),
+                whole(seed, "seed", 0, _MOST_SEED),
+                ranges_of(over),
+                flag(evaluate, "evaluate"),
+                flag(cold, "cold"),
+                optional_whole(workers, "workers", 1, _MOST_WORKERS),
+                carrier,
+                optional_path(record, "record") or "",
+                flag(resume, "resume"),
+                units.seconds(time_limit),
+                units.size_in_bytes(memory),
+                tell,
+            )
+        sweep = Sweep(found)
+        if interrupted:
+            raise Interrupted(sweep)
+        return sweep
+
+    def sensitivity(
+        self,
+        *,
+        over: Mapping[str, Any] | None = None,
+        samples: int = 512,
+        seed: int = 1,
+        progress: Progress = None,
+    ) -> Sensitivity:
+        """Finds how objective and limits depend on the parameters at the variables' starts.
+
+        There is an exact derivative by every parameter, with its elasticity. Sobol indices are taken
+        over ranges: those of `over`, such as {"stroke": ("18 mm", "22 mm")}, or else the problem's, or
+        else 1 % to either side.
+        """
+        from .sweeps import ranges_of
+
+        with shown_to(progress, "sensitivity") as tell:
+            return Sensitivity(
+                native.sensitivity(
+                    self._native,
+                    ranges_of(over),
+                    whole(samples, "samples", 16, _MOST_SOBOL),
+                    whole(seed, "seed", 0, _MOST_SEED),
+                    tell,
+                )
+            )
+
+    def tolerance(
+        self,
+        tolerances: Mapping[str, Any] | None = None,
+        /,
+        *,
+        samples: int = 100_000,
+        seed: int = 1,
+        time_limit: Any = None,
+        progress: Progress = None,
+        **more: Any,
+    ) -> Tolerance:
+        """Finds what manufacture makes of the design at the variables' starts: worst case and yield.
+
+        tolerances: as much to either side, such as {"base_radius": "0.02 mm"}; without any, the
+        problem's variations count. samples: the number of parts from which the yield is estimated.
+        time_limit: seconds, or a text such as "1 min", after which the answer is what is known.
+        """
+        stated = units.settings_of({**mapping(tolerances, "tolerances"), **more})
+        with shown_to(progress, "tolerance") as tell:
+            return Tolerance(
+                native.tolerance(
+                    self._native,
+                    stated,
+                    whole(samples, "samples", 32, _MOST_SAMPLES),
+                    whole(seed, "seed", 0, _MOST_SEED),
+                    units.seconds(time_limit),
+                    tell,
+                )
+            )
