@@ -124,6 +124,10 @@ int run_sweep(const SweepCommand& options) {
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
   const auto path = study_file(options.db, options.out, options.resume);
+  if (options.resume && !fs::exists(*path)) {
+    throw std::invalid_argument(
+        fmt::format("--resume: there is no study '{}'; without --resume it is begun", *path));
+  }
   keep_input(options.file);
   problems::SweepStudy study(problems::problem_text(options.file), options.file,
                              settings_of(options, path));

@@ -98,7 +98,8 @@ Command tolerance_command() {
             "name=value, as much to either side, in place of the file's variations"},
            set_option(options->settings),
            {"--samples", &options->samples, takes::kNumber,
-            "parts that the yield is estimated from; unless stated 100000"},
+            "parts that the yield is estimated from; unless stated 100000, and fewer where a limit "
+            "must be searched anew for each part"},
            {"--seed", &options->seed, takes::kNumber, "of the samples; unless stated 1"},
            time_limit_option(options->limits),
            json_switch(options->json)},

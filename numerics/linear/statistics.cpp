@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/gamma.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -171,6 +173,27 @@ double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& 
     sum += squared_error(kept, left_out);
   }
   return std::sqrt(sum / static_cast<double>(n));
+}
+
+ConfidenceInterval binomial_interval(std::size_t hits, std::size_t count, double confidence) {
+  using boost::math::beta_distribution;
+  const double tail = (1 - confidence) / 2;
+  const auto yes = static_cast<double>(hits), no = static_cast<double>(count - hits);
+  return {
+      hits == 0 ? 0 : boost::math::quantile(beta_distribution<double>(yes, no + 1), tail),
+      hits == count ? 1 : boost::math::quantile(beta_distribution<double>(yes + 1, no), 1 - tail)};
+}
+
+ConfidenceInterval weighted_poisson_interval(double sum, double squares, double largest,
+                                             double confidence) {
+  const double tail = (1 - confidence) / 2;
+  // A gamma distribution with this mean and this variance.
+  const auto at = [](double mean, double variance, double share) {
+    const boost::math::gamma_distribution<double> gamma(mean * mean / variance, variance / mean);
+    return boost::math::quantile(gamma, share);
+  };
+  return {sum > 0 ? at(sum, squares, tail) : 0,
+          at(sum + largest, squares + largest * largest, 1 - tail)};
 }
 
 }  // namespace camlaw::optim

@@ -46,6 +46,19 @@ std::vector<std::size_t> order_of(std::span<const double> values);
 /// freedom.
 double student_quantile(int degrees_of_freedom, double confidence);
 
+/// Two numbers, the first not above the second.
+struct ConfidenceInterval {
+  double lower, upper;
+};
+/// What a probability lies between of which `hits` of `count` independent trials came true (Clopper
+/// and Pearson 1934): it holds at least as often as the confidence says.
+ConfidenceInterval binomial_interval(std::size_t hits, std::size_t count, double confidence);
+/// The same of the expectation of a sum of weights, each of an event that is rare and independent
+/// of the others (Fay and Feuer 1997): `squares` is the sum of the weights' squares, `largest` what
+/// no weight is above.
+ConfidenceInterval weighted_poisson_interval(double sum, double squares, double largest,
+                                             double confidence);
+
 /// Student's t about a centre, as a part of a mixture; below and above the centre with a deviation
 /// each.
 struct StudentPart {

@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/linear/statistics.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/sizes.h"
+#include "optim/search/deadline.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {
@@ -65,11 +67,30 @@ struct Mixture {
   }
 };
 
-/// What was counted, weighted.
+/// Samples of one kind, weighted.
+struct Tally {
+  double sum = 0, squares = 0, largest = 0;  ///< of the weights
+  std::size_t hits = 0;
+
+  void add(double weight) {
+    sum += weight;
+    squares += weight * weight;
+    largest = std::max(largest, weight);
+    ++hits;
+  }
+  void add(const Tally& other) {
+    sum += other.sum;
+    squares += other.squares;
+    largest = std::max(largest, other.largest);
+    hits += other.hits;
+  }
+};
+
+/// What was counted.
 struct Counts {
-  double failing = 0, doubtful = 0;
-  Numbers by_limit;
-  std::size_t failures = 0, impossible = 0, samples = 0;
+  Tally failing, doubtful;
+  std::vector<Tally> by_limit;
+  std::size_t impossible = 0, samples = 0;
 };
 
 class Sampler {
@@ -88,9 +109,19 @@ class Sampler {
   std::size_t dimensions() const { return varying_.size(); }
 
   /// Adds the sums over the next `count` points about one of the mixture's centres. Whether all of
-  /// them were drawn.
+  /// them were drawn: not where it is stopped, or the rooms are cut short.
   bool draw(const Mixture& mixture, std::size_t about, std::size_t count, SobolPoints& points,
             Counts& counts, const std::function<bool()>& stopped) const {
+    try {
+      return draw_all(mixture, about, count, points, counts, stopped);
+    } catch (const Interrupted&) {
+      return false;
+    }
+  }
+
+ private:
+  bool draw_all(const Mixture& mixture, std::size_t about, std::size_t count, SobolPoints& points,
+                Counts& counts, const std::function<bool()>& stopped) const {
     const std::size_t m = dimensions(), n = x_.size();
     const bool is_plain = mixture.centres.size() == 1;
     Numbers shares(kBlock * m), us(kBlock * m), designs(kBlock * n);
@@ -117,7 +148,6 @@ class Sampler {
     return true;
   }
 
- private:
   void count_block(const Mixture& mixture, bool is_plain, const Numbers& designs, const Numbers& us,
                    std::size_t block, Counts& counts) const {
     const std::size_t limits = rows_.limits(), m = dimensions();
@@ -134,13 +164,12 @@ class Sampler {
       ++counts.samples;
       if (!may_fail) continue;
       const double weight = is_plain ? 1 : mixture.weight(std::span(us).subspan(k * m, m));
-      counts.doubtful += weight;
+      counts.doubtful.add(weight);
       if (!fails) continue;
-      counts.failing += weight;
-      ++counts.failures;
+      counts.failing.add(weight);
       counts.impossible += !is_possible;
       for (std::size_t i = 0; i < limits; ++i) {
-        if (!(room[i * block + k] >= 0)) counts.by_limit[i] += weight;
+        if (!(room[i * block + k] >= 0)) counts.by_limit[i].add(weight);
       }
     }
   }
@@ -215,48 +244,125 @@ bool draw_round(const Sampler& sampler, Mixture mixture, std::size_t count,
   return true;
 }
 
-void add_up(const std::vector<Repetition>& all, Yield& result) {
+/// An interval that holds a share at 95 %, from few samples too (theory: TV8).
+Bounds interval_of(const Tally& tally, double largest, std::size_t samples) {
+  constexpr double kConfidence = 0.95;
+  const auto count = static_cast<double>(samples);
+  const auto found =
+      largest == 1 ? binomial_interval(tally.hits, samples, kConfidence)
+                   : weighted_poisson_interval(tally.sum / count, tally.squares / (count * count),
+                                               largest / count, kConfidence);
+  return {found.lower, std::min(found.upper, 1.0)};
+}
+
+/// A share of one kind over all repetitions.
+struct Estimate {
+  double share = 0, error = 0;
+  Bounds between;
+  Tally all;
+};
+
+/// `largest`: the largest weight that a sample can have. `kind` picks the tally of one repetition.
+template <class Kind>
+Estimate estimate_of(const std::vector<Repetition>& all, double largest, const Kind& kind) {
+  constexpr double kMany = 640;  // twenty failures, and as many that hold, in each repetition
   const auto count = static_cast<double>(all.size());
-  std::vector<double> failing;
+  Estimate result;
+  Numbers shares;
+  std::size_t samples = 0;
   for (const Repetition& one : all) {
-    const auto drawn = static_cast<double>(one.counts.samples);
-    failing.push_back(one.counts.failing / drawn);
-    result.failing += failing.back() / count;
-    result.failing_at_most += one.counts.doubtful / drawn / count;
-    for (std::size_t i = 0; i < result.by_limit.size(); ++i) {
-      result.by_limit[i] += one.counts.by_limit[i] / drawn / count;
-    }
-    result.samples += one.counts.samples;
-    result.failures += one.counts.failures;
-    result.impossible += one.counts.impossible;
+    const Tally& own = kind(one.counts);
+    shares.push_back(own.sum / static_cast<double>(one.counts.samples));
+    result.share += shares.back() / count;
+    result.all.add(own);
+    samples += one.counts.samples;
   }
   double squares = 0;
-  for (const double f : failing) squares += (f - result.failing) * (f - result.failing);
+  for (const double share : shares) squares += (share - result.share) * (share - result.share);
   result.error = std::sqrt(squares / (count - 1) / count);
+  const Tally& tally = result.all;
+  const double told = tally.squares > 0 ? tally.sum * tally.sum / tally.squares : 0;
+  const bool is_even = largest == 1;
+  const double others = is_even ? static_cast<double>(samples - tally.hits) : kInfinity;
+  if (std::min(told, others) >= kMany) {
+    const double reach = student_quantile(kRepetitions - 1, 0.95) * result.error;
+    result.between = {std::max(0.0, result.share - reach), std::min(1.0, result.share + reach)};
+    return result;
+  }
+  // Of so few the largest weight may not have been met.
+  constexpr double kFew = 30;
+  const bool is_known = !is_even && told >= kFew;
+  result.between = interval_of(tally, is_known ? tally.largest : largest, samples);
+  return result;
+}
+
+void add_up(const std::vector<Repetition>& all, Yield& result) {
+  constexpr double kLargestWeight = 5;  // a fifth is drawn about what is meant
+  const double largest = result.by_importance ? kLargestWeight : 1;
+  const Estimate failing =
+      estimate_of(all, largest, [](const Counts& c) -> const Tally& { return c.failing; });
+  const Estimate doubtful =
+      estimate_of(all, largest, [](const Counts& c) -> const Tally& { return c.doubtful; });
+  result.failing = failing.share;
+  result.error = failing.error;
+  result.failing_at_most = doubtful.share;
+  result.failing_between = {failing.between.lower, doubtful.between.upper};
+  result.failures = failing.all.hits;
+  for (std::size_t i = 0; i < result.by_limit.size(); ++i) {
+    const Estimate own =
+        estimate_of(all, largest, [i](const Counts& c) -> const Tally& { return c.by_limit[i]; });
+    result.by_limit[i] = own.share;
+    result.by_limit_between[i] = own.between;
+  }
+  for (const Repetition& one : all) {
+    result.samples += one.counts.samples;
+    result.impossible += one.counts.impossible;
+  }
 }
 
 /// Repetitions of one estimate, in rounds that double the points, so that each stop leaves equally
 /// many in all of them.
-void repeat(const Sampler& sampler, const Mixture& mixture, const YieldOptions& options,
-            Yield& result) {
-  constexpr std::size_t kFirstRound = 32;
-  const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
-  std::vector<Repetition> all = repetitions(sampler, mixture, options, result.by_limit.size());
-  std::size_t done = 0;
-  while (done < each && !result.stopped) {
-    const std::size_t round = std::min({each - done, std::max(done, kFirstRound), kMostInRound});
-    std::vector<Counts> before;
-    for (const Repetition& one : all) before.push_back(one.counts);
-    if (!draw_round(sampler, mixture, round, options.stopped, all)) {
-      // A round counts as a whole, or not at all.
-      for (std::size_t r = 0; r < all.size(); ++r) all[r].counts = std::move(before[r]);
-      result.stopped = true;
-      break;
+class Estimator {
+ public:
+  Estimator(const Sampler& sampler, Mixture mixture, const YieldOptions& options,
+            std::size_t limits)
+      : sampler_(sampler),
+        mixture_(std::move(mixture)),
+        stopped_(options.stopped),
+        all_(repetitions(sampler, mixture_, options, limits)) {}
+
+  /// Draws until each repetition has so many points. Whether it was not stopped.
+  bool draw_to(std::size_t each) {
+    while (done_ < each) {
+      const std::size_t wanted = std::max<std::size_t>(done_, 1);
+      const std::size_t round = std::min({each - done_, wanted, kMostInRound});
+      std::vector<Counts> before;
+      for (const Repetition& one : all_) before.push_back(one.counts);
+      if (!draw_round(sampler_, mixture_, round, stopped_, all_)) {
+        // A round counts as a whole, or not at all.
+        for (std::size_t r = 0; r < all_.size(); ++r) all_[r].counts = std::move(before[r]);
+        return false;
+      }
+      done_ += round;
     }
-    done += round;
+    return true;
   }
-  if (done > 0) add_up(all, result);
-}
+  std::size_t failures() const {
+    std::size_t sum = 0;
+    for (const Repetition& one : all_) sum += one.counts.failing.hits;
+    return sum;
+  }
+  void add_to(Yield& result) const {
+    if (done_ > 0) add_up(all_, result);
+  }
+
+ private:
+  const Sampler& sampler_;
+  Mixture mixture_;
+  const std::function<bool()>& stopped_;
+  std::vector<Repetition> all_;
+  std::size_t done_ = 0;
+};
 
 /// The points of different limits; those of equations that cannot break are none.
 std::vector<DesignPoint> points_of(const std::vector<RoomSlopes>& slopes, Design x,
@@ -267,7 +373,13 @@ std::vector<DesignPoint> points_of(const std::vector<RoomSlopes>& slopes, Design
   for (const RoomSlopes& room : slopes) {
     result.stopped = result.stopped || stopped();
     if (result.stopped) break;
-    const auto found = design_point(room, x, variations);
+    std::optional<DesignPoint> found;
+    try {
+      found = design_point(room, x, variations);
+    } catch (const Interrupted&) {
+      result.stopped = true;
+      break;
+    }
     result.indices.push_back(found ? std::optional(found->index) : std::nullopt);
     if (found && std::abs(found->index) < kFarthest) points.push_back(*found);
   }
@@ -299,22 +411,33 @@ Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design 
   if (options.samples < 1) throw std::invalid_argument("samples: at least one is needed");
   Yield result;
   result.by_limit.assign(rows.limits(), 0.0);
-  std::vector<DesignPoint> points = points_of(slopes, x, variations, options.stopped, result);
-  for (DesignPoint& point : points) point = varying_part(point, variations);
+  result.by_limit_between.assign(rows.limits(), Bounds{0, 1});
   constexpr std::size_t kFirst = 4096;
   constexpr double kRare = 0.01;
-  const std::size_t tried = std::min(kFirst, options.samples);
-  Counts first;
-  first.by_limit.resize(rows.limits());
-  const Mixture as_meant = plain(sampler.dimensions());
-  SobolPoints points_as_meant(sampler.dimensions(), mixed(options.seed, ~std::uint64_t{0}));
-  result.stopped =
-      result.stopped || !sampler.draw(as_meant, 0, tried, points_as_meant, first, options.stopped);
-  if (result.stopped) return result;
-  const bool is_rare = first.failing < kRare * static_cast<double>(tried);
-  result.by_importance = is_rare && !points.empty();
-  repeat(sampler, result.by_importance ? about(points, sampler.dimensions()) : as_meant, options,
-         result);
+  const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
+  const std::size_t tried = std::min<std::size_t>(kFirst / kRepetitions, each);
+  Estimator as_meant(sampler, plain(sampler.dimensions()), options, rows.limits());
+  result.stopped = !as_meant.draw_to(tried);
+  const double rare = kRare * static_cast<double>(tried * kRepetitions);
+  if (result.stopped || static_cast<double>(as_meant.failures()) >= rare) {
+    result.stopped = result.stopped || !as_meant.draw_to(each);
+    if (!result.stopped) points_of(slopes, x, variations, options.stopped, result);
+    as_meant.add_to(result);
+    return result;
+  }
+  std::vector<DesignPoint> points = points_of(slopes, x, variations, options.stopped, result);
+  for (DesignPoint& point : points) point = varying_part(point, variations);
+  result.by_importance = !points.empty() && !result.stopped;
+  if (result.by_importance) {
+    Estimator near(sampler, about(points, sampler.dimensions()), options, rows.limits());
+    result.stopped = !near.draw_to(each);
+    near.add_to(result);
+  }
+  if (result.samples == 0) {
+    result.by_importance = false;
+    result.stopped = result.stopped || !as_meant.draw_to(each);
+    as_meant.add_to(result);
+  }
   return result;
 }
 

@@ -169,18 +169,22 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("yield_at_least", 1 - y.failing_at_most);
   document.fact("standard_error", y.error);
   document.fact("failing", y.failing);
+  document.fact("failing_lower", y.failing_between.lower);
+  document.fact("failing_upper", y.failing_between.upper);
   document.fact("yield_samples", y.samples);
   document.fact("failures", y.failures);
   document.fact("not_possible", y.impossible);
   document.fact("by_importance", y.by_importance);
   document.fact("nothing_fails_proved", nothing_fails);
-  Json by_limit = Json::object(), indices = Json::object();
+  Json by_limit = Json::object(), between = Json::object(), indices = Json::object();
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     const std::string& name = varied.problem.constraints[i].response.name;
     by_limit[name] = y.by_limit[i];
+    between[name] = {y.by_limit_between[i].lower, y.by_limit_between[i].upper};
     indices[name] = i < y.indices.size() && y.indices[i] ? Json(*y.indices[i]) : Json(nullptr);
   }
   document.fact("failing_by_limit", by_limit);
+  document.fact("failing_between_by_limit", between);
   document.fact("reliability_indices", indices);
   document.fact("grid_places", answer.grid.places);
   document.fact("searched_limits", answer.grid.without_grid);
@@ -201,12 +205,13 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
                     "failures, at least {}\n",
                     share_text(1 - y.failing_at_most)));
   }
-  if (y.failures == 0) {
-    constexpr double kLargestWeight = 5;  // drawn about what is meant is a fifth
+  document.say(
+      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
+                  100 * y.failing_between.lower, 100 * y.failing_between.upper));
+  if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
-        "  no sample fails: fewer than {:.2g} % of all parts do, at a confidence of 95 %, if the "
-        "samples were independent\n",
-        (y.by_importance ? kLargestWeight : 1) * 300.0 / static_cast<double>(y.samples)));
+        "  {} of the limits {} searched anew for each part; --samples takes more parts\n",
+        answer.grid.without_grid, answer.grid.without_grid == 1 ? "is" : "are"));
   }
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;

@@ -12,6 +12,7 @@
 
 #include "numerics/sampling/sobol_points.h"
 #include "numerics/text/names.h"
+#include "numerics/text/units.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/restated.h"
 #include "problems/statement/solver_settings.h"
@@ -103,6 +104,14 @@ SweepAxis stepped(const std::string& name, const std::string& text) {
   }
   SweepAxis axis{.name = name, .unit = parts->back().unit, .values = {}};
   const auto count = static_cast<std::size_t>(std::floor(steps + kRounding)) + 1;
+  const auto whole = static_cast<double>(count - 1);
+  if (steps - whole > kRounding) {
+    throw std::invalid_argument(fmt::format(
+        "{}: steps of {:g} from {:g} end at {:g} and do not meet {:g}; write {:g}:{:g}:{:g}, or a "
+        "step that divides the range",
+        name, step, from, rounded(from + whole * step, kDigits), to, from, step,
+        rounded(from + whole * step, kDigits)));
+  }
   for (std::size_t i = 0; i < count; ++i) {
     axis.numbers.push_back(rounded(from + static_cast<double>(i) * step, kDigits));
     axis.values.push_back(swept_value(axis.numbers.back(), axis.unit));
@@ -130,9 +139,30 @@ SweepAxis laws_of(const std::string& name, const std::string& text) {
   return axis;
 }
 
+/// Numbers of which some have another unit than the last, each in its own: "10 mm, 2 cm".
+std::optional<std::vector<Quantity>> in_units_of_the_last(const std::vector<std::string>& texts) {
+  std::vector<Quantity> all;
+  for (const std::string& text : texts) {
+    const auto one = quantity(text);
+    if (!one || one->unit.empty()) return {};
+    all.push_back(*one);
+  }
+  const std::string unit = all.back().unit;
+  try {
+    for (Quantity& one : all) {
+      if (one.unit != unit) one.number = rounded(one.number * unit_as_written(one.unit, unit), 12);
+      one.unit = unit;
+    }
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+  return all;
+}
+
 SweepAxis listed(const std::string& name, const std::string& text) {
   SweepAxis axis{.name = name, .values = parted(text, ',')};
-  const auto numbers = in_one_unit(axis.values);
+  auto numbers = in_one_unit(axis.values);
+  if (!numbers) numbers = in_units_of_the_last(axis.values);
   if (!numbers) return axis;
   axis.unit = numbers->back().unit;
   for (std::size_t i = 0; i < numbers->size(); ++i) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -14,28 +15,55 @@
 namespace camlaw::problems {
 namespace {
 
-/// From the first sample on always the nearest that is left, distances in parts of the ranges.
-std::vector<std::size_t> nearest_next(const std::vector<std::vector<double>>& samples,
-                                      const std::vector<SampledRange>& over) {
-  const auto distance = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t k = 0; k < over.size(); ++k) {
-      const double part = (a[k] - b[k]) / (over[k].high - over[k].low);
-      sum += part * part;
+/// The place of a cell along a curve of Hilbert (Skilling 2004), `digits` binary digits of each
+/// number, the first of each number before the second of any.
+std::vector<bool> along_curve(std::vector<std::uint32_t> cell, int digits) {
+  const std::size_t n = cell.size();
+  const std::uint32_t top = std::uint32_t{1} << (digits - 1);
+  for (std::uint32_t q = top; q > 1; q >>= 1) {
+    for (std::size_t i = 0; i < n; ++i) {
+      if ((cell[i] & q) != 0) {
+        cell[0] ^= q - 1;
+      } else {
+        const std::uint32_t swapped = (cell[0] ^ cell[i]) & (q - 1);
+        cell[0] ^= swapped;
+        cell[i] ^= swapped;
+      }
     }
-    return sum;
-  };
+  }
+  for (std::size_t i = 1; i < n; ++i) cell[i] ^= cell[i - 1];
+  std::uint32_t turned = 0;
+  for (std::uint32_t q = top; q > 1; q >>= 1) {
+    if ((cell[n - 1] & q) != 0) turned ^= q - 1;
+  }
+  std::vector<bool> place;
+  for (std::uint32_t& number : cell) number ^= turned;
+  for (int digit = digits; digit-- > 0;) {
+    for (const std::uint32_t number : cell) place.push_back(((number >> digit) & 1U) != 0);
+  }
+  return place;
+}
+
+/// Samples along a curve that fills the ranges, so that neighbours in order are near one another:
+/// n log n, where always the nearest that is left takes n^2.
+std::vector<std::size_t> in_near_order(const std::vector<std::vector<double>>& samples,
+                                       const std::vector<SampledRange>& over) {
+  constexpr int kDigits = 16;
+  constexpr double kMost = (1 << kDigits) - 1;
+  std::vector<std::vector<bool>> places;
+  for (const std::vector<double>& sample : samples) {
+    std::vector<std::uint32_t> cell;
+    for (std::size_t k = 0; k < over.size(); ++k) {
+      const double part = (sample[k] - over[k].low) / (over[k].high - over[k].low);
+      cell.push_back(static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * kMost));
+    }
+    places.push_back(along_curve(std::move(cell), kDigits));
+  }
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    std::size_t best = i;
-    double least = optim::kInfinity;
-    for (std::size_t j = i; j < order.size(); ++j) {
-      const double d = distance(samples[order[i - 1]], samples[order[j]]);
-      if (d < least || (d == least && order[j] < order[best])) best = j, least = d;
-    }
-    std::swap(order[i], order[best]);
-  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return places[a] != places[b] ? places[a] < places[b] : a < b;
+  });
   return order;
 }
 
@@ -91,6 +119,12 @@ SweepPlan::SweepPlan(SweepSettings settings) : settings_(std::move(settings)) {
     throw std::invalid_argument(fmt::format("the sweep has more than {} combinations", kMostSwept));
   }
   if (names_.empty()) {
+    if (!settings_.set.empty()) {
+      throw std::invalid_argument(fmt::format(
+          "nothing is swept: {} has one value, which is the same in all; write several, such as "
+          "--set 'speed=60:15:120 rpm' or --set 'law=cycloidal,modified-sine'",
+          settings_.set.back()));
+    }
     throw std::invalid_argument(
         "nothing is swept; write --set 'speed=60:15:120 rpm' or --set 'law=cycloidal,"
         "modified-sine', or --sample with --over");
@@ -144,7 +178,7 @@ std::vector<std::size_t> SweepPlan::in_sequence() const {
   std::vector<std::size_t> all;
   all.reserve(size_);
   if (settings_.sampling) {
-    const std::vector<std::size_t> order = nearest_next(samples_, settings_.sampling->over);
+    const std::vector<std::size_t> order = in_near_order(samples_, settings_.sampling->over);
     for (std::size_t first = 0; first < size_; first += samples()) {
       for (const std::size_t sample : order) all.push_back(first + sample);
     }

@@ -54,7 +54,7 @@ class SweepPlan {
 
   /// Combinations one after the other: the first of each chain begins as a single run does, every
   /// other one at the design of the one before, which differs from it by one step of one number, or
-  /// is the nearest sample. Chains are at most kChain long, so that there are some to share out and
+  /// is a near sample. Chains are at most kChain long, so that there are some to share out and
   /// a wrong turn does not lead far.
   std::vector<std::vector<std::size_t>> chains() const;
 

@@ -26,6 +26,15 @@ ProblemStatement read_and_set(const std::string& text, const std::string& source
   return statement;
 }
 
+/// What is swept; where that is nothing, a value that is refused is the likelier mistake.
+const SweepSettings& with_good_values(const std::string& text, const std::string& source,
+                                      const SweepSettings& settings, const HeldFiles& files) {
+  if (settings.axes.empty() && !settings.sampling) {
+    read_and_set(text, source, settings.set, files);
+  }
+  return settings;
+}
+
 void check_objectives(const ProblemStatement& statement, bool evaluates) {
   if (statement.objectives.empty()) {
     throw std::invalid_argument(fmt::format(
@@ -68,7 +77,7 @@ std::size_t Sweep::done() const {
 
 SweepStudy::SweepStudy(const std::string& text, const std::string& source,
                        const SweepSettings& settings, HeldFiles files)
-    : plan_(settings),
+    : plan_(with_good_values(text, source, settings, files)),
       statement_(read_and_set(text, source, settings.set, std::move(files))),
       options_(options_of(statement_.solver)) {
   check_objectives(statement_, settings.evaluates);

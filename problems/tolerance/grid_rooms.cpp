@@ -171,7 +171,7 @@ class Grids final : public optim::RoomRows {
  public:
   Grids(const VariedDesign& varied, GridReport& report)
       : variables_(varied.meant.size()), limits_(varied.problem.constraints.size()) {
-    optim::Problem problem = varied.unhurried;
+    optim::Problem problem = varied.problem;
     problem.objectives = {optim::no_objective()};
     const optim::Sizes sizes = optim::sizes(problem, varied.meant);
     searched_.variables = problem.variables;

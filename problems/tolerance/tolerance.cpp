@@ -51,17 +51,25 @@ std::vector<std::vector<std::size_t>> alone(const VariedDesign& varied) {
   return result;
 }
 
+/// So many that all searches together end in a minute or so, whatever the machine.
+std::size_t samples_for(const GridReport& grid) {
+  constexpr std::size_t kSamples = 100000, kSearches = 30000;
+  if (grid.without_grid == 0) return kSamples;
+  return std::min(kSamples, std::max<std::size_t>(1024, kSearches / grid.without_grid));
+}
+
 optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& options,
                       GridReport& grid) {
   const GridRooms rooms = grid_rooms(varied);
   grid = rooms.report;
-  optim::Problem problem = varied.unhurried;  // samples stop between two rounds
+  optim::Problem problem = varied.problem;
   problem.objectives = {optim::no_objective()};
   std::vector<optim::RoomSlopes> slopes;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     slopes.push_back(optim::room_slopes(problem, i, varied.meant));
   }
-  optim::YieldOptions own{options.samples, options.seed, [&] { return varied.deadline.passed(); }};
+  optim::YieldOptions own{options.samples.value_or(samples_for(grid)), options.seed,
+                          [&] { return varied.deadline.passed(); }};
   return optim::yield(*rooms.rows, slopes, varied.meant, varied.variations, own);
 }
 
@@ -87,7 +95,7 @@ ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions&
     }
     const bool is_stopped = answer.yield && answer.yield->stopped;
     if (is_stopped && answer.yield->samples == 0) answer.yield.reset();
-    const std::size_t samples = std::min(kSpreadSamples, options.samples);
+    const std::size_t samples = std::min(kSpreadSamples, options.samples.value_or(kSpreadSamples));
     optim::Problem problem = varied.problem;
     if (problem.objectives.empty()) problem.objectives = {optim::no_objective()};
     answer.spreads =

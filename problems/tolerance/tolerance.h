@@ -37,7 +37,8 @@ struct ToleranceAnswer {
 };
 
 struct ToleranceOptions {
-  std::size_t samples = 100000;
+  /// Without: 100000, fewer where limits are searched anew for each part.
+  std::optional<std::size_t> samples = {};
   std::uint64_t seed = 1;
   bool factors = true;
 };

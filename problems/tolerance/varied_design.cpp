@@ -102,7 +102,6 @@ VariedDesign varied_design(const ProblemStatement& design,
                                          o.sense, o.response.part, o.tolerance});
   }
   result.problem.constraints = constraints_of(result.design, result.binding);
-  result.unhurried = result.problem;
   result.problem = optim::interruptible(std::move(result.problem), deadline);
   return result;
 }

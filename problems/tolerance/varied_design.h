@@ -19,7 +19,6 @@ struct VariedDesign {
   optim::Problem problem;                    ///< its variables are what varies, in this order
   std::vector<double> meant;                 ///< their values
   std::vector<optim::Variation> variations;  ///< of each
-  optim::Problem unhurried;  ///< the same, whose responses do not look at the deadline
   /// Once it has passed, the problem's responses throw optim::Interrupted.
   optim::Deadline deadline = optim::Deadline({}, nullptr);
 

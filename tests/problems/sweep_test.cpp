@@ -85,7 +85,7 @@ TEST_CASE("what is swept reads as people write it", "[sweep]") {
   CHECK(speed.values.back() == "120 rpm");
   CHECK(parse_axis("x=0:0.1:0.3")->numbers == std::vector<double>{0, 0.1, 0.2, 0.3});
   CHECK(parse_axis("x=3:-1:1")->numbers == std::vector<double>{3, 2, 1});
-  CHECK(parse_axis("x=1:2:6")->numbers == std::vector<double>{1, 3, 5});
+  CHECK(parse_axis("x=1:2:5")->numbers == std::vector<double>{1, 3, 5});
   const SweepAxis radius = *parse_axis("roller_radius = 10, 12 mm");
   CHECK(radius.values == std::vector<std::string>{"10 mm", "12 mm"});
   CHECK_FALSE(parse_axis("roller=CF 12, CF 16")->is_numeric());
@@ -96,6 +96,12 @@ TEST_CASE("what is swept reads as people write it", "[sweep]") {
 
   CHECK_THAT(complaint([] { parse_axis("speed=60:0:120 rpm"); }), Contains("a step of 0"));
   CHECK_THAT(complaint([] { parse_axis("speed=60:-5:120 rpm"); }), Contains("does not lead"));
+  CHECK_THAT(complaint([] { parse_axis("x=1:2:6"); }), Contains("do not meet 6"));
+  CHECK(parse_axis("x=10 mm, 2 cm")->numbers == std::vector<double>{1, 2});
+  CHECK_THAT(complaint([] { SweepStudy(kCam, "f.toml", swept({"stroke=nan"})); }),
+             !Contains("nothing is swept") && Contains("stroke"));
+  CHECK_THAT(complaint([] { SweepStudy(kCam, "f.toml", swept({"rise.law=nosuch"})); }),
+             !Contains("nothing is swept") && Contains("nosuch"));
   CHECK_THAT(complaint([] { parse_axis("speed=60:120 rpm"); }), Contains("from:step:to"));
   CHECK_THAT(complaint([] { parse_axis("x=1 mm:2 deg:6 mm"); }), Contains("is not a range"));
   CHECK_THAT(complaint([] { parse_axis("x=1:1e-9:6"); }), Contains("at most"));

@@ -142,6 +142,30 @@ bool changes_nothing(const Entry& table) {
   });
 }
 
+bool has_braces(const Entry& entry) {
+  return entry.text.find("{}") != std::string::npos ||
+         std::any_of(entry.items.begin(), entry.items.end(), has_braces);
+}
+
+/// Values that nothing takes would all be the same alternative.
+void check_values_count(const Entry& table, const std::vector<std::string>& values) {
+  std::vector<const Entry*> effects;
+  for (const char* key : {"set", "laws", "responses", "peaks"}) {
+    if (const Entry* effect = find(table, key)) effects.push_back(effect);
+  }
+  const bool any = std::any_of(effects.begin(), effects.end(),
+                               [](const Entry* effect) { return has_braces(*effect); });
+  const Entry* set = find(table, "set");
+  // One value alone may be a name in words of what a text changes; of a number the text tells.
+  const auto is_number = [](const std::string& value) {
+    return range_number(std::string_view(value).substr(0, value.find(' '))).has_value();
+  };
+  if (any || (values.size() < 2 && (set == nullptr || !is_number(values.front())))) return;
+  refuse(effects.empty() ? table : *effects.front(),
+         fmt::format("no value of the alternatives is put into it; write {{}} where it belongs, "
+                     "such as depth={{}}"));
+}
+
 /// Adds the alternatives of a table of effects, one for each value.
 void add_alternatives(const Entry& table, const Entry* values, const std::string& name,
                       std::vector<StatedAlternative>& all) {
@@ -150,6 +174,7 @@ void add_alternatives(const Entry& table, const Entry* values, const std::string
   }
   const auto list =
       values == nullptr ? std::vector<std::string>{""} : read_alternative_values(*values);
+  if (values != nullptr && !list.empty()) check_values_count(table, list);
   for (const std::string& value : list) {
     if (all.size() >= kMostAlternatives) {
       refuse(table, fmt::format("there are more than {} alternatives", kMostAlternatives));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "optim/verdict/yield.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "numerics/sampling/sobol_points.h"
 #include "optim/problem/automatic.h"
+#include "optim/search/deadline.h"
 
 // Yields and reliability indices against closed forms, quadrature and printed values.
 namespace camlaw::optim::yield_test {
@@ -74,6 +76,44 @@ TEST_CASE("The yield of a linear limit with normal values is the closed form", "
     REQUIRE(found.indices[0]);
     CHECK(*found.indices[0] == Approx(bound / std::sqrt(2.0)).margin(1e-6));
   }
+}
+
+TEST_CASE("The interval of a failing share holds at few samples", "[variation]") {
+  const std::vector<Variation> variations{{-3, 3, true}, {-1.5, 1.5, true}};
+  constexpr int kSeeds = 200;
+  for (const std::size_t samples : {64u, 320u, 2048u}) {
+    for (const double index : {0.5, 1.5, 2.5, 3.5, 4.5}) {
+      const Problem problem = linear(index * std::sqrt(2.0), false);
+      const double exact = normal_share(-index);
+      int held = 0;
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const Yield y = yield_of(problem, {0, 0}, variations, {.samples = samples, .seed = seed});
+        held += y.failing_between.lower <= exact && exact <= y.failing_between.upper;
+      }
+      INFO(samples << " samples, index " << index << ": " << held << " of " << kSeeds);
+      CHECK(held >= 0.92 * kSeeds);  // 95 %, less twice what 200 seeds scatter
+    }
+  }
+}
+
+TEST_CASE("A yield that is cut short within its rooms tells what it has", "[variation][stop]") {
+  class CutShort final : public RoomRows {
+   public:
+    std::size_t limits() const override { return 1; }
+    std::vector<double> slack() const override { return {0}; }
+    void room(std::span<const double>, std::size_t count, std::span<double> room) const override {
+      seen_ += count;
+      if (seen_ > 200) throw Interrupted();
+      std::fill(room.begin(), room.end(), -1.0);
+    }
+
+   private:
+    mutable std::size_t seen_ = 0;
+  };
+  const Yield found = yield(CutShort(), {}, std::vector<double>{0}, {{-1, 1, false}}, {});
+  CHECK(found.stopped);
+  CHECK(found.samples == 128);  // of 32, 64, 128: whole rounds
+  CHECK(found.failing == 1);
 }
 
 TEST_CASE("A limit that breaks one part in a thousand million is found to", "[variation]") {
