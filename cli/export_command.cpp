@@ -54,8 +54,15 @@ int run_export(const ExportOptions& options) {
     // Nobody judged the design that the record has now.
     for (std::string& sentence : judged_words(design)) words.push_back(std::move(sentence));
   }
+  // The limits of a shaft are not those of one cam.
+  std::vector<std::string> unmet;
+  if (options.cam) unmet = unmet_words(design.statement);
   take_cam(options, design.statement);
-  const ExportedText written = exported_text(options, format, std::move(design), words);
+  const ExportedText written =
+      exported_text(options, format, std::move(design), words, std::move(unmet));
+  if (!options.out || (is_quiet() && !options.json)) {
+    for (const std::string& limit : written.unmet) warn(fmt::format("{}: {}", options.file, limit));
+  }
   if (!options.out) {
     print_data(written.text);
     return status_of(review);

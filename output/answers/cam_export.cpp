@@ -11,6 +11,7 @@
 #include "numerics/text/units.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/buildable_output.h"
+#include "output/answers/judged_words.h"
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
 #include "output/export/curve_svg.h"
@@ -296,6 +297,27 @@ std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
   }
 }
 
+/// Refuses even steps whose chords cut deep into a curve: past a thousandth of its size, less what
+/// straight lines bridge where it jumps.
+void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
+                const problems::ExportedCurve& chords, const problems::LengthUnit& unit) {
+  constexpr double kShare = 1e-3, kRoom = 0.9;  // kRoom: the deviation is not quite the square's
+  if (!o.step) return;
+  double bridged = 0;
+  for (const auto& [place, length] : curve.jumps()) bridged = std::max(bridged, length / unit.mm);
+  const problems::Extent extent = problems::extent_of({chords});
+  const double size = (extent.high - extent.low).maxCoeff(), most = kShare * size;
+  const double worst = chords.worst() - bridged;
+  if (worst <= most) return;
+  const double steps =
+      std::ceil(static_cast<double>(chords.size()) * std::sqrt(worst / (kRoom * most)));
+  throw std::invalid_argument(fmt::format(
+      "--step {}: lines between these points leave the exact {} by {:.4g} {}, which is more than "
+      "a thousandth of its size of {:.4g} {}; use --tolerance, or a step of about {:.2g} deg",
+      *o.step, curve.name(), chords.worst(), unit.name, size, unit.name,
+      (curve.end() - curve.begin()) / steps));
+}
+
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
@@ -312,6 +334,7 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
       e.curves.push_back(problems::exported(curve, form, inner));
     }
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
+    check_step(o, curve, e.curves.back(), e.accuracy.unit);
   }
   const std::vector<std::string> more =
       e.passes.empty() ? cuts_of(e.design.statement, curves) : e.passes.back().path.doubts();
@@ -358,7 +381,7 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   }
 }
 
-/// A design that its search could not bring within its limits is not to be made by oversight.
+/// What was found by the search that the design is from.
 std::vector<std::string> notes_on(const problems::ReadDesign& design,
                                   const std::vector<std::string>& settings) {
   if (design.verdict != to_string(optim::Verdict::Infeasible)) return {};
@@ -369,21 +392,29 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 }  // namespace
 
 ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
-                           problems::ReadDesign design, const std::vector<std::string>& review) {
+                           problems::ReadDesign design, const std::vector<std::string>& review,
+                           std::vector<std::string> unmet) {
+  const std::vector<std::string> own = unmet_words(design.statement);
+  unmet.insert(unmet.end(), own.begin(), own.end());
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
              .accuracy = accuracy_of(options, format),
-             .notes = notes_on(design, options.settings)};
+             .notes = notes_on(design, options.settings),
+             .unmet = std::move(unmet)};
+  const auto note = [&](const std::vector<std::string>& words) {
+    e.notes.insert(e.notes.end(), words.begin(), words.end());
+  };
+  note(e.unmet);
   const problems::Buildability built = problems::buildability(design.statement);
   if (std::string words = failure_text(built); !words.empty()) e.notes.push_back(std::move(words));
   if (std::string words = buildable_words(built); !words.empty()) {
     e.notes.push_back(std::move(words));
   }
-  e.notes.insert(e.notes.end(), review.begin(), review.end());
+  note(review);
   if (!review.empty()) design.verdict.reset();  // it is not to be told as one
   std::string text = content(options, format, e);
-  return {std::move(text), export_document(e)};
+  return {std::move(text), export_document(e), e.unmet};
 }
 
 }  // namespace camlaw::cli

@@ -128,6 +128,17 @@ std::vector<problems::MotionKnot> points_of(const ExportOptions& o, const Motion
   return knots;
 }
 
+/// Refuses even steps between which a drive leaves the motion by much of its range.
+void check_step(const ExportOptions& o, const Motion& motion, double deviation) {
+  constexpr double kShare = 0.01;
+  const double range = range_of(motion);
+  if (!o.step || !(deviation > kShare * range)) return;
+  throw std::invalid_argument(fmt::format(
+      "--step {}: between these points the drive leaves the exact {} by {:.4g} {}, which is more "
+      "than a hundredth of its range of {:.4g} {}; use a smaller step",
+      *o.step, motion.slave_heading(), deviation, motion.unit, range, motion.unit));
+}
+
 std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,
                        const Motion& motion, const problems::MasterUnit& master, Exported& e) {
   const problems::WrittenMotion written{motion, master.per_place};
@@ -143,6 +154,7 @@ std::string drive_text(const ExportOptions& o, const problems::DriveFormat& driv
                ? problems::lines_between(std::move(knots))
                : problems::cubic_spline_through(std::move(knots));
     deviation = problems::deviation_of(written, path);
+    check_step(o, motion, deviation.most);
   }
   e.motion = {motion.slave_heading(), path.knots.size(), drive.path, motion.unit, deviation,
               drive.description};
@@ -167,7 +179,8 @@ std::string motion_text(const ExportOptions& o, const FormatRow& format, Exporte
   const problems::MasterUnit master = master_of(o, motion);
   if (format.drive != nullptr) return drive_text(o, *format.drive, motion, master, e);
   const int decimals = e.accuracy.decimals;
-  return problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
+  return warning_head(e) +
+         problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
                               style_of(o, decimals));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/answers/cam_export.h"
 #include "output/export/plane_curve.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
@@ -278,6 +279,40 @@ TEST_CASE("a result that was changed by hand is judged before it is written", "[
   std::ofstream(folder / "larger.json") << result.dump(2);
   const Outcome larger = run({"export", folder / "larger.json", "--format", "gcode"});
   CHECK_THAT(larger.out, Contains("(judged again: feasible)"));
+}
+
+TEST_CASE("every export of a design past its limits names them in the file and on the terminal",
+          "[export][shop]") {
+  const Folder folder;
+  done({"optimize", kRoller, "--out", folder / ""});
+  const std::string result = folder / "result.json", small = "base_radius=45 mm";
+  const std::string note = "limit not met: pressure_angle is 32.8",
+                    bound = "must be at most 30 deg";
+  for (const cli::FormatRow& format : cli::export_formats()) {
+    INFO(format.name);
+    const std::string out = folder / "cam";
+    const std::string said =
+        done({"export", result, "--set", small, "--format", format.name, "--out", out});
+    CHECK_THAT(said, Contains(note) && Contains(bound));
+    CHECK_THAT(read(out), Contains(note) && Contains(bound));
+    const Outcome shown = run({"export", result, "--set", small, "--format", format.name});
+    CHECK_THAT(shown.err, Contains(note) && Contains(bound));
+    const Outcome met = run({"export", result, "--format", format.name});
+    CHECK(met.err.empty());
+    CHECK(met.out.find("limit not met") == std::string::npos);
+  }
+}
+
+TEST_CASE("an export refuses steps whose chords cut deep into the cam", "[export][shop]") {
+  for (const char* format : {"csv", "dxf", "svg", "gcode"}) {
+    INFO(format);
+    CHECK_THAT(failed({"export", kRoller, "--format", format, "--step", "90 deg"}, 2),
+               Contains("--step 90 deg: lines between these points leave the exact ") &&
+                   Contains("more than a thousandth of its size") && Contains("a step of about"));
+    done({"export", kRoller, "--format", format, "--step", "5 deg"});
+  }
+  CHECK_THAT(failed({"export", kRoller, "--format", "codesys", "--step", "90 deg"}, 2),
+             Contains("more than a hundredth of its range"));
 }
 
 }  // namespace camlaw::cli::shop_export_test
