@@ -82,9 +82,9 @@ const FormatRow& format_of(const ExportOptions& options) {
     if (options.format ? *options.format == row.name : fits) return row;
   }
   throw std::invalid_argument(
-      fmt::format("{}; accepted are {}",
-                  options.format ? fmt::format("--format: no format '{}'", *options.format)
-                                 : "--format is missing, and no ending of --out tells it",
+      fmt::format("{}; use one of {}",
+                  options.format ? fmt::format("--format: '{}' is not a format", *options.format)
+                                 : "--format is missing, and the ending of --out does not tell it",
                   fmt::join(names, ", ")));
 }
 
@@ -136,12 +136,10 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
   only(o.tolerance, "--tolerance", (!motion && !inspection) || quintics,
        "curves and drives that take polynomials");
   if (o.step && o.tolerance) {
-    throw std::invalid_argument("--step and --tolerance: give one of the two");
+    throw std::invalid_argument("--step and --tolerance: give only one of the two");
   }
   if (o.step && o.form && *o.form != "lines") {
-    throw std::invalid_argument(
-        "--step makes points with lines between them; --as lines alone "
-        "goes with it");
+    throw std::invalid_argument("--step makes points joined by lines; it takes only --as lines");
   }
 }
 
@@ -176,10 +174,10 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
   const bool within =
       !o.step && format.format != ExportFormat::Table && format.format != ExportFormat::Inspection;
   if (within && accuracy.tolerance < 10 * digit) {
-    throw std::invalid_argument(fmt::format(
-        "--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; at least {:.6g} {}, "
-        "or more --decimals",
-        accuracy.tolerance, unit, accuracy.decimals, 10 * digit, unit));
+    throw std::invalid_argument(
+        fmt::format("--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; use at "
+                    "least {:.6g} {}, or more --decimals",
+                    accuracy.tolerance, unit, accuracy.decimals, 10 * digit, unit));
   }
   if (format.format == ExportFormat::Gcode)
     accuracy.most_radius = problems::kMostArcRadius * per_mm;
@@ -239,7 +237,7 @@ void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& sta
 /// What a mechanism without a profile has instead, in words.
 std::string instead(const problems::ProblemStatement& statement) {
   if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
-    return "; --format table and json have its motion and law";
+    return "; --format table or json writes its motion and law";
   }
   const bool moves = !problems::curves_of(statement).empty();
   return moves ? "; --format table --slave NAME writes one of its curves" : "";
@@ -276,7 +274,7 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   }
   if (inspection && (curves.size() > 1 || !curves.front().name().ends_with("profile"))) {
     throw std::invalid_argument(
-        fmt::format("--curve {}: an inspection table is of profile or second-profile", asked));
+        fmt::format("--curve {}: an inspection table takes profile or second-profile", asked));
   }
   return curves;
 }
@@ -308,14 +306,18 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
   const problems::Extent extent = problems::extent_of({chords});
   const double size = (extent.high - extent.low).maxCoeff(), most = kShare * size;
   const double worst = chords.worst() - bridged;
-  if (worst <= most) return;
-  const double steps =
-      std::ceil(static_cast<double>(chords.size()) * std::sqrt(worst / (kRoom * most)));
+  if (!(worst > most)) return;
+  // A finer step that divides the cycle in the digits that are printed.
+  const double cycle = curve.end() - curve.begin();
+  double count = std::ceil(static_cast<double>(chords.size()) * std::sqrt(worst / (kRoom * most)));
+  constexpr double kMostSteps = 1e6;
+  while (count < kMostSteps && std::stod(fmt::format("{:.4g}", cycle / count)) * count != cycle) {
+    ++count;
+  }
   throw std::invalid_argument(fmt::format(
       "--step {}: lines between these points leave the exact {} by {:.4g} {}, which is more than "
-      "a thousandth of its size of {:.4g} {}; use --tolerance, or a step of about {:.2g} deg",
-      *o.step, curve.name(), chords.worst(), unit.name, size, unit.name,
-      (curve.end() - curve.begin()) / steps));
+      "a thousandth of its size of {:.4g} {}; use --tolerance, or a step such as {:.4g} deg",
+      *o.step, curve.name(), chords.worst(), unit.name, size, unit.name, cycle / count));
 }
 
 /// The curves as the file is to have them, with notes on those that no tool could follow.
@@ -344,7 +346,8 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
 /// The radius of the tool, for who sets up the machine.
 std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement,
                       const problems::LengthUnit& unit) {
-  if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
+  if (o.curve && *o.curve != "cutter" && !o.tool)
+    return "this is the curve itself: compensate for the tool";
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
   const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"

@@ -21,11 +21,12 @@ problems::MasterUnit master_of(const ExportOptions& o, const Motion& motion) {
   const std::string unit = o.master.value_or(motion.place_unit == "1" ? "x" : motion.place_unit);
   const bool is_own = unit == motion.place_unit || (unit == "x" && motion.place_unit == "1");
   if (!is_own && unit != "ms" && unit != "increments") {
-    throw std::invalid_argument(fmt::format("--master {}: accepted are {}, ms and increments", unit,
+    throw std::invalid_argument(fmt::format("--master {}: use {}, ms or increments", unit,
                                             motion.place_unit == "1" ? "x" : motion.place_unit));
   }
   if (is_own) {
-    if (o.cycle) throw std::invalid_argument("--cycle is for --master ms and --master increments");
+    if (o.cycle)
+      throw std::invalid_argument("--cycle is only for --master ms and --master increments");
     return {motion.master};
   }
   if (!o.cycle) {
@@ -54,7 +55,7 @@ std::string columns_of(const ExportOptions& o) {
   const bool once = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   if (!known || !once || !letters.starts_with('s')) {
     throw std::invalid_argument(fmt::format(
-        "--columns {}: it begins with s; v, a and j may follow, such as s,v,a", *o.columns));
+        "--columns {}: begin with s; any of v, a and j may follow, such as s,v,a", *o.columns));
   }
   return letters;
 }
@@ -71,10 +72,10 @@ problems::TableStyle style_of(const ExportOptions& o, int decimals) {
     style.separator = separator[0];
   } else {
     throw std::invalid_argument(
-        fmt::format("--separator {}: accepted are ',', ';', tab and space", separator));
+        fmt::format("--separator {}: use ',', ';', tab or space", separator));
   }
   if (style.decimal_comma && style.separator == ',') {
-    throw std::invalid_argument("--separator ,: with --decimal-comma it is ';', tab or space");
+    throw std::invalid_argument("--separator ,: with --decimal-comma use ';', tab or space");
   }
   return style;
 }
@@ -170,7 +171,7 @@ problems::LengthUnit unit_of(const ExportOptions& o) {
   const std::string unit = o.unit.value_or("mm");
   if (unit == "mm") return problems::kMillimetre;
   if (unit == "inch") return problems::kInch;
-  throw std::invalid_argument(fmt::format("--unit {}: accepted are mm and inch", unit));
+  throw std::invalid_argument(fmt::format("--unit {}: use mm or inch", unit));
 }
 
 std::string motion_text(const ExportOptions& o, const FormatRow& format, Exported& e) {
