@@ -373,7 +373,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(refused({"--format", "csv", "--tolerance", "0.01 s"}), Contains("a length is needed"));
   CHECK_THAT(refused({"--format", "csv", "--tolerance", "-1"}), Contains("--tolerance: -1 mm"));
   CHECK_THAT(refused({"--format", "gcode", "--tolerance", "0.1 um"}),
-             Contains("too fine for coordinates of 4 decimals; at least 0.001 mm"));
+             Contains("too fine for coordinates of 4 decimals; use at least 0.001 mm"));
   CHECK_THAT(refused({"--format", "csv", "--step", "1 deg", "--tolerance", "1 mm"}),
              Contains("--step and --tolerance: give only one of the two"));
   CHECK_THAT(refused({"--format", "dxf", "--step", "1 deg", "--as", "spline"}),
