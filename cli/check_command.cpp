@@ -29,17 +29,17 @@ int run_check(const CheckOptions& options) {
 Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
   return {.name = "check",
-          .help = "Check a problem file and say it in words",
+          .help = "Check a problem file and restate it in words",
           .options = {problem_file(options->file),
                       {"--derivatives", &options->asked.derivatives, takes::kNothing,
-                       "compare every derivative with differences"},
+                       "compare every derivative with finite differences"},
                       {"--scaling", &options->asked.scaling, takes::kNothing,
-                       "show what variables and limits are divided by"},
+                       "show the scales of variables and limits"},
                       json_switch(options->json)},
           .examples = {{"camlaw check problems/cams/roller_least_base.toml",
-                        "the file said back in words, every name and unit checked"},
+                        "the file restated in words, with every name and unit checked"},
                        {"camlaw check problems/spine_cutter/least_force.toml --derivatives",
-                        "and its derivatives against differences"}},
+                        "its derivatives against finite differences"}},
           .run = [options] { return run_check(*options); }};
 }
 

@@ -12,7 +12,7 @@ Option set_option(std::vector<std::string>& settings) {
 
 Option start_option(std::optional<std::string>& result) {
   return {"--start", &result, takes::kResult,
-          "begin at the design of this result of 'camlaw optimize'"};
+          "start from the design of this result of 'camlaw optimize'"};
 }
 
 Option problem_file(std::string& file) {

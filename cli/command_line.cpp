@@ -59,7 +59,7 @@ std::string with_near_commands(const Program& program, const std::string& word) 
     if (command.is_listed) listed.push_back(command.name);
   }
   const auto near = near_names(word, known);
-  return fmt::format("no command '{}'; {}", word,
+  return fmt::format("there is no command '{}'; {}", word,
                      near.empty() ? fmt::format("there are {}", fmt::join(listed, ", "))
                                   : fmt::format("did you mean {}?", fmt::join(near, ", ")));
 }
@@ -67,9 +67,9 @@ std::string with_near_commands(const Program& program, const std::string& word) 
 std::string usage_error(const Program& program, const CLI::App& app, const CLI::ParseError& error,
                         const std::string& word) {
   if (app.get_subcommands().empty() && !word.empty()) {
-    return word.front() == '-'
-               ? fmt::format("no option '{}'; '{} --help' shows the usage", word, program.name)
-               : with_near_commands(program, word);
+    return word.front() == '-' ? fmt::format("there is no option '{}'; '{} --help' shows the usage",
+                                             word, program.name)
+                               : with_near_commands(program, word);
   }
   std::string what = error.what();
   constexpr std::string_view kOverride = " was given a disallowed flag override";
@@ -83,7 +83,7 @@ std::string usage_error(const Program& program, const CLI::App& app, const CLI::
 
 std::vector<Option> common_options(bool* quiet) {
   return {{"-q,--quiet", quiet, takes::kNothing,
-           "print nothing but what was asked for: no progress, no word of files written"}};
+           "print only what was asked for: no progress, no list of the files written"}};
 }
 
 const Command* parsed(const Program& program, int argc, const char* const* argv) {

@@ -117,41 +117,40 @@ int run_evaluate(const EvaluateOptions& options) {
 
 Command evaluate_command() {
   const auto options = std::make_shared<EvaluateOptions>();
-  return {
-      .name = "evaluate",
-      .help = "Compute every response of a problem file's design",
-      .options = {{.names = "FILE",
-                   .target = &options->file,
-                   .takes = takes::kFile,
-                   .help = "a problem file, or a result of optimize, whose numbers are compared",
-                   .required = true},
-                  set_option(options->settings),
-                  {"--curves", &options->curves, takes::kFile,
-                   "write every curve over the cycle to this CSV"},
-                  {"--svg", &options->svg, takes::kFile,
-                   "draw every curve over the cycle to this SVG"},
-                  {"--profile", &options->profile, takes::kFile,
-                   "draw the cam's profile, pitch curve and path of the tool to this SVG"},
-                  {"--sensitivity", &options->sensitivity, takes::kNothing,
-                   "derivatives of objective and limits by every parameter, and Sobol indices"},
-                  {"--over", &options->over, "NAME=LOWER:UPPER",
-                   "a range for the Sobol indices, such as 'stroke=18:22 mm'; may be repeated"},
-                  {"--samples", &options->samples, takes::kNumber,
-                   "samples for the Sobol indices (512)"},
-                  json_switch(options->json)},
-      .examples =
-          {{"camlaw evaluate problems/cams/roller_least_base.toml",
-            "every response at the file's own values, and how the limits stand"},
-           {"camlaw evaluate problems/cams/roller_least_base.toml --set 'roller_radius=12 mm' "
-            "--profile profile.svg",
-            "another roller, and the cam drawn"},
-           {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg "
-            "curves.svg",
-            "every curve over the cycle, with the profile's coordinates"},
-           {"camlaw evaluate problems/spine_cutter/least_force.toml --sensitivity --over "
-            "'depth=0.3:0.6 mm' --over 'stroke=38:42 mm'",
-            "what the least force depends on, at the design and over two ranges"}},
-      .run = [options] { return run_evaluate(*options); }};
+  return {.name = "evaluate",
+          .help = "Calculate every response of a problem file's design",
+          .options = {{.names = "FILE",
+                       .target = &options->file,
+                       .takes = takes::kFile,
+                       .help = "a problem file, or a result of optimize, whose numbers are checked",
+                       .required = true},
+                      set_option(options->settings),
+                      {"--curves", &options->curves, takes::kFile,
+                       "write every curve over the cycle to this CSV"},
+                      {"--svg", &options->svg, takes::kFile,
+                       "draw every curve over the cycle to this SVG"},
+                      {"--profile", &options->profile, takes::kFile,
+                       "draw the cam's profile, pitch curve and cutter-centre path to this SVG"},
+                      {"--sensitivity", &options->sensitivity, takes::kNothing,
+                       "derivatives of objective and limits by every parameter, and Sobol indices"},
+                      {"--over", &options->over, "NAME=LOWER:UPPER",
+                       "a range for the Sobol indices, such as 'stroke=18:22 mm'; may be repeated"},
+                      {"--samples", &options->samples, takes::kNumber,
+                       "samples for the Sobol indices (512)"},
+                      json_switch(options->json)},
+          .examples =
+              {{"camlaw evaluate problems/cams/roller_least_base.toml",
+                "every response at the file's own values, and whether each limit is met"},
+               {"camlaw evaluate problems/cams/roller_least_base.toml --set 'roller_radius=12 mm' "
+                "--profile profile.svg",
+                "another roller, and the cam drawn"},
+               {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg "
+                "curves.svg",
+                "every curve over the cycle, with the profile's coordinates"},
+               {"camlaw evaluate problems/spine_cutter/least_force.toml --sensitivity --over "
+                "'depth=0.3:0.6 mm' --over 'stroke=38:42 mm'",
+                "what the least force depends on, at the design and over two ranges"}},
+          .run = [options] { return run_evaluate(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -73,17 +73,18 @@ int show_examples(const ExamplesOptions& options) {
 
 Command examples_command() {
   const auto options = std::make_shared<ExamplesOptions>();
-  return {.name = "examples",
-          .help = "List the problem files that come with the program, and copy one",
-          .options = {{"NAME", &options->name, "EXAMPLE",
-                       "the example to copy; without it, all are listed"},
-                      {"--out", &options->out, takes::kFolder,
-                       "copy it into this folder, not the current one; a file that exists stays"},
-                      json_switch(options->json)},
-          .examples = {{"camlaw examples", "all of them, with a sentence each"},
-                       {"camlaw examples cams/roller_from_catalogue --out mine",
-                        "one of them, and the catalogue that it refers to"}},
-          .run = [options] { return show_examples(*options); }};
+  return {
+      .name = "examples",
+      .help = "List the problem files that come with the program, and copy one",
+      .options = {{"NAME", &options->name, "EXAMPLE",
+                   "the example to copy; without it, all are listed"},
+                  {"--out", &options->out, takes::kFolder,
+                   "copy it into this folder instead of the current one; existing files are kept"},
+                  json_switch(options->json)},
+      .examples = {{"camlaw examples", "all of them, with a sentence each"},
+                   {"camlaw examples cams/roller_from_catalogue --out mine",
+                    "one of them, with the catalogue that it refers to"}},
+      .run = [options] { return show_examples(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -18,10 +18,10 @@ namespace {
 
 /// A study has many designs: says how one of them becomes a result.
 [[noreturn]] void refuse_study(const std::string& file) {
-  throw std::invalid_argument(fmt::format(
-      "{0}: a study has no one design to export; 'camlaw front {0} --knee --result FILE' writes "
-      "one of its designs as a result",
-      file));
+  throw std::invalid_argument(
+      fmt::format("{0}: a study has many designs; 'camlaw front {0} --knee --result FILE' writes "
+                  "one of its designs as a result",
+                  file));
 }
 
 /// Of several cams on one shaft the one that is asked for.
@@ -38,7 +38,7 @@ void take_cam(const ExportOptions& options, problems::ProblemStatement& statemen
 int run_export(const ExportOptions& options) {
   keep_standard_output({options.out}, options.json);
   if (options.json && !options.out) {
-    throw std::invalid_argument("--json says what was written: name a file with --out");
+    throw std::invalid_argument("--json reports on the file that was written, so it needs --out");
   }
   const FormatRow& format = format_of(options);
   check_options(options, format);
@@ -54,8 +54,15 @@ int run_export(const ExportOptions& options) {
     // Nobody judged the design that the record has now.
     for (std::string& sentence : judged_words(design)) words.push_back(std::move(sentence));
   }
+  // The limits of a shaft are not those of one cam.
+  std::vector<std::string> unmet;
+  if (options.cam) unmet = unmet_words(design.statement);
   take_cam(options, design.statement);
-  const ExportedText written = exported_text(options, format, std::move(design), words);
+  const ExportedText written =
+      exported_text(options, format, std::move(design), words, std::move(unmet));
+  if (!options.out || (is_quiet() && !options.json)) {
+    for (const std::string& limit : written.unmet) warn(fmt::format("{}: {}", options.file, limit));
+  }
   if (!options.out) {
     print_data(written.text);
     return status_of(review);
@@ -71,7 +78,7 @@ int run_export(const ExportOptions& options) {
 Command export_command() {
   const auto options = std::make_shared<ExportOptions>();
   return {.name = "export",
-          .help = "Write a cam's curves, its motion or its law for drawing, cutting and control",
+          .help = "Export a cam's curves, motion or law for CAD, machining and drives",
           .options = export_options(*options),
           .examples =
               {{"camlaw export problems/cams/roller_least_base.toml --format dxf --out cam.dxf",

@@ -38,66 +38,65 @@ std::vector<Option> export_options(ExportOptions& o) {
        .help = "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'",
        .required = true},
       {"--format", &o.format, format_words(),
-       "csv (points), dxf (drawing), svg (picture in real size), json (points, motion and law), "
-       "gcode (path of the tool), inspection (points and normals to be measured), table (master "
-       "and slave for a controller, PLC or servo drive), "
-       "or "
-       "the motion as a drive's own file: beckhoff-points, beckhoff-motion, codesys, lenze, "
-       "rockwell, siemens; without it the ending of --out decides"},
-      {"--out", &o.out, takes::kFile, "write to this file; else to standard output"},
+       "csv (points), dxf (drawing), svg (full-scale picture), json (points, motion and law), "
+       "gcode (cutter-centre path), inspection (points and normals to be measured), table (master "
+       "and slave for a controller, PLC or servo drive), or the motion as a drive's own file: "
+       "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the ending "
+       "of --out decides"},
+      {"--out", &o.out, takes::kFile, "write to this file instead of standard output"},
       {"--curve", &o.curve, curve_words(),
-       "profile, second-profile (of conjugate cams), pitch, cutter (middle of the tool) or all; by "
-       "default all, for gcode cutter"},
-      {"--unit", &o.unit, "{mm,inch}", "of all lengths that are written; by default mm"},
+       "profile, second-profile (of conjugate cams), pitch, cutter (cutter-centre path) or all; "
+       "the default is all, for gcode cutter"},
+      {"--unit", &o.unit, "{mm,inch}", "unit of all lengths that are written; the default is mm"},
       {"--tolerance", &o.tolerance, "LENGTH",
-       "how far the exact curve may be from what is written, by default 0.01 mm; of a drive's "
-       "polynomials in the slave's unit, by default 1e-5 of its range"},
+       "largest deviation from the exact curve (0.01 mm); for a drive's polynomials in the slave's "
+       "unit (1e-5 of its range)"},
       {"--step", &o.step, "ANGLE",
-       "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a table the "
-       "master's step, by default a 360th of the cycle"},
+       "points at even steps of the cam angle instead of a tolerance, such as '1 deg'; for tables "
+       "and drives the master's step (a 360th of the cycle)"},
       {"--as", &o.form,
        one_of(
            {form_name(CurveForm::Lines), form_name(CurveForm::Arcs), form_name(CurveForm::Spline)}),
-       "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by default "
-       "spline for dxf, arcs for gcode, else lines"},
+       "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); the default is "
+       "spline for dxf, arcs for gcode, otherwise lines"},
       {"--decimals", &o.decimals, takes::kNumber,
-       "of coordinates and table values, 1 to 9; by default 6, for gcode 4"},
-      {"--tool", &o.tool, "LENGTH",
-       "radius of a tool, for cams without a cutter_radius of their own"},
-      {"--feed", &o.feed, "SPEED", "gcode: by default '100 mm/min'"},
-      {"--clearance", &o.clearance, "LENGTH", "gcode: Z of free moves, by default '5 mm'"},
-      {"--depth", &o.depth, "LENGTH", "gcode: the cut is so far below Z = 0, by default '0 mm'"},
-      {"--lead", &o.lead, "LENGTH",
-       "gcode: come to the path and leave it on a quarter of a circle of this radius"},
+       "decimals of coordinates and table values, 1 to 9 (6, for gcode 4)"},
+      {"--tool", &o.tool, "LENGTH", "tool radius, for cams that have no cutter_radius"},
+      {"--feed", &o.feed, "SPEED", "gcode: feed rate ('100 mm/min')"},
+      {"--clearance", &o.clearance, "LENGTH", "gcode: Z of rapid moves ('5 mm')"},
+      {"--depth", &o.depth, "LENGTH", "gcode: depth of the cut below Z = 0 ('0 mm')"},
+      {"--lead", &o.lead, "LENGTH", "gcode: lead in and out on a quarter circle of this radius"},
       {"--allowances", &o.allowances, "LENGTHS",
-       "gcode: roughing passes that leave so much, such as '0.5, 0.1 mm', before the last one"},
+       "gcode: allowances that roughing passes leave, such as '0.5, 0.1 mm', before the finishing "
+       "pass"},
       {"--compensation", &o.compensation, takes::kNumber,
-       "gcode along a profile: the controller compensates for the tool that it has under this "
-       "number (G41 or G42, and G40)"},
+       "gcode along a profile: the controller compensates for the tool with this number (G41 or "
+       "G42, then G40)"},
       {"--drawing", &o.drawing, takes::kNothing,
-       "dxf: with bore, centre, zero mark, follower at 0 deg, sense of rotation and a title block "
-       "on layers of their own"},
-      {"--bore", &o.bore, "LENGTH", "dxf with --drawing: diameter of the bore; else the cam's own"},
+       "dxf: add bore, centre, zero mark, follower at 0 deg, sense of rotation and a title block, "
+       "each on its own layer"},
+      {"--bore", &o.bore, "LENGTH", "dxf with --drawing: diameter of the bore (the cam's own)"},
       {"--keyway", &o.keyway, "SIZE",
        "dxf with --drawing: width x depth of the keyway from the bore's edge, such as '8 x 3.3 "
        "mm'"},
       {"--form-tolerance", &o.form_tolerance, "LENGTH",
-       "inspection: how far the profile may be from the nominal one; by default 0.02 mm"},
+       "inspection: largest deviation allowed from the nominal profile (0.02 mm)"},
       {"--slave", &o.slave, "NAME",
-       "table: the curve that the slave follows; by default displacement, else the law"},
+       "table and drives: the curve that the slave follows (displacement, or the law)"},
       {"--master", &o.master, "{deg,x,ms,increments}",
-       "table and drives: what the master is counted in; by default the cam angle, or x"},
+       "table and drives: unit of the master: deg (or x), ms or increments"},
       {"--cycle", &o.cycle, "TIME",
-       "with --master ms how long a cycle takes, with --master increments how many it has"},
+       "duration of a cycle, with --master ms, or its increments, with --master increments"},
       {"--columns", &o.columns, "LETTERS",
-       "table: s, and the derivatives v, a and j by the master that are to follow, such as s,v,a"},
+       "table: the columns: s, then any of its derivatives v, a and j by the master, such as "
+       "s,v,a"},
       {"--separator", &o.separator, "CHARACTER",
-       "table: ',', ';', tab or space; by default ',', with --decimal-comma ';'"},
-      {"--decimal-comma", &o.decimal_comma, takes::kNothing, "table: 0,5 in place of 0.5"},
-      {"--cam", &o.cam, "NAME", "of a file with several cams on one shaft: the one to write"},
+       "table: separator of columns: ',', ';', tab or space (',', with --decimal-comma ';')"},
+      {"--decimal-comma", &o.decimal_comma, takes::kNothing, "table: write 0,5 instead of 0.5"},
+      {"--cam", &o.cam, "NAME", "the cam to write, if the file has several cams on one shaft"},
       set_option(o.settings),
       {"--json", &o.json, takes::kNothing,
-       "print what is said of the file that --out writes as JSON"}};
+       "print the report on the file that --out writes as JSON"}};
 }
 
 }  // namespace camlaw::cli

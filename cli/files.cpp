@@ -52,7 +52,7 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   stream << file.content;
   stream.close();
   if (!stream)
-    fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk took not all of it");
+    fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk did not take all of it");
 }
 
 /// Pipes, terminals, sockets and what the system offers as files: no renaming there.
@@ -133,8 +133,9 @@ void refuse_existing(const std::vector<OutputFile>& files) {
     std::error_code ignored;
     if (file.path == kStandardStream || is_written_in_place(file.path)) continue;
     if (!fs::exists(fs::symlink_status(file.path, ignored))) continue;
-    throw std::invalid_argument(fmt::format(
-        "'{}' exists and is left as it is; choose another name or folder", file.path.string()));
+    throw std::invalid_argument(
+        fmt::format("'{}' exists already and was left unchanged; choose another name or folder",
+                    file.path.string()));
   }
 }
 
@@ -161,11 +162,11 @@ std::string ending_of(const fs::path& path) {
 
 void check_folder(const std::optional<std::string>& folder) {
   if (folder && folder->empty()) {
-    throw std::invalid_argument("--out: a folder's name is wanted");
+    throw std::invalid_argument("--out needs a folder's name");
   }
   if (folder && *folder == kStandardStream) {
     throw std::invalid_argument(
-        "--out: a folder's name is wanted; '-' is standard output, which takes one file");
+        "--out needs a folder's name; '-' is standard output, which takes one file");
   }
 }
 
@@ -198,7 +199,7 @@ void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& fi
   const auto removed = remove_files(possible);
   if (!says || is_quiet()) return;
   say_written(files);
-  for (const auto& path : removed) say("removed {}, of an earlier run\n", path.string());
+  for (const auto& path : removed) say("removed {} of an earlier run\n", path.string());
 }
 
 }  // namespace camlaw::cli

@@ -47,7 +47,7 @@ optim::Loss loss_of(const FitCommand& options) {
     if (name == known) return loss;
   }
   throw std::invalid_argument(
-      fmt::format("--loss: no loss is called '{}'; there are none, huber, cauchy", name));
+      fmt::format("--loss: '{}' is not a loss; use none, huber or cauchy", name));
 }
 
 /// The law of --law; none where every law is tried.
@@ -98,7 +98,7 @@ void fit_constants(const FitCommand& options) {
         std::pair{"--set", !options.set.empty() && !options.mechanism}}) {
     if (!given) continue;
     throw std::invalid_argument(
-        fmt::format("{}: it goes with a table of samples, not with --constants", name));
+        fmt::format("{} is for a table of samples, not for --constants", name));
   }
   problems::ConstantsQuestion question{
       options.mechanism ? machine_of(options) : problems::law_alone(), {}};
@@ -107,14 +107,15 @@ void fit_constants(const FitCommand& options) {
   if (const auto law = law_of(options)) {
     fits = problems::fit_constants(question, *law);
     if (fits.empty()) {
-      throw std::invalid_argument(fmt::format(
-          "--law {}: it prints none of these constants, whatever its coefficients", *options.law));
+      throw std::invalid_argument(
+          fmt::format("--law {}: this law gives none of these constants, whatever its coefficients",
+                      *options.law));
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
     if (fits.empty()) {
       throw std::invalid_argument(
-          "--constants: no law of the catalogue explains them in fewer digits than are printed");
+          "--constants: no law of the catalogue explains them with fewer digits than are printed");
     }
   }
   options.answers();
@@ -167,22 +168,22 @@ bool shifts(const FitCommand& options, const char* what) {
 void check_centre_alone(const FitCommand& options) {
   for (const char* other : {"abscissa", "place", "value"}) {
     if (!shifts(options, other)) continue;
-    throw std::invalid_argument(fmt::format(
-        "--shift {}: it goes with a recorded curve, and --mechanism FILE; of a motion or "
-        "a cam's profile the centre can be unknown, --shift centre",
-        other));
+    throw std::invalid_argument(
+        fmt::format("--shift {} is for a recorded curve with --mechanism FILE; for a motion or a "
+                    "cam's profile use --shift centre",
+                    other));
   }
 }
 
 void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
   if (options.response || !options.set.empty()) {
-    throw std::invalid_argument("--response and --set go with --mechanism FILE");
+    throw std::invalid_argument("--response and --set need --mechanism FILE");
   }
   check_centre_alone(options);
   if (problems::goes_round(table)) {
     throw std::invalid_argument(
-        "x and y go round as a cam's profile does: state what runs on it, --mechanism FILE, and "
-        "the unit, 'x [mm]'");
+        "x and y run round as a cam's profile does: state its follower, --mechanism FILE, and the "
+        "unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
   check_files(options, {"fit.svg", "law.json"});
@@ -201,7 +202,7 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
   check_centre_alone(options);
   if (!options.mechanism) {
     throw std::invalid_argument(fmt::format(
-        "it is a cam's profile; what runs on it is needed: --mechanism FILE, or one of {}",
+        "this is a cam's profile, and its follower must be stated: --mechanism FILE, or one of {}",
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
@@ -237,14 +238,13 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
 void fit_recorded(const FitCommand& options, const problems::SampleTable& table) {
   if (options.law) {
     throw std::invalid_argument(
-        "--law: it goes with a motion or a cam's profile; of a recorded curve the law is the "
-        "machine's own");
+        "--law is for a motion or a cam's profile; the law of a recorded curve is the machine's "
+        "own");
   }
   if (shifts(options, "centre")) {
     throw std::invalid_argument(
-        "--shift centre: it goes with a motion or a cam's profile; of a recorded curve the zeros "
-        "of "
-        "place and value can be unknown, --shift place,value");
+        "--shift centre is for a motion or a cam's profile; for a recorded curve use --shift "
+        "place,value");
   }
   const problems::ProblemStatement machine = machine_of(options);
   check_files(options, {"fit.svg"});
@@ -326,25 +326,23 @@ Command fit_command() {
             "[mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as \"angle [deg], "
             "drive_torque [N m]\""},
            {"--constants", &options->constants, "NAME=VALUE,...",
-            "what is printed, with its digits: \"C_v=1.6125, C_a=4.66\""},
-           {"--law", &options->law, takes::kLaw,
-            "a law whose coefficients are wanted; auto: every law"},
+            "the printed constants, with all their digits: \"C_v=1.6125, C_a=4.66\""},
+           {"--law", &options->law, takes::kLaw, "the law to fit; auto tries every law"},
            {"--mechanism", &options->mechanism, takes::kMechanism,
-            "a problem file, or a mechanism's name: whose curve was recorded, whose variables are "
-            "unknown, or what runs on a measured cam"},
+            "a problem file or a mechanism's name: the machine whose curve was recorded, with the "
+            "unknown variables, or the follower of a measured cam"},
            {"--set", &options->set, takes::kSetting,
             "a value of the machine, such as 'mass=1.2 kg'"},
            {"--response", &options->response, "NAME",
-            "the recorded curve, where several columns could be one"},
+            "the recorded curve, if several columns could be it"},
            {.names = "--shift",
             .target = &options->shifts,
             .takes = "{centre,abscissa,value}",
-            .help = "what of the record is unknown and fitted along, with commas between: centre "
-                    "(of a motion or a cam's profile), the zeros of abscissa and value (of a "
-                    "machine's curve)",
+            .help = "what else is unknown and fitted too, separated by commas: centre (of a motion "
+                    "or a cam's profile), the zeros of abscissa and value (of a machine's curve)",
             .words = {"centre", "abscissa", "value", "place"}},
            {"--loss", &options->loss, "{none,huber,cauchy}",
-            "how much far-off samples count: none (all alike), huber or cauchy"},
+            "how the weight of outliers is limited: none (not at all), huber or cauchy"},
            workers_option(options->workers),
            time_limit_option(options->limits),
            json_switch(options->json),

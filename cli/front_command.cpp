@@ -52,7 +52,7 @@ ChosenPoints chosen(const FrontCommand& options, const FrontAnswer& answer) {
     const auto knee = optim::knee(all, answer.front.tolerances);
     if (!knee)
       throw std::invalid_argument(
-          "--knee: this front has none; no point lies below the line through its ends");
+          "--knee: this front has no knee; no point lies below the line through its ends");
     result.emplace_back("knee", knee->point);
   }
   if (options.weights) {
@@ -111,7 +111,7 @@ int run_front(const FrontCommand& options) {
   if (options.svg) {
     const Figure figure = front_figure(answer);
     if (figure.panels.empty()) {
-      throw std::invalid_argument("--svg: fronts of two or three objectives are drawn");
+      throw std::invalid_argument("--svg draws fronts of two or three objectives only");
     }
     files.push_back({*options.svg, to_svg(figure)});
   }
@@ -119,14 +119,13 @@ int run_front(const FrontCommand& options) {
   if (options.result) {
     if (points.size() != 1) {
       throw std::invalid_argument(
-          "--result: of which design? give one of --knee, --weights and --point");
+          "--result needs a design: give one of --knee, --weights and --point");
     }
     files.push_back({*options.result, point_result(answer, points.front().second).dump(2) + "\n"});
   }
   const bool spread = options.sensitivity || !options.tolerances.empty();
   if (spread && points.empty()) {
-    throw std::invalid_argument(
-        "--sensitivity: of which design? give --knee, --weights or --point");
+    throw std::invalid_argument("--sensitivity needs a design: give --knee, --weights or --point");
   }
   std::vector<Document> designs;
   for (const auto& [name, point] : points) {
@@ -152,28 +151,28 @@ int run_front(const FrontCommand& options) {
 Command front_command() {
   const auto options = std::make_shared<FrontCommand>();
   return {.name = "front",
-          .help = "Look at the front that a study has found",
-          .options =
-              {{.names = "FILE",
-                .target = &options->file,
-                .takes = takes::kFile,
-                .help = "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
-                        "named and does not count",
-                .required = true},
-               {"--knee", &options->knee, takes::kNothing, "the point where the front bends most"},
-               {"--weights", &options->weights, "A,B",
-                "the compromise for these weights, one for each objective: 1,2"},
-               {"--point", &options->point, takes::kNumber, "the point of this number"},
-               {"--sensitivity", &options->sensitivity, takes::kNothing,
-                "what becomes of the chosen design when it is made with tolerances"},
-               {"--tolerance", &options->tolerances, takes::kSetting,
-                "of a variable, name=value; unless stated a hundredth of each value"},
-               {"--csv", &options->csv, takes::kFile, "write the front here"},
-               {"--svg", &options->svg, takes::kFile, "draw it here"},
-               {"--result", &options->result, takes::kFile,
-                "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
-                "export'"},
-               json_switch(options->json)},
+          .help = "Show the front that a study has found",
+          .options = {{.names = "FILE",
+                       .target = &options->file,
+                       .takes = takes::kFile,
+                       .help = "the study's file, written by 'camlaw pareto'; damaged or wrong "
+                               "parts are named and ignored",
+                       .required = true},
+                      {"--knee", &options->knee, takes::kNothing,
+                       "the point where the front bends most"},
+                      {"--weights", &options->weights, "A,B",
+                       "the compromise for these weights, one for each objective: 1,2"},
+                      {"--point", &options->point, takes::kNumber, "the point with this number"},
+                      {"--sensitivity", &options->sensitivity, takes::kNothing,
+                       "show what tolerances do to the chosen design"},
+                      {"--tolerance", &options->tolerances, takes::kSetting,
+                       "tolerance of a variable, name=value (a hundredth of each value)"},
+                      {"--csv", &options->csv, takes::kFile, "write the front here"},
+                      {"--svg", &options->svg, takes::kFile, "draw it here"},
+                      {"--result", &options->result, takes::kFile,
+                       "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
+                       "export'"},
+                      json_switch(options->json)},
           .examples = {{"camlaw front results/front/study.db", "the points of a study's front"},
                        {"camlaw front results/front/study.db --knee --sensitivity",
                         "the design where the front bends most, and what tolerances do to it"},

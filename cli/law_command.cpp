@@ -73,7 +73,7 @@ Command law_command() {
           .options = {{.names = "NAME",
                        .target = &options->name,
                        .takes = takes::kLaw,
-                       .help = "a name of 'camlaw laws', an alias, NAME k=v ..., or a law's file",
+                       .help = "a name from 'camlaw laws', an alias, NAME k=v ..., or a law's file",
                        .required = true},
                       {"--param", &options->parameters, takes::kSetting,
                        "set a parameter: k=v, with a unit if it has one"},
@@ -84,11 +84,11 @@ Command law_command() {
                       {"--svg", &options->svg, takes::kFile, "draw s, v, a, j here"},
                       json_switch(options->json)},
           .examples = {{"camlaw law modified-sine",
-                        "its peaks, where they are, and to what they are proved"},
+                        "its peaks, where they occur, and the bounds that are proved"},
                        {"camlaw law inclined-sinusoid --param 'angle=75 deg' --svg inclined.svg",
                         "a parameter with its unit; s, v, a and j as a picture"},
                        {"camlaw law 'modified-sine crossover=0.4' --csv table.csv --samples 721",
-                        "a table for the control or the cam cutter"}},
+                        "a table for a controller or a cam milling machine"}},
           .run = [options] { return show_law(*options); }};
 }
 

@@ -63,15 +63,13 @@ std::string command_section(const CommandPage& page) {
 
 std::string closing_sections() {
   return fmt::format(
-      ".SH EXIT STATUS\n.TP\n.B 0\nDone; of a search: a certified or a feasible design.\n"
-      ".TP\n.B 1\nA failure, such as a file that cannot be written, or a published value that is "
-      "reproduced worse than before.\n"
-      ".TP\n.B 2\nBad input; one line on standard error names it and says what is accepted.\n"
-      ".TP\n.B 3\nNo design meets the limits.\n"
-      ".TP\n.B 4\nNo answer, or only a part of it.\n"
-      ".SH ENVIRONMENT\n.TP\n.B {}\nA folder whose law files are laws like those of the "
-      "catalogue.\n.TP\n.B NO_COLOR\nWhere it is set, nothing is coloured; else verdicts are, on a "
-      "terminal.\n",
+      ".SH EXIT STATUS\n.TP\n.B 0\nSuccess; for a search, a certified or a feasible "
+      "design.\n.TP\n.B 1\nA failure, such as a file that cannot be written, or a published value "
+      "that is reproduced worse than before.\n.TP\n.B 2\nBad input; one line on standard error "
+      "names it and says what is accepted.\n.TP\n.B 3\nNo design meets the limits.\n.TP\n.B 4\nNo "
+      "answer, or only a part of it.\n.SH ENVIRONMENT\n.TP\n.B {}\nA folder whose law files are "
+      "laws like those of the catalogue.\n.TP\n.B NO_COLOR\nIf it is set, nothing is coloured; "
+      "otherwise verdicts are coloured on a terminal.\n",
       problems::kOwnLaws);
 }
 

@@ -28,7 +28,7 @@ Document asked_for(const MechanismsOptions& options) {
 
 int show_mechanisms(const MechanismsOptions& options) {
   if (options.formula && (options.name.empty() || options.markdown)) {
-    throw std::invalid_argument("--formula: name the mechanism too, and no page");
+    throw std::invalid_argument("--formula needs a mechanism's NAME, and goes with no page");
   }
   if (options.markdown && !options.name.empty()) {
     throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
@@ -73,11 +73,11 @@ Command mechanisms_command() {
             .target = &options->formula,
             .takes = "RESPONSE",
             .help = "print the formula of one response of the mechanism"}},
-      .examples = {{"camlaw mechanisms", "what a problem file may be about"},
+      .examples = {{"camlaw mechanisms", "the machines that a problem file may name"},
                    {"camlaw mechanisms disc-cam-roller",
                     "its parameters and responses, with units and meanings"},
                    {"camlaw mechanisms die-press --formula running_stress",
-                    "how one response is worked out"}},
+                    "how one response is calculated"}},
       .run = [options] { return show_mechanisms(*options); }};
 }
 

@@ -54,11 +54,11 @@ int write_first_file(const NewOptions& options) {
 Command new_command() {
   const auto options = std::make_shared<NewOptions>();
   return {.name = "new",
-          .help = "Write a problem file to begin with",
+          .help = "Write a commented problem file to start from",
           .options = {{"NAME", &options->name, takes::kMechanism,
-                       "the mechanism that it is about; without it, all are listed"},
+                       "the mechanism; without it, all are listed"},
                       {"-o,--out", &options->out, takes::kFile,
-                       "write it here instead of printing it; a file that exists stays"},
+                       "write it here instead of printing it; an existing file is kept"},
                       json_switch(options->json)},
           .examples = {{"camlaw new", "the mechanisms to choose from, cams first"},
                        {"camlaw new disc-cam-roller > my.toml",

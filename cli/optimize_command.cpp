@@ -16,7 +16,7 @@ Command optimize_command() {
           .options = search_options(*options, "result.json, law.csv, law.svg and cycle.svg"),
           .examples =
               {{"camlaw optimize problems/spine_cutter/least_radius.toml",
-                "the least cam, with the price of each limit"},
+                "the smallest cam, with the price of each limit"},
                {"camlaw optimize problems/cams/roller_least_base.toml --out results/disc_cam",
                 "a disc cam, with the curves of its cycle"},
                {"camlaw optimize problems/spine_cutter/least_force.toml --solver ipopt --starts 4",

@@ -17,7 +17,7 @@ std::string script(const std::string& shell, const std::vector<CommandPage>& pag
   if (shell == "zsh") return zsh_completion(pages);
   if (shell == "fish") return fish_completion(pages);
   throw std::invalid_argument(
-      fmt::format("no completion for the shell '{}'; there are bash, zsh, fish", shell));
+      fmt::format("there is no completion for the shell '{}'; use bash, zsh or fish", shell));
 }
 
 }  // namespace

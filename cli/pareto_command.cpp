@@ -158,43 +158,41 @@ int run_pareto(const ParetoCommand& options) {
   const auto ended = watched(watch, [&](const Teller& teller) { return work(&teller); });
   if (const int* status = std::get_if<int>(&ended)) return *status;
   throw NotSolved(fmt::format("{}{}", std::get<Unfinished>(ended).why,
-                              path ? fmt::format("; --resume goes on with {}", *path) : ""));
+                              path ? fmt::format("; --resume continues {}", *path) : ""));
 }
 
 }  // namespace
 
 Command pareto_command() {
   const auto options = std::make_shared<ParetoCommand>();
-  return {
-      .name = "pareto",
-      .help = "Find the front of a problem file with two objectives or more",
-      .options = {problem_file(options->file),
-                  set_option(options->settings),
-                  start_option(options->start),
-                  {"--points", &options->points, takes::kNumber,
-                   "how many designs, 50 unless stated"},
-                  {"--method", &options->method, "{auto,sweep,nsga2}",
-                   "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
-                  workers_option(options->workers),
-                  executor_option(options->executor),
-                  {"--db", &options->db, takes::kFile, "record the study in this file"},
-                  {"--resume", &options->resume, takes::kNothing,
-                   "go on with the study of --db; what is damaged or wrong in it is solved again"},
-                  time_limit_option(options->limits),
-                  memory_option(options->limits),
-                  json_switch(options->json),
-                  {"--out", &options->out, takes::kFolder,
-                   "folder for front.json, front.csv, front.svg and, without --db, study.db"}},
-      .examples =
-          {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",
-            "the front of cam radius and force, with pictures and the study's file"},
-           {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front "
-            "--resume",
-            "more points of the same study: what it has is not searched again"},
-           {"mpirun -n 17 camlaw pareto problems/spine_cutter/front.toml --executor mpi --db "
-            "front.db",
-            "by 16 processes of a cluster and one that hands out the work"}},
-      .run = [options] { return run_pareto(*options); }};
+  return {.name = "pareto",
+          .help = "Find the front of a problem file with two or more objectives",
+          .options = {problem_file(options->file),
+                      set_option(options->settings),
+                      start_option(options->start),
+                      {"--points", &options->points, takes::kNumber, "number of designs (50)"},
+                      {"--method", &options->method, "{auto,sweep,nsga2}",
+                       "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
+                      workers_option(options->workers),
+                      executor_option(options->executor),
+                      {"--db", &options->db, takes::kFile, "record the study in this file"},
+                      {"--resume", &options->resume, takes::kNothing,
+                       "resume the study of --db; damaged or wrong parts are solved again"},
+                      time_limit_option(options->limits),
+                      memory_option(options->limits),
+                      json_switch(options->json),
+                      {"--out", &options->out, takes::kFolder,
+                       "folder for front.json, front.csv, front.svg and, without --db, study.db"}},
+          .examples =
+              {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",
+                "the front of cam radius and force, with pictures and the study's file"},
+               {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front "
+                "--resume",
+                "more points of the same study; those that it has are not searched again"},
+               {"mpirun -n 17 camlaw pareto problems/spine_cutter/front.toml --executor mpi --db "
+                "front.db",
+                "by 16 processes of a cluster and one that hands out the work"}},
+          .run = [options] { return run_pareto(*options); }};
 }
 
 }  // namespace camlaw::cli

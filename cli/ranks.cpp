@@ -13,8 +13,9 @@
 namespace camlaw::cli {
 
 Option executor_option(std::optional<std::string>& executor) {
-  return {"--executor", &executor, "{processes,mpi}",
-          "who searches: processes of this machine, or the ranks that mpirun has started"};
+  return {
+      "--executor", &executor, "{processes,mpi}",
+      "what runs the searches: processes of this machine, or the ranks that mpirun has started"};
 }
 
 std::unique_ptr<optim::MpiRanks> ranks_of(const std::optional<std::string>& executor,

@@ -86,29 +86,29 @@ JudgedPage page_of(const std::string& input, const std::vector<std::string>& set
   const std::string extension = ending_of(input);
   if (extension == ".db" && !settings.empty()) {
     throw std::invalid_argument(
-        "--set: a study's designs are what they are; pareto takes --set, and report with a problem "
-        "file or a result");
+        "--set cannot change a study's designs; use it with 'camlaw pareto', or report on a "
+        "problem file or a result");
   }
   if (extension == ".db") return study_page(input);
   if (extension == ".toml" || extension == ".json" || input == kStandardStream)
     return design_page(input, settings);
   throw std::invalid_argument(fmt::format(
-      "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
+      "{}: a report needs a problem file (.toml), a result (.json) or a study (.db)", input));
 }
 
 /// Refuses to write a page under a name that says it is something else.
 void check_ending(const std::filesystem::path& output) {
   const std::string ending = ending_of(output.string());
   if (ending == ".html" || ending == ".htm" || output == kStandardStream) return;
-  throw std::invalid_argument(fmt::format(
-      "--out: {}: a report is a page for the browser; .html and .htm are accepted endings",
-      output.string()));
+  throw std::invalid_argument(
+      fmt::format("--out: {}: a report is a page for the browser, whose name ends in .html or .htm",
+                  output.string()));
 }
 
 int run_report(const ReportOptions& options) {
   keep_standard_output({options.output});
   if (options.input == kStandardStream && !options.output) {
-    throw std::invalid_argument("a report of standard input needs the page's name, --out FILE");
+    throw std::invalid_argument("a report on standard input needs the page's name, --out FILE");
   }
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
@@ -139,7 +139,7 @@ Command report_command() {
                    .required = true},
                   set_option(options->settings),
                   {"-o,--out", &options->output, takes::kFile,
-                   "the HTML file; else beside the input, under its name"}},
+                   "the HTML file (beside the input, under its name)"}},
       .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
                     "the design at the file's own values, on one page"},
                    {"camlaw report results/front/study.db -o front.html",

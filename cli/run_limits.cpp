@@ -102,13 +102,13 @@ double free_of_address_space() {
 
 Option time_limit_option(RunLimits& limits) {
   return {"--time-limit", &limits.time_limit, "TIME",
-          "such as 30, \"30 s\" or \"1 min\": the best so far is the answer then"};
+          "such as 30, \"30 s\" or \"1 min\": the best design up to then is the answer"};
 }
 
 Option memory_option(RunLimits& limits) {
   return {"--memory", &limits.memory, "SIZE",
-          "what the search may take, such as \"4 GB\"; by default what the machine has free. A "
-          "problem that needs more is refused"};
+          "memory that the search may use, such as \"4 GB\" (the machine's free memory). A problem "
+          "that needs more is refused"};
 }
 
 std::optional<double> time_limit_of(const RunLimits& limits) {

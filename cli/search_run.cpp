@@ -262,16 +262,16 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
           {"--solver", &options.solver, takes::kSolver,
            fmt::format("auto, {}", fmt::join(optim::solver_names(), ", "))},
           {"--starts", &options.starts, takes::kNumber,
-           fmt::format("how many places to search from, 1 to {}; by default 1 where the problem is "
-                       "convex or the solver global, else 8",
+           fmt::format("number of starting points, 1 to {} (1 if the problem is convex or the "
+                       "solver global, otherwise 8)",
                        problems::kMostStarts)},
           {"--seed", &options.seed, takes::kNumber,
-           "for starts and for methods that draw numbers; an integer from 0"},
+           "seed of starting points and random methods, an integer from 0"},
           workers_option(options.workers),
           time_limit_option(options.limits),
           memory_option(options.limits),
           {"--table", &options.table, takes::kNothing,
-           "list what was found with each law and each other choice"},
+           "list the result for each law and each other choice"},
           json_switch(options.json),
           {"--out", &options.out, takes::kFolder, "folder for " + files}};
 }

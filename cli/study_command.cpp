@@ -57,7 +57,7 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
 
 StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::path& out) {
   if (!options.settings.empty()) {
-    throw std::invalid_argument("--set: the study of the sheet delivery has no givens to set");
+    throw std::invalid_argument("--set: the study of the sheet delivery has no inputs to set");
   }
   const auto choices = problems::trade_off_sheet_delivery();
   const Document answer = delivery_document(choices);
@@ -77,8 +77,8 @@ int run_study(const StudyOptions& options) {
   } else if (options.system == "sheet-delivery") {
     study = study_delivery(options, out);
   } else {
-    throw std::invalid_argument(fmt::format(
-        "no study is called '{}'; there are spine-cutter, sheet-delivery", options.system));
+    throw std::invalid_argument(
+        fmt::format("'{}' is not a study; use spine-cutter or sheet-delivery", options.system));
   }
   if (options.out) write_files(study.files);
   print(study.answer, options.json);
@@ -91,7 +91,7 @@ int run_study(const StudyOptions& options) {
 Command study_command() {
   const auto options = std::make_shared<StudyOptions>();
   return {.name = "study",
-          .help = "Compare laws on a machine, or what they cost: table and pictures",
+          .help = "Compare laws on a published machine: a table and pictures",
           .options = {{.names = "SYSTEM",
                        .target = &options->system,
                        .takes = "{spine-cutter,sheet-delivery}",
@@ -100,9 +100,9 @@ Command study_command() {
                       {"--out", &options->out, takes::kFolder,
                        "folder for study.csv, study.json and the pictures"},
                       {"--set", &options->settings, takes::kSetting,
-                       "set a given: name=value, such as --set 'h=0.8 mm'"},
+                       "set an input: name=value, such as --set 'h=0.8 mm'"},
                       {"--table", &options->table, takes::kNothing,
-                       "of the spine cutter: the table of laws alone, without the proved fronts"},
+                       "spine cutter: only the table of laws, without the proved fronts"},
                       json_switch(options->json)},
           .examples = {{"camlaw study spine-cutter --out results/spine-cutter",
                         "laws compared on the spine cutter, with proved fronts and pictures"},

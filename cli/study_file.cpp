@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 
 std::optional<std::string> study_file(const std::optional<std::string>& db,
                                       const std::optional<std::string>& out, bool resume) {
-  if (db && db->empty()) throw std::invalid_argument("--db: a file's name is wanted");
+  if (db && db->empty()) throw std::invalid_argument("--db needs a file's name");
   if (db) return db;
   if (out) return (fs::path(*out) / "study.db").string();
-  if (resume) throw std::invalid_argument("--resume: name the study, --db FILE");
+  if (resume) throw std::invalid_argument("--resume needs the study's file, --db FILE");
   return {};
 }
 

@@ -34,7 +34,7 @@ int run_verify(const VerifyOptions& options) {
 Command verify_command() {
   const auto options = std::make_shared<VerifyOptions>();
   return {.name = "verify",
-          .help = "Judge the design of a result and its claim again: verdict, bound, margins",
+          .help = "Check what a result claims of its design: verdict, bound, margins",
           .options = {{.names = "FILE",
                        .target = &options->file,
                        .takes = takes::kFile,
@@ -43,8 +43,7 @@ Command verify_command() {
                       json_switch(options->json)},
           .examples = {{"camlaw optimize problems/cams/roller_least_base.toml --out "
                         "results/disc_cam; camlaw verify results/disc_cam/result.json",
-                        "the verdict once more, from the design alone: no search, nothing "
-                        "believed"}},
+                        "the verdict worked out again from the design alone, without a search"}},
           .run = [options] { return run_verify(*options); }};
 }
 

@@ -12,7 +12,7 @@ namespace camlaw::cli {
 
 Option workers_option(std::optional<std::string>& workers) {
   return {"--workers", &workers, takes::kNumber,
-          "processes at work at a time; the answer does not depend on them"};
+          "number of worker processes; the answer does not depend on it"};
 }
 
 int workers_of(const std::optional<std::string>& workers) {

@@ -95,13 +95,12 @@ SampleTable profile_columns(const SampleTable& table) {
   if (radius == nullptr) {
     const auto [x, y] = coordinates_of(table);
     if (x != nullptr && y != nullptr) return numbers_of(table, {x, y});
-    throw std::invalid_argument(
-        "a profile is wanted: columns of an angle and a radius, or x and y");
+    throw std::invalid_argument("a profile needs columns of an angle and a radius, or x and y");
   }
   const SampleColumn* angle = polar_angle_of(table);
   if (angle != nullptr) return numbers_of(table, {angle, radius});
   throw std::invalid_argument(fmt::format(
-      "column '{}' wants one for the angle beside it, such as \"angle [deg]\"", radius->name));
+      "column '{}' needs a column of the angle beside it, such as \"angle [deg]\"", radius->name));
 }
 
 Polar points_of(const SampleTable& own) {

@@ -120,10 +120,10 @@ PrintedConstant named(const std::string& name, const Mechanism& machine) {
   }
   const MechanismResponse* response = constant.response.response;
   if (response == nullptr) {
-    throw std::invalid_argument(fmt::format(
-        "constant '{}': it is a size of the machine, which the problem file states, not "
-        "a result that is printed",
-        name));
+    throw std::invalid_argument(
+        fmt::format("constant '{}': it is a size of the machine, which the problem file states, "
+                    "not a printed result",
+                    name));
   }
   if (response->curve && constant.response.part == optim::Part::Value) {
     throw std::invalid_argument(
@@ -190,7 +190,7 @@ std::vector<PrintedConstant> parse_constants(std::string_view text, const Mechan
              other.response.part == constant.response.part;
     });
     if (twice) {
-      throw std::invalid_argument(fmt::format("constant '{}': it is there twice", constant.name));
+      throw std::invalid_argument(fmt::format("constant '{}': it appears twice", constant.name));
     }
     result.push_back(std::move(constant));
   }

@@ -18,9 +18,8 @@ std::string quantity(double value, const std::string& unit, int digits = 3) {
 
 std::string drift_words(const FaultTest& test, const std::string& unit) {
   return fmt::format(
-      "the values drift by {} from the begin of the record to its end (+- {}), as where the "
-      "machine "
-      "warms up or the indicator slips: measure again, or there and back",
+      "the values drift by {} from the beginning of the record to its end (+- {}), as when the "
+      "machine warms up or the indicator slips: measure again, or in both directions",
       quantity(test.size[0], unit), quantity(2 * std::sqrt(test.covariance(0, 0)), unit, 2));
 }
 
@@ -29,17 +28,17 @@ std::string centre_words(const FaultTest& test, const std::string& unit, bool ca
   const double towards = in_turn(std::atan2(test.size[1], test.size[0])) / kDegree;
   // A cam's fault is a length whatever its follower's unit is.
   return fmt::format(
-      "what the laws leave goes once round per turn, {} towards {:.0f} deg, as where the cam was "
-      "clamped off its centre{}",
+      "the residuals vary once per turn, by {} towards {:.0f} deg, as when the cam was clamped off "
+      "its centre{}",
       quantity(far, unit == "deg" ? "mm" : unit), towards,
-      can_centre ? ": --shift centre fits the centre along" : "");
+      can_centre ? ": --shift centre fits the centre too" : "");
 }
 
 std::string size_words(const FaultTest& test) {
   const std::string& name = test.fault.names.front();
   return fmt::format(
-      "the follower seems to have another {}, {} {} than stated (+- {}), as where it was forgotten "
-      "or is another follower's: --set '{}=...' states it",
+      "the follower seems to have another {}, {} {} than stated (+- {}), as when it was forgotten "
+      "or belongs to another follower: --set '{}=...' states it",
       name, quantity(std::abs(test.size[0]), "mm"), test.size[0] > 0 ? "less" : "more",
       quantity(2 * std::sqrt(test.covariance(0, 0)), "mm", 2), name);
 }
@@ -73,8 +72,8 @@ std::string many_far(const std::vector<FaultyRow>& rows, std::size_t of,
     worst.push_back(told(rows[i], samples));
   }
   return fmt::format(
-      "{} of {} rows lie off the curve of the others: {}{}; they are left out, but so many are no "
-      "slips; --loss huber or --loss cauchy fits all rows and bounds what such count",
+      "{} of {} rows lie off the curve of the others: {}{}; they are left out, but so many cannot "
+      "be slips; --loss huber or --loss cauchy fits all rows and limits the weight of such ones",
       rows.size(), of, fmt::join(worst, ", "), rows.size() > kShown ? ", ..." : "");
 }
 

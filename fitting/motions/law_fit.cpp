@@ -107,9 +107,9 @@ double LawFit::value(double place, int order) const {
 
 std::optional<Impossible> bad_motion(const MotionSamples& samples, const MotionGuess& guess) {
   if (samples.place.size() != samples.value.size()) {
-    return Impossible{"samples: as many values as places are wanted"};
+    return Impossible{"samples: there must be as many values as places"};
   }
-  if (samples.place.size() < 2) return Impossible{"samples: two at least are wanted"};
+  if (samples.place.size() < 2) return Impossible{"samples: at least two are needed"};
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
     if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
     return Impossible{fmt::format("sample {} is not a finite number", i + 1)};

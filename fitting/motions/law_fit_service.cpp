@@ -127,7 +127,7 @@ std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& la
   LawFit fit{law, {}};
   if (is_possible) reader(fit);
   if (!reader.ended_well()) {
-    throw std::runtime_error("the process of this fit answered with what is no fit");
+    throw std::runtime_error("the process of this fit answered with something that is not a fit");
   }
   if (!is_possible) return std::nullopt;
   return fit;

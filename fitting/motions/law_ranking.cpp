@@ -102,7 +102,7 @@ class LawFits final : public optim::Errands {
   std::string confined() const override {
     for (const Candidate& candidate : candidates_) {
       if (is_of_catalogue(candidate.law)) continue;
-      return "no other process knows the law " + candidate.law.family->name;
+      return "other processes do not know the law " + candidate.law.family->name;
     }
     return "";
   }

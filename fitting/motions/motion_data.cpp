@@ -93,7 +93,7 @@ Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
   const bool is_angle = samples.place_unit == "deg";
   if (is_angle && range > kTurnDegrees * (1 + 1e-6)) {
     return Impossible{
-        fmt::format("the angles go over {:.6g} deg; one turn of 360 deg at most is wanted", range)};
+        fmt::format("the angles go over {:.6g} deg; give at most one turn of 360 deg", range)};
   }
   if (samples.order != 0 || samples.place.size() < kEnough) {
     result.motions.push_back({guess_motion(samples), samples});

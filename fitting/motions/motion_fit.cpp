@@ -45,8 +45,8 @@ std::string drawn_by(const MotionFit& fit) {
   const MotionSamples& samples = fit.motion.samples;
   const std::size_t worst = fit.outliers.samples.front();
   return fmt::format(
-      "{} of {} samples lie farther off than chance explains, by {} at {} the most, and draw the "
-      "fit; --loss huber or --loss cauchy bounds what they count",
+      "{} of {} samples lie farther off than chance explains, by up to {} at {}, and distort the "
+      "fit; --loss huber or --loss cauchy limits their weight",
       fit.outliers.samples.size(), samples.place.size(),
       quantity(std::abs(fit.best().fit.residuals[worst]), samples.unit),
       quantity(samples.place[worst], samples.place_unit));
@@ -61,7 +61,7 @@ bool shows_no_stroke(const LawFit& fit) {
 std::string curve_left(const MotionFit& fit) {
   if (!fit.left.is_curve) return "";
   return fmt::format(
-      "no law that was tried follows the samples: what {} leaves is not noise (neighbouring "
+      "no law that was tried follows the samples: the residuals of {} are not noise (neighbouring "
       "residuals have a correlation of {:.2f}, blocks of them {:.1f} times the squares of noise)",
       fit.best().law.label(), fit.left.correlation, fit.left.block_squares);
 }
@@ -73,7 +73,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
     return fmt::format("{} samples are too few to tell laws apart",
                        fit.motion.samples.place.size());
   }
-  if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
+  if (shows_no_stroke(best)) return "the samples show no motion: the stroke could as well be 0";
   if (is_exact(best)) return "";
   if (!fit.untried.empty()) return untried_words(fit.untried);
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
@@ -81,7 +81,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
       options.loss == optim::Loss::None && draws(outliers_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
   if (!fit.is_told) {
-    return fmt::format("noise of {} does not tell the law: {}, {} may be behind the samples",
+    return fmt::format("with noise of {} the law cannot be told: {}, {} may be behind the samples",
                        quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
                        first_names(fit.as_good));
   }

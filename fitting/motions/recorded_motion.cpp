@@ -18,10 +18,10 @@ namespace {
 void check_enough(const MotionSamples& samples) {
   const std::size_t count = samples.place.size();
   if (count >= kFewestOfMotion) return;
-  throw std::invalid_argument(fmt::format(
-      "{} sample{} cannot tell a motion, which has begin, end, stroke and zero; {} rows "
-      "of numbers at least are wanted",
-      count, count == 1 ? "" : "s", kFewestOfMotion));
+  throw std::invalid_argument(
+      fmt::format("{} sample{} cannot tell a motion, which has begin, end, stroke and zero; at "
+                  "least {} rows of numbers are needed",
+                  count, count == 1 ? "" : "s", kFewestOfMotion));
 }
 
 std::vector<PossibleFault> possible_faults(const MotionSamples& samples, double period) {
@@ -138,7 +138,7 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   const double period = cycle_period(record.samples);
   if (options.fit_centre && !(period > 0 && record.samples.order == 0)) {
     throw std::invalid_argument(
-        "--shift centre: a lift over a whole turn, angles in deg or rad, is wanted");
+        "--shift centre needs a lift over a whole turn, with angles in deg or rad");
   }
   if (options.fit.loss == optim::Loss::None) leave_out_far_values(record, period);
   RecordedMotion result{std::move(record), {}, {}};

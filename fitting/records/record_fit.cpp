@@ -69,13 +69,13 @@ class RecordResiduals final : public optim::Residuals {
 std::vector<optim::FitParameter> variables_of(const ProblemStatement& machine) {
   if (machine.variables.empty()) {
     throw std::invalid_argument(
-        "the problem file has no [variables]: they are what is fitted, with their bounds");
+        "the problem file has no [variables]; state what is to be fitted, with bounds");
   }
   std::vector<optim::FitParameter> result;
   for (const VariableStatement& v : machine.variables) {
     if (v.integer || !v.values.empty()) {
       throw std::invalid_argument(fmt::format(
-          "variable '{}' is to be chosen from values; only continuous ones can be fitted", v.name));
+          "variable '{}' is chosen from values; only continuous ones can be fitted", v.name));
     }
     result.push_back({v.name, v.unit, v.lower, v.upper, v.start, v.scale});
   }
@@ -121,8 +121,7 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
 void check_enough(const RecordedCurve& record, std::size_t unknowns) {
   if (record.place.size() > unknowns) return;
   throw std::invalid_argument(
-      fmt::format("{} rows of numbers cannot tell {} unknowns; {} at least "
-                  "are wanted",
+      fmt::format("{} rows of numbers cannot tell {} unknowns; at least {} are needed",
                   record.place.size(), unknowns, unknowns + 1));
 }
 
@@ -130,8 +129,8 @@ void check_enough(const RecordedCurve& record, std::size_t unknowns) {
 std::string drawn_by(const RecordFit& fit, const RecordedCurve& record) {
   const std::size_t worst = fit.outliers.samples.front();
   return fmt::format(
-      "{} of {} values lie farther off than chance explains and draw the fit, by {:.3g} {} at "
-      "{:.6g} {} the most; --loss huber or --loss cauchy bounds what they count",
+      "{} of {} values lie farther off than chance explains and distort the fit, by up to {:.3g} "
+      "{} at {:.6g} {}; --loss huber or --loss cauchy limits their weight",
       fit.outliers.samples.size(), fit.model.size(), std::abs(fit.fit.residuals[worst]),
       record.response.unit, record.place[worst], record.response.response->along);
 }
@@ -141,10 +140,10 @@ std::string distrust_of(const RecordFit& fit, const RecordedCurve& record,
   std::string why = fit.fit.reason;
   const auto add = [&](const std::string& more) { why += (why.empty() ? "" : "; ") + more; };
   if (fit.left.is_curve) {
-    add(fmt::format(
-        "the machine as it is stated does not follow the record: what is left is not noise "
-        "(neighbouring residuals have a correlation of {:.2f})",
-        fit.left.correlation));
+    add(
+        fmt::format("the machine as stated does not follow the record: the residuals are not noise "
+                    "(neighbouring residuals have a correlation of {:.2f})",
+                    fit.left.correlation));
   }
   if (options.loss == optim::Loss::None && draws(fit.outliers, fit.fit.residuals)) {
     add(drawn_by(fit, record));
@@ -160,7 +159,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   const std::size_t variables = parameters.size();
   const BoundProblem bound = BoundProblem(machine).with_stop(options.stop);
   if (!bound.choices().empty()) {
-    throw std::invalid_argument("a list of laws is to be chosen from; state the one that runs");
+    throw std::invalid_argument("there is a list of laws to choose from; state the one that runs");
   }
   const optim::Response response =
       response_of(bound.statement(), record.response, bound.binding({}));

@@ -67,21 +67,21 @@ std::size_t Family::parameter(std::string_view parameter_name) const {
     known.push_back(parameters[i].name);
   }
   throw std::invalid_argument(
-      fmt::format("law '{}': no parameter '{}'; it has {}", name, parameter_name,
+      fmt::format("law '{}' has no parameter '{}'; it accepts {}", name, parameter_name,
                   known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 std::optional<Impossible> Family::bad_arguments(const Arguments<double>& arguments) const {
   if (arguments.size() != parameters.size()) {
-    return Impossible{fmt::format("law '{}': takes {} parameters, {} given", name,
+    return Impossible{fmt::format("law '{}' takes {} parameters, but {} are given", name,
                                   parameters.size(), arguments.size())};
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Parameter& p = parameters[i];
     const auto& values = arguments.list(i);
     if (!p.list && values.size() != 1) {
-      return Impossible{fmt::format("law '{}': parameter {} takes one value, {} given", name,
-                                    p.name, values.size())};
+      return Impossible{fmt::format("law '{}': parameter {} takes one value, but {} are given",
+                                    name, p.name, values.size())};
     }
     for (const double value : values) {
       if (!(value >= p.low && value <= p.high)) {

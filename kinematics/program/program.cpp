@@ -70,7 +70,7 @@ void check_motion(const ProgramSegment& segment) {
     const double angle = segment.points[i].angle;
     if (!(angle > before && angle < segment.angle)) {
       refuse_program(
-          fmt::format("point {} of '{}' is at {:g} deg; accepted is what lies between "
+          fmt::format("point {} of '{}' is at {:g} deg; it must be between "
                       "{:g} and {:g} deg",
                       i + 1, segment.name, angle, before, segment.angle));
     }

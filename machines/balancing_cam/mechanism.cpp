@@ -33,7 +33,7 @@ const std::vector<MechanismParameter>& balancing_parameters() {
         {"base_radius", "r_b", "mm", "m", "least radius of the cam's profile", 60, 0.1, 1e5},
         {"roller_radius", "r_r", "mm", "m", "radius of the roller", 25, 0.1, 1e5},
         {"face_width", "b", "mm", "m", "width of roller and cam in contact", 25, 0.1, 1e4},
-        {"moved_mass", "m", "kg", "kg", "what moves with each roller", 1, 0, 1e6},
+        {"moved_mass", "m", "kg", "kg", "mass that moves with each roller", 1, 0, 1e6},
         {"lift_off", "delta", "deg", "rad",
          "angle from the engagement on in which the rollers are off the cam", 0, 0, 60}};
     result.insert(result.end(), own.begin(), own.end());
@@ -114,7 +114,7 @@ MechanismResponse residual_fraction() {
 }
 template <template <class> class M>
 MechanismResponse touching_fraction() {
-  return share<M>("touching_fraction", "the same, were the rollers always on the cam",
+  return share<M>("touching_fraction", "the same, if the rollers were always on the cam",
                   touching_torque);
 }
 
@@ -146,12 +146,12 @@ std::vector<MechanismResponse> turn_curves() {
                  return turn.roller_force(turn.displacement(section, phi));
                }),
       curve<M>({"balancing_torque", "N m", "N m",
-                "what the rollers ask of the driver, were they always on the cam"},
+                "torque that the rollers require of the driver, if they were always on the cam"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.balancing_torque(turn.displacement(section, phi));
                }),
-      curve<M>({"residual_torque", "N m", "N m", "what the balanced driver sees"}, residual_torque),
-      curve<M>({"touching_torque", "N m", "N m", "the same, were the rollers always on the cam"},
+      curve<M>({"residual_torque", "N m", "N m", "torque on the balanced driver"}, residual_torque),
+      curve<M>({"touching_torque", "N m", "N m", "the same, if the rollers were always on the cam"},
                touching_torque),
       residual_fraction<M>(),
       touching_fraction<M>(),
@@ -165,14 +165,14 @@ std::vector<MechanismResponse> turn_curves() {
             return pitch.curvature();
           }),
       cam_curve<M>({"undercut", "1", "1",
-                    "share of the pitch curve's radius that the roller takes; at 1 the profile is "
+                    "roller radius over the pitch curve's radius of curvature; at 1 the profile is "
                     "undercut"},
                    [](const auto& cam, const auto& pitch, const auto&, At, const auto&) {
                      return cam.roller().undercut(pitch.curvature());
                    }),
       cam_curve<M>(
           {"contact_stress", "MPa", "Pa",
-           "greatest Hertz pressure, were the roller always on the cam"},
+           "greatest Hertz pressure, if the roller were always on the cam"},
           [](const auto& cam, const auto& pitch, const auto& turn, At section, const auto& phi) {
             const auto force = turn.roller_force(turn.displacement(section, phi));
             return cam.roller().stress(force * pitch.speed() / pitch.y, pitch.curvature());
@@ -252,7 +252,7 @@ Mechanism balancing_cam(const char* name, const char* title) {
   responses.push_back(balance<M>("balancing_coefficient",
                                  "greatest torque before balancing over the greatest after, K",
                                  residual_fraction<M>()));
-  responses.push_back(balance<M>("touching_coefficient", "K, were the rollers always on the cam",
+  responses.push_back(balance<M>("touching_coefficient", "K, if the rollers were always on the cam",
                                  touching_fraction<M>()));
   append(responses, drive_curves<M>());
   append(responses, turn_curves<M>());

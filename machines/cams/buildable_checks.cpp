@@ -11,7 +11,8 @@ namespace {
 const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
       {"wheel_radius", "mm", "radius of the grinding wheel"},
-      {"wall", "mm", "least wall between profile and bore, else a quarter of bore_radius"},
+      {"wall", "mm",
+       "least wall between profile and bore; unless stated, a quarter of bore_radius"},
       {"keyway_depth", "mm",
        "how far a keyway of the hub reaches beyond bore_radius, to its corner"},
       {"arm_width", "mm", "width of the arm, and of its eye round the pivot"},

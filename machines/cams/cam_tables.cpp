@@ -32,19 +32,20 @@ Parameters speed_parameter() {
 }
 
 Parameters sliding_load(double rate, double preload) {
-  return {
-      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1e6},
-      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", rate, 0, 1e6},
-      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", preload, -1e9,
-       1e9},
-      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
+  return {{"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1e6},
+          {"spring_rate", "c", "N/mm", "N/m",
+           "rate of the spring that holds the follower on the cam", rate, 0, 1e6},
+          {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest position", preload,
+           -1e9, 1e9},
+          {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
 }
 
 Parameters oscillating_load(double rate, double preload) {
-  return {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that swings", 0.002, 0, 1e6},
+  return {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of everything that swings", 0.002,
+           0, 1e6},
           {"spring_rate", "c", "N m/deg", "N m/rad", "rate of the spring about the pivot", rate, 0,
            1e9},
-          {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest place",
+          {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest position",
            preload, -1e9, 1e9},
           {"load", "M_L", "N m", "N m", "constant torque against the rise", 0, -1e9, 1e9}};
 }
@@ -70,7 +71,7 @@ Parameters guide_parameters() {
            0, 1},
           {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
           {"overhang", "a", "mm", "m",
-           "distance of roller or edge from the guide at the lowest place", 40, 0, 1e5}};
+           "distance of roller or edge from the guide at the lowest position", 40, 0, 1e5}};
 }
 
 Parameters wear_parameter() {
@@ -81,23 +82,23 @@ Parameters wear_parameter() {
 namespace {
 
 Parameters train(const char* unit, const char* stored, const char* what) {
-  return {
-      {"train_stiffness", "c_t", unit, stored,
-       "stiffness of all between the cam and the follower's end; 0: rigid, and nothing is "
-       "known of an end",
-       0, 0, 1e9},
-      {"train_damping", "zeta", "1", "1", "damping of the train over the critical", 0.05, 0, 0.99},
-      {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
+  return {{"train_stiffness", "c_t", unit, stored,
+           "stiffness of everything between the cam and the follower's end; 0: rigid, without "
+           "responses of its end",
+           0, 0, 1e9},
+          {"train_damping", "zeta", "1", "1", "damping of the train over critical damping", 0.05, 0,
+           0.99},
+          {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
 }
 
 }  // namespace
 
 Parameters sliding_train() {
-  return train("N/mm", "N/m", "share of the mass that is at the end of the train");
+  return train("N/mm", "N/m", "fraction of the mass at the end of the train");
 }
 
 Parameters oscillating_train() {
-  return train("N m/deg", "N m/rad", "share of the inertia that is at the end of the train");
+  return train("N m/deg", "N m/rad", "fraction of the inertia at the end of the train");
 }
 
 Parameters cutter_parameter() {
@@ -134,7 +135,7 @@ NamedPeak peak_pressure_angle() {
 
 NamedPeak peak_undercut() {
   return {"peak_undercut", "undercut", Part::Highest,
-          "greatest share of the pitch curve's radius that the roller takes"};
+          "greatest roller radius over the pitch curve's radius of curvature"};
 }
 
 NamedPeak peak_torque() {
@@ -147,7 +148,7 @@ NamedPeak peak_stress() {
 
 NamedPeak peak_outer_undercut() {
   return {"peak_outer_undercut", "outer_undercut", Part::Highest,
-          "greatest share of the pitch curve's radius that the roller takes of the outer flank"};
+          "greatest roller radius over the pitch curve's radius of curvature, for the outer flank"};
 }
 
 NamedPeak peak_groove_stress() {
@@ -171,7 +172,7 @@ NamedPeak peak_force() {
 
 NamedPeak outer_radius() {
   return {"outer_radius", "centre_distance", Part::Highest,
-          "radius of the circle that the cam turns in"};
+          "radius of the circle that the turning cam fills"};
 }
 
 NamedPeak least_wall() {
@@ -180,7 +181,7 @@ NamedPeak least_wall() {
 
 NamedPeak pivot_clearance() {
   return {"pivot_clearance", "pivot_gap", Part::Lowest,
-          "what the circle that the cam turns in leaves to the axis of the arm's pivot"};
+          "gap between the circle that the turning cam fills and the axis of the arm's pivot"};
 }
 
 }  // namespace camlaw::problems

@@ -82,8 +82,8 @@ std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
   if (!with_pitch_curve) return all;
   all.push_back(drawn_response<M>(D::PitchX, "pitch_x", "pitch curve: the follower's point"));
   all.push_back(drawn_response<M>(D::PitchY, "pitch_y", "pitch curve: the follower's point"));
-  all.push_back(drawn_response<M>(D::CutterX, "cutter_x", "path of the tool's centre"));
-  all.push_back(drawn_response<M>(D::CutterY, "cutter_y", "path of the tool's centre"));
+  all.push_back(drawn_response<M>(D::CutterX, "cutter_x", "cutter-centre path"));
+  all.push_back(drawn_response<M>(D::CutterY, "cutter_y", "cutter-centre path"));
   return all;
 }
 

@@ -100,7 +100,8 @@ std::vector<MechanismResponse> life_responses() {
   };
   return {
       mean_number<M>({"equivalent_load", "N", "N",
-                      "constant load under which the roller's bearing lives as many revolutions"},
+                      "equivalent load: constant load under which the roller's bearing reaches the "
+                      "same number of revolutions"},
                      damage, turns,
                      [](const auto& cam, const auto& mean, const auto& turned) {
                        return cam.duty.equivalent_load(mean, turned);
@@ -130,25 +131,26 @@ std::vector<MechanismResponse> duty_responses() {
   using C = DutyCurve;
   add(C::MaxShear, {"max_shear", "MPa", "Pa",
                     "greatest shear stress below the surface, of roller and cam in line contact"});
-  add(C::ShearDepth, {"shear_depth", "mm", "m", "how deep it is below the surface"});
+  add(C::ShearDepth, {"shear_depth", "mm", "m", "its depth below the surface"});
   add(C::CrownStress, {"crown_stress", "MPa", "Pa",
                        "greatest Hertz pressure between a crowned roller and the cam"});
   add(C::CrownHalfLength, {"crown_half_length", "mm", "m",
                            "half the length of a crowned roller's contact, along the axis"});
   add(C::CrownFraction,
       {"crown_fraction", "1", "1",
-       "length of a crowned roller's contact by the face width; above 1 its edges bear"});
+       "length of a crowned roller's contact over the face width; above 1 its edges bear"});
   add(C::RollerSpeed,
       {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
   add(C::SpeedFraction,
-      {"speed_fraction", "1", "1", "speed of the roller by its limit; above 1 it is too fast"});
+      {"speed_fraction", "1", "1", "speed of the roller over its limit; above 1 it is too fast"});
   add(C::StaticFraction,
       {"static_fraction", "1", "1",
-       "force on the roller by its static rating, the inverse of its static safety"});
+       "force on the roller over its static rating, the inverse of its static safety"});
   add(C::FilmThickness,
       {"film_thickness", "um", "m", "least film of lubricant between roller and cam"});
-  add(C::LambdaRatio, {"lambda_ratio", "1", "1",
-                       "film of lubricant by the roughness of both surfaces; below 1 they touch"});
+  add(C::LambdaRatio,
+      {"lambda_ratio", "1", "1",
+       "film of lubricant over the roughness of both surfaces; below 1 they touch"});
   for (const char* of_contact : {"max_shear", "shear_depth", "crown_stress", "crown_half_length",
                                  "crown_fraction", "film_thickness", "lambda_ratio"}) {
     set_defined_while(all, {of_contact}, {.response = "undercut", .upper = 1});

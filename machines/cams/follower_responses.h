@@ -84,18 +84,18 @@ inline std::vector<MechanismResponse> follower_responses_of(
       "acceleration of the follower");
   add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the follower");
   add(C::Force, w.force_name, w.force, w.force,
-      "what the cam must give along the follower's path; below 0 a spring-closed follower leaves "
-      "the cam");
+      "force that the cam must exert along the follower's path; below 0 a spring-loaded follower "
+      "leaves the cam");
   add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft");
   add(C::StaticTorque, "static_torque", "N m", "N m",
-      "what of it spring and load ask for, without friction");
+      "part of it due to spring and load, without friction");
   add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
-      "what of it the moved masses ask for, without friction");
+      "part of it due to the moved masses, without friction");
   add(C::Power, "drive_power", "W", "W", "power into the cam");
   add(C::InertiaShare, "inertia_fraction", "1", "1",
-      "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam");
+      "inertia over the force of spring and load; at 1 a spring-loaded follower leaves the cam");
   add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
-      "how far the spring is deflected from where it bears no load");
+      "deflection of the spring from its unloaded length");
   return all;
 }
 
@@ -127,8 +127,8 @@ template <template <class> class M>
 std::vector<MechanismResponse> follower_numbers() {
   using C = FollowerCurve;
   return {
-      follower_rms<M>({"torque_rms", "N m", "N m", "root of the torque's mean square"}, C::Torque),
-      follower_rms<M>({"power_rms", "W", "W", "root of the power's mean square"}, C::Power),
+      follower_rms<M>({"torque_rms", "N m", "N m", "root mean square of the torque"}, C::Torque),
+      follower_rms<M>({"power_rms", "W", "W", "root mean square of the power"}, C::Power),
       peak_number<M>({"contact_loss_speed", "rpm", "rad/s",
                       "speed above which a spring-loaded follower jumps; undefined where "
                       "nothing holds it, or nothing lifts it"},

@@ -87,10 +87,9 @@ Mechanism knife_edge_cam_mechanism() {
                             {"profile_curvature", "1/mm", "1/m",
                              "curvature of the profile, positive where convex, below 0 where it "
                              "turns hollow"}));
-  responses.push_back(
-      curve(Curve::ToolFit, {"tool_fit", "1", "1",
-                             "share of a hollow's radius that the tool takes; above 1 it does not "
-                             "fit"}));
+  responses.push_back(curve(
+      Curve::ToolFit, {"tool_fit", "1", "1",
+                       "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));

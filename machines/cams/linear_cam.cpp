@@ -31,7 +31,7 @@ const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
       joined({stroke_parameter(),
               {{"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6}},
               roller_parameter(),
-              {{"speed", "n", "rpm", "rad/s", "cycles of the plate, by minute", 300, 1e-3, 1e6}},
+              {{"speed", "n", "rpm", "rad/s", "cycles of the plate per minute", 300, 1e-3, 1e6}},
               sliding_load(5, 50),
               contact_parameters(),
               cutter_parameter(),

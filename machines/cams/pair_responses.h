@@ -53,13 +53,13 @@ void add_pair_geometry(std::vector<MechanismResponse>& all, OfPair which, const 
   add(C::PressureAngle, "pressure_angle", "deg", "rad",
       "pressure angle" + of + ", signed as the slope of its own motion");
   add(C::Undercut, "undercut", "1", "1",
-      "share of the pitch curve's radius that the roller takes" + of + "; at 1 it is undercut");
+      "roller radius over the pitch curve's radius of curvature" + of + "; at 1 it is undercut");
   add(C::PitchCurvature, "pitch_curvature", "1/mm", "1/m",
       "curvature of the pitch curve" + of + ", positive where convex");
   add(C::ProfileCurvature, "profile_curvature", "1/mm", "1/m",
       "curvature of the profile" + of + ", positive where convex");
   add(C::ToolFit, "tool_fit", "1", "1",
-      "share of a hollow's radius that the tool takes" + of + "; above 1 it does not fit");
+      "tool radius over the radius of a hollow" + of + "; above 1 the tool does not fit");
 }
 
 /// What a machine M with main(), second(), second_motion(), contact_force() and contact_stress()

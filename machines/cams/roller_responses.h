@@ -73,23 +73,22 @@ std::vector<MechanismResponse> roller_responses() {
   add(C::PressureAngle,
       {"pressure_angle", "deg", "rad",
        "between the normal and the path of the roller's centre, signed as the slope"});
-  add(C::Undercut, {"undercut", "1", "1",
-                    "share of the pitch curve's radius that the roller takes; at 1 the profile is "
-                    "undercut"});
+  add(C::Undercut,
+      {"undercut", "1", "1",
+       "roller radius over the pitch curve's radius of curvature; at 1 the profile is undercut"});
   add(C::PitchCurvature,
       {"pitch_curvature", "1/mm", "1/m", "curvature of the pitch curve, positive where convex"});
   add(C::ProfileCurvature,
       {"profile_curvature", "1/mm", "1/m", "curvature of the profile, positive where convex"});
   add(C::ToolFit, {"tool_fit", "1", "1",
-                   "share of a hollow's radius that the tool takes; above 1 it does not fit"});
+                   "tool radius over the radius of a hollow; above 1 the tool does not fit"});
   add(C::ContactForce, {"contact_force", "N", "N", "force between roller and cam"});
   add(C::ContactStress,
       {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between roller and cam"});
   add(C::ContactHalfWidth, {"contact_half_width", "mm", "m", "half the width of the contact"});
-  add(C::OuterUndercut,
-      {"outer_undercut", "1", "1",
-       "share of the pitch curve's radius that the roller takes of a groove's outer flank; at 1 "
-       "that flank is undercut"});
+  add(C::OuterUndercut, {"outer_undercut", "1", "1",
+                         "roller radius over the radius of curvature of the pitch curve, for a "
+                         "groove's outer flank; at 1 that flank is undercut"});
   add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
                         "greatest Hertz pressure in a groove, on the flank that bears the force"});
   all.push_back(number_response<M>(

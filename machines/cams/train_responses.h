@@ -86,17 +86,18 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
                         "greatest amplitude with which the train's end swings in a dwell", convex}),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
-      end_curve<M>(Q::Deviation, {"end_deviation", w.place, w.place_stored,
-                                  "of the train's end from where the cam wants it", linear}),
+      end_curve<M>(Q::Deviation,
+                   {"end_deviation", w.place, w.place_stored,
+                    "deviation of the train's end from the cam's displacement", linear}),
       end_curve<M>(Q::MassAcceleration, {"end_acceleration", w.acceleration, w.acceleration,
                                          "acceleration of the train's end", linear}),
       train_force<M>({slides ? "train_force" : "train_torque", w.force, w.force,
-                      "what the train bears, and moves its end with", linear}),
-      end_curve<M>(Q::CamForce, {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
-                                 "what the cam must give along the follower's path, the train's "
-                                 "end moving as it does; below 0 a spring-closed follower leaves "
-                                 "the cam",
-                                 load})};
+                      "force in the train, which moves its end", linear}),
+      end_curve<M>(Q::CamForce,
+                   {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
+                    "force that the cam must exert along the follower's path with the train's end "
+                    "moving as it does; below 0 a spring-loaded follower leaves the cam",
+                    load})};
 }
 
 inline NamedPeak peak_end_deviation() {
@@ -106,10 +107,10 @@ inline NamedPeak peak_end_deviation() {
 
 inline NamedPeak least_elastic(const FollowerWords& w) {
   const bool slides = std::string_view(w.force_name) == kSliding.force_name;
-  return {
-      slides ? "least_elastic_force" : "least_elastic_torque",
-      slides ? "elastic_force" : "elastic_torque", optim::Part::Lowest,
-      "least of what the cam must give, the train being elastic; above 0 the spring keeps contact"};
+  return {slides ? "least_elastic_force" : "least_elastic_torque",
+          slides ? "elastic_force" : "elastic_torque", optim::Part::Lowest,
+          "least force that the cam must exert with the elastic train; above 0 the spring keeps "
+          "contact"};
 }
 
 }  // namespace camlaw::problems

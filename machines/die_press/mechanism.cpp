@@ -22,7 +22,7 @@ const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
   static const std::vector<MechanismParameter> all{
       {"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9},
       {"spring_force", "F_s", "N", "N", "given force of the spring", 354.08, 0, 1e9},
-      {"load_factor", "k", "1", "1", "share of the spring's force in the load", 0.8, 0, 10},
+      {"load_factor", "k", "1", "1", "fraction of the spring's force in the load", 0.8, 0, 10},
       {"roller_radius", "R1", "mm", "m", "radius of the roller", 50, 1e-3, 1e5},
       {"segment_radius", "R2", "mm", "m", "radius of the cam's segment", 350, 1e-3, 1e5},
       {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 30, 1e-3, 1e4},
@@ -32,7 +32,8 @@ const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
       {"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6},
       {"mass", "m", "kg", "kg", "moved mass, reduced to the rollers' path", 220, 0, 1e6},
       {"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6},
-      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 700, 0, 1e9}};
+      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest position", 700, 0,
+       1e9}};
   return all;
 }
 

@@ -12,7 +12,7 @@ const std::vector<MechanismParameter>& MachineTraits<ElasticFollower>::parameter
   static const std::vector<MechanismParameter> all{
       {"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6},
       {"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9},
-      {"damping_ratio", "zeta", "1", "1", "damping over the critical", 0.05, 0, 0.99},
+      {"damping_ratio", "zeta", "1", "1", "damping over critical damping", 0.05, 0, 0.99},
       {"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5},
       {"rise_angle", "beta", "deg", "rad", "angle of the cam for the rise", 90, 1e-3, 360},
       {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6},
@@ -68,20 +68,21 @@ std::vector<MechanismResponse> numbers() {
   const std::vector<ShapeStatement> linear = linear_train();
   const std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS10"},
                                            {{"stroke"}, S::Linear, "DS10"}};
-  return {number_of(Number::Frequency, {"natural_frequency", "Hz", "Hz", "without damping"}),
-          number_of(Number::RiseTime, {"rise_time", "s", "s", "time of the rise"}),
-          number_of(Number::PeriodRatio,
-                    {"period_ratio", "1", "1", "time of the rise over the natural period"}),
-          residual(Residual::Displacement,
-                   {"residual_displacement", "mm", "m",
-                    "of the mass from its place when the rise is over", linear}),
-          residual(Residual::Velocity, {"residual_velocity", "m/s", "m/s",
-                                        "of the mass when the rise is over", linear}),
-          residual(Residual::Amplitude, {"residual_amplitude", "mm", "m",
-                                         "amplitude of the vibration that is left", convex}),
-          residual(Residual::Acceleration,
-                   {"residual_acceleration", "m/s2", "m/s2",
-                    "greatest acceleration of the vibration that is left, undamped", convex})};
+  return {
+      number_of(Number::Frequency, {"natural_frequency", "Hz", "Hz", "without damping"}),
+      number_of(Number::RiseTime, {"rise_time", "s", "s", "time of the rise"}),
+      number_of(Number::PeriodRatio,
+                {"period_ratio", "1", "1", "time of the rise over the natural period"}),
+      residual(Residual::Displacement,
+               {"residual_displacement", "mm", "m",
+                "displacement of the mass from its final position at the end of the rise", linear}),
+      residual(Residual::Velocity, {"residual_velocity", "m/s", "m/s",
+                                    "velocity of the mass at the end of the rise", linear}),
+      residual(Residual::Amplitude,
+               {"residual_amplitude", "mm", "m", "amplitude of the residual vibration", convex}),
+      residual(Residual::Acceleration,
+               {"residual_acceleration", "m/s2", "m/s2",
+                "greatest acceleration of the residual vibration, undamped", convex})};
 }
 
 /// A curve that the law decides as a whole.
@@ -103,7 +104,7 @@ MechanismResponse over_speeds() {
       {"residual_over_speed",
        "mm",
        "m",
-       "amplitude of the vibration that is left, over the speeds of the range",
+       "amplitude of the residual vibration, over the speeds of the range",
        {{{"law"}, S::Convex, "DS10"}, {{"stroke"}, S::Linear, "DS10"}}},
       []<class T>(const ElasticFollower<T>& f) {
         return std::array<T, kSpeedParts>{f.natural_frequency(), f.damping_ratio,
@@ -118,8 +119,9 @@ Mechanism follower_train_mechanism() {
   const std::vector<ShapeStatement> linear = linear_train();
   std::vector<MechanismResponse> responses = numbers();
   using Q = TrainQuantity;
-  responses.push_back(curve(
-      Q::Deviation, {"deviation", "mm", "m", "of the mass from where the cam wants it", linear}));
+  responses.push_back(
+      curve(Q::Deviation,
+            {"deviation", "mm", "m", "deviation of the mass from the cam's displacement", linear}));
   responses.push_back(curve(Q::MassDisplacement,
                             {"mass_displacement", "mm", "m", "displacement of the mass", linear}));
   responses.push_back(curve(Q::MassAcceleration, {"mass_acceleration", "m/s2", "m/s2",
@@ -140,7 +142,7 @@ Mechanism follower_train_mechanism() {
                     {"amplification", "amplified_acceleration", Part::Magnitude,
                      "greatest acceleration of the mass over the cam's"},
                     {"worst_residual", "residual_over_speed", Part::Highest,
-                     "greatest amplitude that is left at any speed of the range"}}};
+                     "greatest residual amplitude at any speed of the range"}}};
 }
 
 }  // namespace camlaw::problems

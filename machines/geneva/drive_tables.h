@@ -42,7 +42,7 @@ std::vector<MechanismResponse> drive_curves() {
                 [](const auto& drive, const auto& beta, bool, const auto&) {
                   return drive.torque(beta);
                 }),
-          curve({"surplus_torque", "N m", "N m", "torque on the driver less its mean"},
+          curve({"surplus_torque", "N m", "N m", "torque on the driver minus its mean"},
                 [](const auto& drive, const auto& beta, bool, const auto&) {
                   return drive.torque(beta) - drive.mean_torque();
                 }),

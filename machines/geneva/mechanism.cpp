@@ -12,8 +12,8 @@ struct MachineTraits<PlanarGenevaDrive> {
   static const std::vector<MechanismParameter>& parameters() {
     static const std::vector<MechanismParameter> all = [] {
       auto result = drive_parameters();
-      result.push_back(
-          {"centre_distance", "a", "mm", "m", "distance of driver and wheel", 200, 1e-3, 1e5});
+      result.push_back({"centre_distance", "a", "mm", "m", "centre distance of driver and wheel",
+                        200, 1e-3, 1e5});
       result.push_back({"pin_radius", "r_p", "mm", "m", "radius of the driver's pin", 10, 0, 1e5});
       return result;
     }();
@@ -52,7 +52,7 @@ std::vector<MechanismResponse> drive_responses() {
              [](const auto& drive) { return drive.engagement(); }),
       number({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
              [](const auto& drive) { return drive.mean_torque(); }),
-      number({"surplus_range", "J", "J", "what a flywheel or a balancing cam has to store"},
+      number({"surplus_range", "J", "J", "energy that a flywheel or a balancing cam has to store"},
              [](const auto& drive) { return surplus_of(drive).range; }),
       number({"greatest_drive_torque", "N m", "N m", "greatest torque on the driver"},
              [](const auto& drive) { return surplus_of(drive).peak_torque; }),

@@ -16,7 +16,7 @@ Parameters stations_parameter(double stations) {
 }
 
 Parameters index_sizes(double axis_distance, double turret_radius) {
-  return {{"axis_distance", "a", "mm", "m", "distance of the axes of cam and turret", axis_distance,
+  return {{"axis_distance", "a", "mm", "m", "centre distance of cam and turret", axis_distance,
            1e-3, 1e5},
           {"turret_radius", "R_t", "mm", "m", "radius of the circle of the rollers' centres",
            turret_radius, 1e-3, 1e5}};
@@ -38,8 +38,8 @@ Parameters roller_contact() {
 
 Parameters index_load() {
   return {{"speed", "n", "rpm", "rad/s", "speed of the cam", 100, 1e-3, 1e6},
-          {"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that turns with the turret",
-           0.1, 0, 1e6},
+          {"inertia", "J", "kg m2", "kg m2",
+           "moment of inertia of everything that turns with the turret", 0.1, 0, 1e6},
           {"friction_torque", "M_C", "N m", "N m",
            "friction of the turret, against its motion at every speed", 0, 0, 1e9},
           {"load_torque", "M_L", "N m", "N m", "constant torque on the turret against its motion",
@@ -48,12 +48,12 @@ Parameters index_load() {
 
 NamedPeak peak_turret_torque() {
   return {"peak_turret_torque", "turret_torque", Part::Magnitude,
-          "greatest torque that turret, table and load ask for"};
+          "greatest torque that turret, table and load require"};
 }
 
 NamedPeak shaft_clearance() {
   return {"shaft_clearance", "shaft_gap", Part::Lowest,
-          "what the circle that the cam turns in leaves to the turret's shaft"};
+          "gap between the circle that the turning cam fills and the turret's shaft"};
 }
 
 std::vector<NamedPeak> rib_peaks() {

@@ -102,7 +102,7 @@ std::vector<MechanismResponse> parallel_responses() {
   all.push_back(shaft_gap(false));
   all.push_back(shaft_gap(true));
   all.push_back(number_response<ParallelIndexCam>(
-      {"roller_gap", "mm", "m", "what is left between neighbouring rollers of a ring"},
+      {"roller_gap", "mm", "m", "gap between neighbouring rollers of a ring"},
       [](const auto& cam) { return cam.roller_gap(); }));
   return all;
 }

@@ -112,7 +112,7 @@ std::vector<MechanismResponse> rib_responses() {
   const auto number_of = [&](const char* name, const char* meaning, auto formula) {
     all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));
   };
-  number_of("roller_gap", "what is left between neighbouring rollers: the rib's thickness",
+  number_of("roller_gap", "gap between neighbouring rollers: the rib's thickness",
             [](const auto& drive) { return drive.roller_gap(); });
   number_of("throat_radius", "least radius of the cam, below the rollers' ends",
             [](const auto& drive) { return drive.throat_radius(); });

@@ -60,12 +60,12 @@ std::vector<MechanismResponse> turret_responses() {
   add(C::Acceleration, "acceleration", "rad/s2", "rad/s2", "angular acceleration of the turret");
   add(C::Jerk, "jerk", "rad/s3", "rad/s3", "angular jerk of the turret");
   add(C::Torque, "turret_torque", "N m", "N m",
-      "torque that turret, table and load ask for; below 0 they are held back");
-  add(C::InertiaTorque, "inertia_torque", "N m", "N m", "what of it accelerates");
+      "torque that turret, table and load require; below 0 they are held back");
+  add(C::InertiaTorque, "inertia_torque", "N m", "N m", "part of it that accelerates");
   add(C::DriveTorque, "drive_torque", "N m", "N m", "torque on the cam's shaft, without losses");
   add(C::DrivePower, "drive_power", "W", "W", "power into the cam, without losses");
   all.push_back(mean_number<M>(
-      {"torque_rms", "N m", "N m", "root of the drive torque's mean square"},
+      {"torque_rms", "N m", "N m", "root mean square of the drive torque"},
       [](const auto& drive, const auto& motion) {
         const auto torque = turret_curve(drive, C::DriveTorque, drive.over_angle(motion));
         return torque * torque;

@@ -166,8 +166,8 @@ MechanismResponse residual_part(const char* name, Part part, int which) {
       {numbered(name, which),
        "1",
        "1",
-       fmt::format("{} part of the vibration left at {}", part == Part::Cosine ? "cosine" : "sine",
-                   numbered("period_ratio", which)),
+       fmt::format("{} part of the residual vibration at {}",
+                   part == Part::Cosine ? "cosine" : "sine", numbered("period_ratio", which)),
        {{{"law"}, Shape::Linear, "DS10"}}},
       ratio_of(which), part_formula(part));
 }
@@ -176,7 +176,7 @@ MechanismResponse residual_part(const char* name, Part part, int which) {
 MechanismResponse residual_amplitude(int which) {
   return convex_number(
       {numbered("residual_amplitude", which), "1", "1",
-       "amplitude of the vibration left, undamped, in parts of the stroke"},
+       "amplitude of the residual vibration, undamped, as a fraction of the stroke"},
       "DS10", ratio_of(which),
       []<class T>(std::span<const T> ratio, const Law<T>& law) -> Possible<T> {
         const FollowerTrain<T> train{ratio[0], number<T>(0)};

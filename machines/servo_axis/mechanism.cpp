@@ -81,9 +81,7 @@ const std::vector<MechanismParameter>& MachineTraits<ServoAxis>::parameters() {
     list.insert(
         list.end(),
         {{"load_inertia", "J_L", "kg m2", "kg m2",
-          "moment of inertia of all that turns with the "
-          "load",
-          0.02, 0, 1e6},
+          "moment of inertia of everything that turns with the load", 0.02, 0, 1e6},
          {"load_torque", "M_L", "N m", "N m",
           "constant torque of the load against its motion to greater displacements", 0, -1e9, 1e9},
          {"friction_torque", "M_C", "N m", "N m",
@@ -107,7 +105,7 @@ const std::vector<MechanismParameter>& MachineTraits<LinearServoAxis>::parameter
     add_gear(list, 3, "screw or pinion");
     list.insert(
         list.end(),
-        {{"mass", "m", "kg", "kg", "mass of all that moves with the load", 10, 0, 1e6},
+        {{"mass", "m", "kg", "kg", "mass of everything that moves with the load", 10, 0, 1e6},
          {"load_force", "F_L", "N", "N",
           "constant force of the load against its motion to greater displacements", 0, -1e9, 1e9},
          {"friction_force", "F_C", "N", "N",
@@ -217,13 +215,13 @@ std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
   add(C::MotorJerk, "motor_jerk", "rad/s3", "rad/s3", "jerk of the motor");
   add(C::MotorTorque, "motor_torque", "N m", "N m", "torque on the motor's shaft");
   add(C::AccelerationTorque, "acceleration_torque", "N m", "N m",
-      "what of it accelerates motor, gear and load, without losses");
+      "part of it that accelerates motor, gear and load, without losses");
   add(C::MotorPower, "motor_power", "W", "W",
       "power of the motor's shaft; below 0 the load drives the motor");
   add(C::AvailableTorque, "available_torque", "N m", "N m",
       "greatest torque that the motor gives at its speed");
   add(C::TorqueReserve, "torque_reserve", "N m", "N m",
-      "what the motor's torque leaves of the available torque");
+      "available torque minus the motor's torque");
   add(C::TorqueUtilisation, "torque_utilisation", "1", "1",
       "the motor's torque, in either direction, over the available torque");
   add(C::SpeedUtilisation, "speed_utilisation", "1", "1",
@@ -257,7 +255,7 @@ std::vector<MechanismResponse> servo_numbers() {
     return greater_of(number<X>(0), X(-given));
   };
   return {
-      servo_mean<M>({"torque_rms", "N m", "N m", "root of the motor torque's mean square"}, square,
+      servo_mean<M>({"torque_rms", "N m", "N m", "root mean square of the motor torque"}, square,
                     [](const auto&, const auto& mean) {
                       using std::sqrt;
                       return sqrt(mean);
@@ -270,7 +268,7 @@ std::vector<MechanismResponse> servo_numbers() {
       servo_mean<M>({"mean_power", "W", "W", "mean power of the motor's shaft"}, power,
                     [](const auto&, const auto& mean) { return mean; }),
       servo_mean<M>({"regenerated_energy", "J", "J",
-                     "what the load gives back to the motor's shaft in a cycle"},
+                     "energy that the load returns to the motor's shaft in a cycle"},
                     taken_back,
                     [](const auto& axis, const auto& mean) {
                       using T = std::decay_t<decltype(mean)>;
@@ -299,11 +297,11 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
                 {"peak_motor_speed", "motor_speed", Part::Magnitude, "greatest speed of the motor"},
                 {"peak_power", "motor_power", Part::Highest, "greatest power that the motor gives"},
                 {"peak_regenerated_power", "motor_power", Part::Lowest,
-                 "greatest power that the load gives back, below 0"},
+                 "greatest power that the load returns, below 0"},
                 {"least_torque_reserve", "torque_reserve", Part::Lowest,
-                 "least torque that is left; below 0 the motor does not follow"},
+                 "least torque in reserve; below 0 the motor cannot follow"},
                 {"peak_torque_utilisation", "torque_utilisation", Part::Highest,
-                 "greatest share of the available torque; above 1 the motor does not follow"}},
+                 "greatest torque over the available torque; above 1 the motor cannot follow"}},
       .moved_by = MovedBy::Program,
       .possible = {{{"corner_speed", "maximum_speed"}, "DS12"}}};
 }

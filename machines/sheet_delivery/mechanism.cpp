@@ -139,19 +139,19 @@ std::vector<MechanismResponse> curves() {
       curve(Q::EfficiencyA, {"efficiency_A", "1", "1", "efficiency of the link's joint and guide"}),
       curve(Q::EfficiencyB,
             {"efficiency_B", "1", "1", "efficiency of the carriage's joint and guide"}),
-      curve(Q::Efficiency, {"efficiency", "1", "1",
-                            "efficiency from the motor to the carriage; not above 0, the drive "
-                            "locks itself"}),
+      curve(Q::Efficiency,
+            {"efficiency", "1", "1",
+             "efficiency from the motor to the carriage; at 0 or below the drive is self-locking"}),
       curve(Q::ReverseEfficiency,
             {"reverse_efficiency", "1", "1", "efficiency from the carriage to the motor"}),
       curve(Q::PrintedEfficiencyA,
-            {"printed_efficiency_A", "1", "1", "efficiency_A with the signs of the print"}),
+            {"printed_efficiency_A", "1", "1", "efficiency_A with the signs as printed"}),
       curve(Q::PrintedEfficiencyB,
-            {"printed_efficiency_B", "1", "1", "efficiency_B with the signs of the print"}),
+            {"printed_efficiency_B", "1", "1", "efficiency_B with the signs as printed"}),
       curve(Q::PrintedEfficiency,
-            {"printed_efficiency", "1", "1", "efficiency with the signs of the print"}),
+            {"printed_efficiency", "1", "1", "efficiency with the signs as printed"}),
       curve(Q::PrintedReverseEfficiency, {"printed_reverse_efficiency", "1", "1",
-                                          "reverse_efficiency with the signs of the print"})};
+                                          "reverse_efficiency with the signs as printed"})};
 }
 
 }  // namespace

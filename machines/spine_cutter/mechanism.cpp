@@ -31,7 +31,7 @@ std::vector<MechanismResponse> numbers() {
                                      {{"blades", "depth"}, Shape::Quasiconcave, "DS7"}}},
                                    [](const auto& m) { return m.blades_in_contact(); }),
       number_response<SpineCutter>(
-          {"path_per_revolution", "mm", "m", "path of the block in one revolution"},
+          {"path_per_revolution", "mm", "m", "travel of the block in one revolution"},
           [](const auto& m) { return m.path_per_revolution(); }),
       number_response<SpineCutter>(
           {"angular_velocity",
@@ -67,7 +67,7 @@ std::vector<MechanismResponse> curves() {
               }),
           scaled_curve(
               {"required_cam_radius", "mm", "m",
-               "cam radius that the permissible pressure angle asks for, signed as s'"},
+               "cam radius that the permissible pressure angle requires, signed as s'"},
               [](const auto& m) { return m.radius_scale(); },
               [](const auto& scale, const auto& motion) { return scale * motion.v; }),
           scaled_curve(

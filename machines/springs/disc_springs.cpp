@@ -46,7 +46,8 @@ const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() 
       {"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5},
       {"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5},
       {"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4},
-      {"cone_height", "h_0", "mm", "m", "free height of a disc less its thickness", 1.4, 1e-4, 1e4},
+      {"cone_height", "h_0", "mm", "m", "free height of a disc minus its thickness", 1.4, 1e-4,
+       1e4},
       {"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true},
       {"series", "i", "1", "1", "packets in a row", 10, 1, 10000, true},
       {"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5},
@@ -56,9 +57,10 @@ const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() 
       {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
       {"thickness_ratio", "r_t", "1", "1",
        "reduced thickness over thickness; below 1 with contact flats", 1, 0.5, 1},
-      {"surface_friction", "w_M", "1", "1", "share of force lost between nested discs", 0.01, 0,
+      {"surface_friction", "w_M", "1", "1", "fraction of force lost between nested discs", 0.01, 0,
        0.5},
-      {"edge_friction", "w_R", "1", "1", "share of force lost at the loaded edges", 0.03, 0, 0.5}};
+      {"edge_friction", "w_R", "1", "1", "fraction of force lost at the loaded edges", 0.03, 0,
+       0.5}};
   return all;
 }
 
@@ -107,7 +109,7 @@ std::vector<MechanismResponse> forces() {
              [](const auto& stack, const auto& s) { return stack.return_force(s); }),
       loaded(At::Preload, {"preload_rate", "N/mm", "N/m", "rate at the preload deflection"}, rate),
       loaded(At::Working, {"working_rate", "N/mm", "N/m", "rate at the working deflection"}, rate),
-      between({"work", "J", "J", "work taken up between the deflections"},
+      between({"work", "J", "J", "energy stored between the deflections"},
               [](const auto& stack, const auto& s) { return stack.work(s); })};
 }
 
@@ -142,10 +144,10 @@ std::vector<MechanismResponse> stresses() {
                    return stack.spring.stress_upper_outer(s / stack.series);
                  }),
           between({"stress_range_II", "MPa", "Pa",
-                   "stress at the lower inner edge less that at the preload deflection"},
+                   "stress at the lower inner edge minus that at the preload deflection"},
                   inner),
           between({"stress_range_III", "MPa", "Pa",
-                   "stress at the lower outer edge less that at the preload deflection"},
+                   "stress at the lower outer edge minus that at the preload deflection"},
                   outer)};
 }
 
@@ -159,7 +161,7 @@ std::vector<MechanismResponse> sizes() {
   return {flattening(At::Preload, "preload_flattening", "preload deflection over that to flat"),
           flattening(At::Working, "flattening",
                      "working deflection over that to flat; plates stop the discs at 1"),
-          plain({"stroke", "mm", "m", "working deflection less preload deflection"},
+          plain({"stroke", "mm", "m", "working deflection minus preload deflection"},
                 [](const auto& springs) {
                   return springs.working_deflection - springs.preload_deflection;
                 }),

@@ -41,8 +41,8 @@ const std::vector<MechanismParameter>& MachineTraits<WorkingSpring>::parameters(
   static const std::vector<MechanismParameter> all{
       {"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3},
       {"mean_diameter", "D", "mm", "m", "mean diameter of the coils", 24, 1e-3, 1e4},
-      {"active_coils", "n", "1", "1", "coils that are deflected", 8.5, 0.1, 1e4},
-      {"end_coils", "n_e", "1", "1", "coils at the ends that are not", 2, 0, 100},
+      {"active_coils", "n", "1", "1", "active coils", 8.5, 0.1, 1e4},
+      {"end_coils", "n_e", "1", "1", "inactive coils at the ends", 2, 0, 100},
       {"preload_deflection", "s_1", "mm", "m", "least deflection", 10, 0, 1e5},
       {"working_deflection", "s_2", "mm", "m", "greatest deflection", 30, 0, 1e5},
       {"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4},
@@ -88,9 +88,9 @@ std::vector<MechanismResponse> forces() {
       plain({"working_force", "N", "N", "force at the working deflection", of_rate()},
             [](const auto& spring) { return spring.force(spring.working_deflection); }),
       plain(
-          {"stroke", "mm", "m", "working deflection less preload deflection"},
+          {"stroke", "mm", "m", "working deflection minus preload deflection"},
           [](const auto& spring) { return spring.working_deflection - spring.preload_deflection; }),
-      plain({"work", "J", "J", "work taken up between the deflections"}, [](const auto& spring) {
+      plain({"work", "J", "J", "energy stored between the deflections"}, [](const auto& spring) {
         return spring.work(spring.working_deflection) - spring.work(spring.preload_deflection);
       })};
 }
@@ -106,7 +106,7 @@ std::vector<MechanismResponse> stresses() {
                 [=](const auto& spring) { return corrected(spring, spring.preload_deflection); }),
           plain({"working_stress", "MPa", "Pa", "corrected stress at the working deflection"},
                 [=](const auto& spring) { return corrected(spring, spring.working_deflection); }),
-          plain({"stress_range", "MPa", "Pa", "working stress less preload stress"},
+          plain({"stress_range", "MPa", "Pa", "working stress minus preload stress"},
                 [=](const auto& spring) {
                   return corrected(spring, spring.working_deflection - spring.preload_deflection);
                 }),
@@ -133,7 +133,7 @@ std::vector<MechanismResponse> sizes() {
             [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
       plain({"preload_length", "mm", "m", "length at the preload deflection"},
             [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
-      plain({"free_length", "mm", "m", "length without load that leaves the gaps"},
+      plain({"free_length", "mm", "m", "free length that leaves the gaps"},
             [](const auto& spring) { return spring.free_length(); }),
       plain({"buckling", "1", "1",
              "nearness of the working deflection to buckling; above 1 the spring buckles"},

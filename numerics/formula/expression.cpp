@@ -81,8 +81,7 @@ Expression root_of(const Expression& low, const Expression& high,
     ~Deeper() { --depth; }
   };
   constexpr std::uint32_t kDeepest = 2;
-  if (depth == kDeepest)
-    throw std::invalid_argument("roots stand within one another more than 2 deep");
+  if (depth == kDeepest) throw std::invalid_argument("roots are nested more than 2 deep");
   const Expression unknown = Expression::of(
       {.operation = Operation::Unknown, .a = low.step(), .b = high.step(), .c = depth});
   const Deeper deeper;

@@ -71,21 +71,19 @@ class Reader {
   }
 
   std::string unexpected() const {
-    if (at_ == text_.size()) return "the formula ends where a number, a name or '(' is wanted";
+    if (at_ == text_.size()) return "the formula ends where a number, a name or '(' is expected";
     if (text_.substr(at_).starts_with("**")) return "'**' is not an operator; write ^ for a power";
     if (next() == ',') {
-      return "a comma stands between the arguments of a function only; decimals have a point";
+      return "a comma is only for the arguments of a function; decimals have a point";
     }
     if (next() == ')') return "')' closes nothing";
-    if (next() == '=') return "a formula is what stands to the right of '='";
+    if (next() == '=') return "a formula is only what is to the right of '='";
     if (begins_name(next()) || is_digit(next()) || next() == '(') {
       return fmt::format("an operator is missing before '{}'; write * for a product",
                          text_.substr(at_, name_length(at_)));
     }
-    return fmt::format(
-        "'{}' is not part of a formula; accepted are numbers, names, + - * / ^ and "
-        "( )",
-        text_.substr(at_, 1));
+    return fmt::format("'{}' is not part of a formula; use numbers, names, + - * / ^ and ( )",
+                       text_.substr(at_, 1));
   }
 
   /// Of the name or number that begins there; at least 1.
@@ -193,7 +191,7 @@ class Reader {
     FormulaTree result = made(Kind::Number, at_);
     const char* const begin = text_.data() + at_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), result.number);
-    if (error != std::errc{}) refuse_formula(at_, "this is not a number that can be counted with");
+    if (error != std::errc{}) refuse_formula(at_, "this number is out of range");
     at_ += static_cast<std::size_t>(end - begin);
     skip_blanks();
     const std::size_t at = at_;
@@ -236,7 +234,7 @@ class Reader {
       const FormulaTree inside = in_parentheses();
       if (inside.kind != Kind::Name || !inside.part.empty()) {
         refuse_formula(inside.at,
-                       fmt::format("'{}' stands before the name of a curve", result.text));
+                       fmt::format("'{}' comes before the name of a curve", result.text));
       }
       result.part = std::exchange(result.text, inside.text);
     } else if (next() == '(') {

@@ -52,7 +52,7 @@ void check_alike(const FormulaTree& tree, const std::string& what, const Written
 
 void check_plain(const FormulaTree& tree, const std::string& what, const WrittenQuantity& x) {
   if (x.dimension.is_plain()) return;
-  refuse_formula(tree.at, fmt::format("{} is {}; a plain number or an angle is wanted", what,
+  refuse_formula(tree.at, fmt::format("{} is {}; it must be a plain number or an angle", what,
                                       to_string(x.dimension)));
 }
 

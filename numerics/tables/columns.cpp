@@ -112,8 +112,8 @@ UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
     throw std::invalid_argument(fmt::format("column {}: {}", column.name, *why));
   }
   throw std::invalid_argument(fmt::format(
-      "{}: column '{}' is in '{}'; {} or a unit of the same kind is wanted", table.source,
-      column.name, column.unit.empty() ? "no unit" : column.unit, fmt::join(units, ", ")));
+      "{}: column '{}' is in '{}'; use {} or a unit of the same kind", table.source, column.name,
+      column.unit.empty() ? "no unit" : column.unit, fmt::join(units, ", ")));
 }
 
 double resolution_of(const SampleColumn& column) {

@@ -122,16 +122,13 @@ bool LineSource::next(std::string& line) {
   if (c == kEnd) return false;
   for (; c != kEnd && c != '\n' && c != '\r'; c = byte()) {
     if (c == 0) {
-      refuse(
-          "there is a byte of value 0: this is not a text; a table in UTF-8 or Latin-1 is "
-          "wanted");
+      refuse("there is a byte of value 0: this is not text; a table must be in UTF-8 or Latin-1");
     }
     line += static_cast<char>(c);
     if (line.size() > kMostLineBytes) {
-      refuse(
-          fmt::format("the line is longer than {} bytes; rows of a table are wanted, each on a "
-                      "line of its own",
-                      kMostLineBytes));
+      refuse(fmt::format(
+          "the line is longer than {} bytes; put each row of a table on a line of its own",
+          kMostLineBytes));
     }
   }
   after_return_ = c == '\r';

@@ -50,7 +50,7 @@ class Decimals {
 void check_rows(const SampleTable& table) {
   const std::size_t rows = table.rows();
   if (rows >= 2) return;
-  throw std::invalid_argument(fmt::format("{}: it has {} row{} of numbers; two at least are wanted",
+  throw std::invalid_argument(fmt::format("{}: it has {} row{} of numbers; at least two are needed",
                                           table.source, rows, rows == 1 ? "" : "s"));
 }
 
@@ -61,7 +61,7 @@ void check_name(const SampleTable& table, const std::string& name) {
   const auto count = std::count_if(table.columns.begin(), table.columns.end(),
                                    [&](const SampleColumn& c) { return c.name == name; });
   if (count < 2) return;
-  throw std::invalid_argument(fmt::format("{}: column '{}' is there twice", table.source, name));
+  throw std::invalid_argument(fmt::format("{}: column '{}' appears twice", table.source, name));
 }
 
 class Reader {
@@ -133,9 +133,9 @@ class Reader {
       refuse_line(number, fmt::format("{} cells, where the header has {}", cells.size(), count));
     }
     if ((table_.lines.size() + 1) * count > kMostCells) {
-      refuse_line(number, fmt::format("the table goes on beyond {} numbers; fewer rows or columns "
-                                      "are wanted",
-                                      kMostCells));
+      refuse_line(number,
+                  fmt::format("the table goes on beyond {} numbers; use fewer rows or columns",
+                              kMostCells));
     }
     for (std::size_t i = 0; i < count; ++i) read_cell(number, cells[i], i);
     table_.lines.push_back(static_cast<std::uint32_t>(number));

@@ -240,12 +240,12 @@ TableLayout first_line_layout(const std::vector<NumberedLine>& lines, const std:
   const auto first = std::find_if(lines.begin(), lines.end(), text);
   if (first == lines.end()) {
     throw std::invalid_argument(
-        fmt::format("{}: it is empty; a header and rows of numbers are wanted", source));
+        fmt::format("{}: it is empty; it needs a header and rows of numbers", source));
   }
   const auto row = std::find_if(
       first, lines.end(), [](const NumberedLine& line) { return is_row_of_numbers(line.text); });
   if (row == first) {
-    refuse(*first, "a line of names is wanted first, with units: \"angle [deg], lift [mm]\"");
+    refuse(*first, "the first line must hold names with units: \"angle [deg], lift [mm]\"");
   }
   TableLayout layout{
       separator_of(first->text), {}, static_cast<std::size_t>(first - lines.begin()) + 1};
@@ -254,12 +254,12 @@ TableLayout first_line_layout(const std::vector<NumberedLine>& lines, const std:
   }
   if (row != lines.end() && (row > first + 1 || layout.columns.size() < 2)) {
     refuse(*row,
-           "numbers begin here, and no line above names as many columns; write one with units: "
+           "numbers start here, and no line above names as many columns; write one with units: "
            "\"angle [deg], lift [mm]\"");
   }
   if (layout.columns.size() < 2) {
     refuse(*first,
-           "there is one column; two at least are wanted, separated by commas, semicolons, tabs or "
+           "there is one column; at least two are needed, separated by commas, semicolons, tabs or "
            "blanks, below a line of names");
   }
   return layout;

@@ -64,7 +64,7 @@ std::vector<CsvRow> csv_rows(std::string_view text, const std::vector<std::strin
     rows.push_back({line, {}});
     for (const std::size_t place : places) rows.back().cells.push_back(cells[place]);
   }
-  if (names.empty()) refuse(1, "a line of names is wanted");
+  if (names.empty()) refuse(1, "the first line must hold names");
   return rows;
 }
 

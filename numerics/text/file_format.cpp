@@ -28,7 +28,7 @@ void FileFormat::check(std::string_view stated) const {
   const int found = version_in(stated, kind);
   if (found < 1) {
     throw std::invalid_argument(
-        fmt::format("its format is '{}'; '{}' is wanted", stated.substr(0, 80), text()));
+        fmt::format("its format is '{}'; it must be '{}'", stated.substr(0, 80), text()));
   }
   if (found > version) {
     throw std::invalid_argument(fmt::format(

@@ -52,10 +52,9 @@ std::string file_text(const std::string& path, const std::string& what) {
   }
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status))
-    refuse_file(path, fmt::format("it is a directory; a {} is wanted", what));
+  if (fs::is_directory(status)) refuse_file(path, fmt::format("it is a directory, not a {}", what));
   if (fs::is_block_file(status) || fs::is_socket(status)) {
-    refuse_file(path, fmt::format("it is not a file of text; a {} is wanted", what));
+    refuse_file(path, fmt::format("it is not a text file; a {} is needed", what));
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);

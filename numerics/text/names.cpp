@@ -85,7 +85,7 @@ void refuse_name(const std::string& what, std::string_view name,
   throw std::invalid_argument(
       fmt::format("{} '{}'{}; {}", what, name,
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
-                  all ? fmt::format("known are {}", fmt::join(known, ", ")) : list));
+                  all ? fmt::format("use {}", fmt::join(known, ", ")) : list));
 }
 
 std::string_view trimmed(std::string_view text, std::string_view characters) {

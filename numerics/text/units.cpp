@@ -135,7 +135,7 @@ std::string example(const std::string& listed) {
 /// Why a text does not begin with a number.
 std::string number_refusal(std::string_view text, std::errc error, const std::string& listed) {
   if (error == std::errc::result_out_of_range) {
-    return fmt::format("'{}' is beyond the numbers that can be counted with", text);
+    return fmt::format("'{}' is beyond the range of numbers", text);
   }
   return fmt::format("'{}' is not a number{}", text,
                      listed == "1" ? "" : " with a unit" + example(listed));
@@ -154,8 +154,7 @@ SiUnit si_unit_of(const std::string& unit, std::string_view definition) {
     throw std::invalid_argument(fmt::format("'{}' {}", unit, why));
   };
   if (definition.find_first_of("@(") != std::string_view::npos) {
-    refuse(
-        "has a scale of its own, which does not begin at 0; formulas count in the units of the SI");
+    refuse("has a scale of its own, which does not begin at 0; formulas use SI units");
   }
   const std::size_t first = definition.find(' ');
   std::string_view rest =
@@ -226,8 +225,8 @@ WrittenUnit written_unit(std::string_view written) {
   if (const auto why = ambiguous(written)) throw std::invalid_argument(*why);
   std::string spelled = spelled_out(written);
   if (counts_turns(spelled)) {
-    throw std::invalid_argument(fmt::format(
-        "'{}' counts revolutions to some and not to others; write rpm, or [1/s]", written));
+    throw std::invalid_argument(
+        fmt::format("'{}' may or may not mean revolutions; write rpm, or [1/s]", written));
   }
   {
     const std::lock_guard lock(unit_mutex());
@@ -260,11 +259,11 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   const std::lock_guard lock(unit_mutex());
   const Unit target = find_unit(unit), source = read_unit(given, target);
   if (!source) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted{}", what, given,
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is needed{}", what, given,
                                             kind_of(target), example(listed)));
   }
   if (!same_kind(source, target)) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is {}; {} is wanted{}", what, text,
+    throw std::invalid_argument(fmt::format("{}: '{}' is {}; {} is needed{}", what, text,
                                             kind_of(source), kind_of(target), example(listed)));
   }
   const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);

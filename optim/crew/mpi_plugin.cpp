@@ -99,7 +99,7 @@ void close() {
 const char* CAMLAW_MPI(CamlawMpi* opened) {
   int provided = 0;
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {
-    return "MPI does not begin";
+    return "MPI does not start";
   }
   if (provided < MPI_THREAD_FUNNELED) return "this MPI does not allow for threads";
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);

@@ -254,7 +254,8 @@ void MpiRanks::send(std::size_t parcel, const std::vector<std::string>& orders) 
 
 void MpiRanks::take(int rank, const std::string& bytes, std::vector<Arrival>& arrived) {
   auto parcel = value_of_bytes<Parcel>(std::string_view(bytes).substr(1));
-  if (!parcel) throw std::runtime_error(fmt::format("rank {} sent what is not an answer", rank));
+  if (!parcel)
+    throw std::runtime_error(fmt::format("rank {} sent something that is not an answer", rank));
   std::erase(under_way_[static_cast<std::size_t>(rank)], parcel->number);
   heard_[static_cast<std::size_t>(rank)] = now();
   Arrival arrival{.parcel = parcel->number, .seconds = parcel->seconds};

@@ -128,7 +128,7 @@ void describe_bounds(const std::vector<FitParameter>& given, const std::vector<b
     p.at_bound = held[j] && bounds.lower != bounds.upper;
     if (!p.at_bound) continue;
     const bool low = p.value <= bounds.lower;
-    add(result.reason, fmt::format("'{}' stands at its {} bound {:.6g}", p.name,
+    add(result.reason, fmt::format("'{}' is at its {} bound {:.6g}", p.name,
                                    low ? "lower" : "upper", low ? bounds.lower : bounds.upper));
   }
 }

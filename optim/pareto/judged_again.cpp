@@ -26,7 +26,7 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 std::string both(const std::string& name, double stated, double found, const std::string& unit) {
-  return fmt::format("{} is stated as {}, evaluated again it is {}", name, with_unit(stated, unit),
+  return fmt::format("{} is stated as {}, but evaluates to {}", name, with_unit(stated, unit),
                      with_unit(found, unit));
 }
 
@@ -85,7 +85,7 @@ void compare_limits(const Problem& multi, const FrontPoint& point,
   const std::size_t count = problem.constraints.size();
   if (point.limits.size() != count) {
     found.push_back(
-        fmt::format("{} limits are stated, the problem has {}", point.limits.size(), count));
+        fmt::format("{} limits are stated, but the problem has {}", point.limits.size(), count));
     return;
   }
   const auto differing = [&](const Sizes& sizes, bool prove) {
@@ -98,7 +98,7 @@ void compare_limits(const Problem& multi, const FrontPoint& point,
         continue;
       }
       words.push_back(stated.name == reports[i].name && stated.margin == reports[i].margin
-                          ? fmt::format("the limit on {} is stated to be {}, it is not",
+                          ? fmt::format("the limit on {} is stated to be {}, but it is not",
                                         stated.name, stated.met ? "met" : "passed")
                           : both("the margin of " + stated.name, stated.margin, reports[i].margin,
                                  reports[i].unit));

@@ -127,7 +127,7 @@ std::size_t compromise(std::span<const Costs> front, const std::vector<double>& 
                       std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
   if (!fits || !proper) {
     throw std::invalid_argument(
-        "weights: one number for each objective is wanted, none negative, one at least positive");
+        "weights: give one number for each objective, none negative and at least one positive");
   }
   const std::vector<Costs> u = normalised(front, tolerances);
   const auto measure = [&](const Costs& point) {

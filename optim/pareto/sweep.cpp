@@ -20,7 +20,7 @@ Sweep::Sweep(const ProblemSpace& its_space, const ParetoOptions& its_options, Ex
     throw std::invalid_argument("a front needs at least two objectives; this problem has one");
   }
   if (options.reference && options.reference->size() != objectives) {
-    throw std::invalid_argument("reference: one number for each objective is wanted");
+    throw std::invalid_argument("reference: give one number for each objective");
   }
   if (options.method == ParetoMethod::Nsga2) require_nsga2();
   for (const Objective& o : first.objectives) {

@@ -109,7 +109,7 @@ Objective no_objective() { return {.response = {"", "1", Function()}}; }
 const Objective& Problem::objective() const {
   if (objectives.size() == 1) return objectives.front();
   throw std::logic_error(
-      fmt::format("one objective is wanted; the problem '{}' has {}", name, objectives.size()));
+      fmt::format("one objective is needed; the problem '{}' has {}", name, objectives.size()));
 }
 
 Problem Problem::alone(std::size_t objective) const {

@@ -235,7 +235,8 @@ std::optional<std::string> Combinations::order(std::size_t number) {
 
 void Combinations::answered(std::size_t number, const std::string& answer) {
   auto decoded = decoded_answer(answer);
-  if (!decoded) return lost(number, "the process of this search answered with what is no answer");
+  if (!decoded)
+    return lost(number, "the process of this search answered with something that is not an answer");
   const auto at = errands_.find(number);
   if (at == errands_.end()) return;  // what nobody waits for any more
   take(errands_.extract(at).mapped(), std::move(*decoded));

@@ -62,7 +62,7 @@ void blame(const std::string& limit, const Problem& problem, const Sizes& sizes,
   found.assessment = assess(problem, sizes, found.x, false);
   found.assessment.verdict = Verdict::Infeasible;
   found.assessment.blamed = {limit};
-  found.assessment.reason = fmt::format("{} cannot be met: nothing that varies moves it", limit);
+  found.assessment.reason = fmt::format("{} cannot be met: no variable changes it", limit);
   found.assessment.global = fmt::format("{} is the same for every design", limit);
 }
 
@@ -244,7 +244,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
   if (trail.unbounded && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;
-    return trail.fail("the objective improves without end: a limit is missing");
+    return trail.fail("the objective improves without bound: a limit is missing");
   }
   prove_best(watched, setting, trail);
   search_elsewhere(watched, setting, trail);

@@ -108,7 +108,7 @@ MemoryNeed memory_need(const Problem& problem) {
 MemoryNeed check_memory(const Problem& problem, double allowed) {
   MemoryNeed need = memory_need(problem);
   if (need.bytes <= allowed) return need;
-  throw MemoryRefusal(fmt::format("the search needs about {} for {}; {} may be taken",
+  throw MemoryRefusal(fmt::format("the search needs about {} for {}, but may use {}",
                                   memory_text(need.bytes), need.of, memory_text(allowed)));
 }
 

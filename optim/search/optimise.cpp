@@ -34,7 +34,7 @@ void judge_combinations(const Tally& tally, Assessment& a) {
                                      tally.combinations, tally.solved);
   if (!tally.complete && a.verdict == Verdict::Certified) {
     a.verdict = Verdict::Feasible;
-    a.reason = fmt::format("not every one of the {} combinations was settled", tally.combinations);
+    a.reason = fmt::format("not all of the {} combinations were settled", tally.combinations);
     if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
     a.global.reset();
     return;
@@ -48,7 +48,7 @@ void judge_combinations(const Tally& tally, Assessment& a) {
   if (a.verdict == Verdict::Infeasible) {
     if (!tally.all_infeasible || !tally.complete) {
       a.verdict = Verdict::Failed;
-      a.reason = "no combination was solved, and not every one is infeasible";
+      a.reason = "no combination was solved, and not all are infeasible";
       if (!tally.stopped.empty()) {
         a.reason = fmt::format("{} after {} of {} combinations, none of which can be met",
                                tally.stopped, tally.solved, tally.combinations);

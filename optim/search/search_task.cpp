@@ -166,7 +166,7 @@ std::optional<SearchNews> decoded_news(std::string_view bytes) {
 
 std::string why_confined(const OptimiseOptions& options) {
   const auto why = [](const std::string& solver) {
-    return "no other process knows the solver " + solver;
+    return "other processes do not know the solver " + solver;
   };
   if (is_registered(options.solver)) return why(options.solver);
   for (const auto& [solver, native] : options.native) {

@@ -151,7 +151,7 @@ RunEnd run_end(const ClpSimplex& model, const SolverOptions& options) {
     case 1:
       return {Status::Infeasible, "the rows contradict one another"};
     case 2:
-      return {Status::Unbounded, "the objective falls without end"};
+      return {Status::Unbounded, "the objective decreases without bound"};
     case 3:
     case 5:
       if (is_stopped(options)) return {Status::Stopped, "stopped"};
@@ -245,7 +245,7 @@ class ClpSolver final : public Solver {
 
   std::optional<std::string> refusal(const Program& program) const override {
     if (program.is_linear()) return {};
-    return "clp takes linear problems alone, and this one is not known to be linear";
+    return "clp takes only linear problems, and this one is not known to be linear";
   }
 
  private:
@@ -279,7 +279,7 @@ class ClpSolver final : public Solver {
     const int pivots = pivoted(model, std::min(allowed, sensible), at_vertex);
     RunEnd end = run_end(model, options);
     if (end.status == Status::IterationLimit && sensible < allowed)
-      end = {Status::Stalled, "goes round among vertices"};
+      end = {Status::Stalled, "cycles among vertices"};
     solution.status = end.status;
     solution.message = end.message;
     solution.iterations = 1 + pivots / kPivots;

@@ -17,7 +17,7 @@ class InteriorSolver final : public Solver {
   bool solves_linear_programs() const override { return true; }
   std::optional<std::string> refusal(const Program& program) const override {
     if (!program.is_linear()) {
-      return "interior takes linear problems alone, and this one is not known to be linear";
+      return "interior takes only linear problems, and this one is not known to be linear";
     }
     return {};
   }

@@ -193,7 +193,7 @@ RunEnd run_end(Ipopt::ApplicationReturnStatus status) {
     case Ipopt::Invalid_Option:
       return {Status::Failed, "this build of Ipopt cannot do what its options ask for"};
     case Ipopt::Invalid_Number_Detected:
-      return {Status::Failed, "the model gives no number"};
+      return {Status::Failed, "the model is undefined"};
     default:
       return {Status::Failed, "failed"};
   }

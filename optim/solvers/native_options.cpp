@@ -34,7 +34,7 @@ std::vector<std::string> free_names(const std::vector<NativeRule>& rules) {
   } else if (known.size() > kListed) {
     more = fmt::format("; it has {} others", known.size());
   } else if (!known.empty()) {
-    more = fmt::format("; known are {}", fmt::join(known, ", "));
+    more = fmt::format("; use {}", fmt::join(known, ", "));
   }
   throw std::invalid_argument(fmt::format("{} has no option '{}'{}", solver, name, more));
 }

@@ -21,7 +21,7 @@ RunEnd run_end(Halt halt) {
     case Halt::Stopped:
       return {Status::Stopped, "stopped"};
     case Halt::Unbounded:
-      return {Status::Unbounded, "the objective falls without end"};
+      return {Status::Unbounded, "the objective decreases without bound"};
     case Halt::Threw:
     case Halt::None:
       break;

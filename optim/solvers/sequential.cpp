@@ -75,7 +75,7 @@ class Sequence {
       if (advance == Advance::None || advance == Advance::Undefined)
         return answer(Status::Stalled, "no step leads on");
       if (place_.violation <= met_ && is_far_out(program_, entries_of(place_.y)))
-        return answer(Status::Unbounded, "the objective falls without end");
+        return answer(Status::Unbounded, "the objective decreases without bound");
       if (advance == Advance::Last) {
         if (place_.violation > met_) return answer(Status::Infeasible, "no step meets the rows");
         return answer(Status::Solved, "no step is worth anything");

@@ -56,7 +56,8 @@ Solution believed(const std::string& solver, const Program& program, Solution so
   } else if (solution.status == Status::Unbounded && !is_far_out(program, solution.y)) {
     solution.status = Status::Failed;
     solution.message = fmt::format(
-        "{} says that the objective falls without end, at a point that is not far out", solver);
+        "{} says that the objective decreases without bound, at a point that is not far out",
+        solver);
   }
   return solution;
 }

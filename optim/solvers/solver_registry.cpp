@@ -77,7 +77,7 @@ const Solver& find_solver(std::string_view name) {
   const std::vector<Named> all = all_solvers();
   if (const auto found = named(all, name); found != all.end()) return *found->solver;
   throw std::invalid_argument(
-      fmt::format("no solver is called '{}'; there are {}", name, fmt::join(solver_names(), ", ")));
+      fmt::format("'{}' is not a solver; use one of {}", name, fmt::join(solver_names(), ", ")));
 }
 
 void register_solver(std::unique_ptr<const Solver> solver) {

@@ -47,7 +47,7 @@ std::string why(const SQLite::Exception& error) {
   return fmt::format("{}: {}", damaged ? "the file is damaged" : "it cannot be read", error.what());
 }
 
-constexpr const char* kForeign = "it is not a study of camlaw, and is left as it is";
+constexpr const char* kForeign = "it is not a camlaw study; it was left unchanged";
 
 /// Whether the file begins as a study does. Found out without SQLite, which may make files beside
 /// it.
@@ -71,7 +71,7 @@ std::string beginning_of(const std::string& path) {
   if (!fs::exists(begun)) return begun;
   const bool is_left =
       fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
-  if (!is_left) refuse(begun, "it stands where the study is to be begun; move it away");
+  if (!is_left) refuse(begun, "it is where the study is to be started; move it away");
   fs::remove(begun);
   return begun;
 }

@@ -29,7 +29,7 @@ class Tasks final : public Errands {
   void answered(std::size_t number, const std::string& answer) override {
     auto outcome = decoded(answer);
     if (outcome) return end(number, std::move(*outcome));
-    lost(number, "the process of this search answered with what is no outcome");
+    lost(number, "the process of this search answered with something that is not an outcome");
   }
   void lost(std::size_t number, const std::string& why) override {
     Outcome failed;

@@ -23,7 +23,7 @@ void check_row(const Table& table, std::size_t row) {
   const auto [value, decimals] = table.printed[row];
   if (!std::isfinite(value)) reject(fmt::format("prints {}, which is not finite", value));
   if (decimals < 0 || decimals > kMaxDecimals)
-    reject(fmt::format("has {} decimals; accepted are 0 to {}", decimals, kMaxDecimals));
+    reject(fmt::format("has {} decimals; use 0 to {}", decimals, kMaxDecimals));
   Mask seen = 0;
   std::size_t combinations = 1;
   for (const std::size_t h : table.depends[row]) {

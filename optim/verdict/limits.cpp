@@ -193,7 +193,7 @@ std::string undefined_at(const Problem& problem, Design x, const std::string& wh
     if (!result.empty()) break;
     result = undefined_response(c.response, Part::Magnitude, x);
   }
-  const std::string what = "the model gives no number at " + where;
+  const std::string what = "the model is undefined at " + where;
   return result.empty() ? what : fmt::format("{} ({})", what, result);
 }
 

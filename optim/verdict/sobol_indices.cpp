@@ -138,14 +138,13 @@ std::vector<SobolIndices> sobol_indices(std::span<const Quantile> inputs, std::s
                                         const SampledModel& model, const SobolOptions& options) {
   const std::size_t k = inputs.size();
   if (k == 0 || k > kMostInputs || outputs == 0) {
-    throw std::invalid_argument(
-        fmt::format("Sobol indices of {} inputs and {} numbers; accepted are 1 to {} inputs and 1 "
-                    "number or more",
-                    k, outputs, kMostInputs));
+    throw std::invalid_argument(fmt::format(
+        "Sobol indices of {} inputs and {} numbers; use 1 to {} inputs and 1 number or more", k,
+        outputs, kMostInputs));
   }
   if (options.samples < 2 || options.samples > kMostSamples) {
-    throw std::invalid_argument(fmt::format("Sobol indices from {} samples; accepted are 2 to {}",
-                                            options.samples, kMostSamples));
+    throw std::invalid_argument(
+        fmt::format("Sobol indices from {} samples; use 2 to {}", options.samples, kMostSamples));
   }
   const std::size_t count = std::bit_ceil(options.samples);
   SobolPoints sequence(2 * k, options.seed);

@@ -189,7 +189,7 @@ void sum_up(std::vector<Spread>& spreads, const std::vector<Numbers>& samples) {
 
 void check(Design x, const Variations& variations, std::size_t samples) {
   if (variations.size() != x.size()) {
-    throw std::invalid_argument("tolerances: one for each variable is wanted");
+    throw std::invalid_argument("tolerances: give one for each variable");
   }
   if (samples < 1) throw std::invalid_argument("samples: at least one is needed");
 }

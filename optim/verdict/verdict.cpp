@@ -158,14 +158,14 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
   }
   if (is_bounded(a)) return {};
   if (std::isinf(a.kkt_residual)) {
-    return "the model has no derivatives at the answer, which may stand at the edge of where it is "
-           "possible";
+    return "the model has no derivatives at the answer, which may be at the edge of where the "
+           "machine is possible";
   }
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
   }
   if (a.at_moving_break) {
-    return "a peak stands at a joint of the law that moves with the design: how it changes is not "
+    return "a peak lies at a joint of the law that moves with the design, so how it changes is not "
            "known";
   }
   if (!a.second_order) return "a direction along the active limits may improve to second order";
@@ -339,7 +339,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
   const bool convex = quasiconvex && has_convex_pushes(problem, conditions);
   if (conditions.at_moving_break) {
     result.reason = fmt::format(
-        "no design was found that meets {}; a peak stands at a joint that moves with the design: "
+        "no design was found that meets {}; a peak lies at a joint that moves with the design, so "
         "how it changes is not known",
         violated_names(result));
     return result;

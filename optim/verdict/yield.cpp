@@ -404,7 +404,7 @@ std::unique_ptr<RoomRows> searched_rooms(const Problem& problem, Design x) {
 Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design x,
             const std::vector<Variation>& variations, const YieldOptions& options) {
   if (variations.size() != x.size()) {
-    throw std::invalid_argument("yield: one variation for each variable is wanted");
+    throw std::invalid_argument("yield: give one variation for each variable");
   }
   const Sampler sampler(rows, x, variations);
   if (sampler.dimensions() == 0) throw std::invalid_argument("yield: nothing varies");

@@ -64,7 +64,7 @@ std::vector<Cell> checked_cells(const BuildableAnswer& answer) {
 
 Headline headline(const std::string& verdict, const Buildability& found) {
   if (!found.fails()) return {verdict, false};
-  return {fmt::format("{} of the limits stated; {}", verdict, failure_text(found)), true};
+  return {fmt::format("{} within the limits stated; {}", verdict, failure_text(found)), true};
 }
 
 std::string buildable_words(const Buildability& found) {
@@ -75,7 +75,7 @@ std::string buildable_words(const Buildability& found) {
                                  fmt::format("{} fail{}", fails, fails == 1 ? "s" : ""),
                                  fmt::format("{} {} not checked", open, open == 1 ? "is" : "are")};
   return fmt::format("buildable: {}{}", fmt::join(parts, ", "),
-                     found.required ? "; those that are checked are limits" : "");
+                     found.required ? "; the checked ones count as limits" : "");
 }
 
 std::string buildable_in_short(const Buildability& found) {

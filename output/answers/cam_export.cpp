@@ -11,6 +11,7 @@
 #include "numerics/text/units.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/buildable_output.h"
+#include "output/answers/judged_words.h"
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
 #include "output/export/curve_svg.h"
@@ -81,9 +82,9 @@ const FormatRow& format_of(const ExportOptions& options) {
     if (options.format ? *options.format == row.name : fits) return row;
   }
   throw std::invalid_argument(
-      fmt::format("{}; accepted are {}",
-                  options.format ? fmt::format("--format: no format '{}'", *options.format)
-                                 : "--format is missing, and no ending of --out tells it",
+      fmt::format("{}; use one of {}",
+                  options.format ? fmt::format("--format: '{}' is not a format", *options.format)
+                                 : "--format is missing, and the ending of --out does not tell it",
                   fmt::join(names, ", ")));
 }
 
@@ -135,12 +136,10 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
   only(o.tolerance, "--tolerance", (!motion && !inspection) || quintics,
        "curves and drives that take polynomials");
   if (o.step && o.tolerance) {
-    throw std::invalid_argument("--step and --tolerance: give one of the two");
+    throw std::invalid_argument("--step and --tolerance: give only one of the two");
   }
   if (o.step && o.form && *o.form != "lines") {
-    throw std::invalid_argument(
-        "--step makes points with lines between them; --as lines alone "
-        "goes with it");
+    throw std::invalid_argument("--step makes points joined by lines; it takes only --as lines");
   }
 }
 
@@ -175,10 +174,10 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
   const bool within =
       !o.step && format.format != ExportFormat::Table && format.format != ExportFormat::Inspection;
   if (within && accuracy.tolerance < 10 * digit) {
-    throw std::invalid_argument(fmt::format(
-        "--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; at least {:.6g} {}, "
-        "or more --decimals",
-        accuracy.tolerance, unit, accuracy.decimals, 10 * digit, unit));
+    throw std::invalid_argument(
+        fmt::format("--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; use at "
+                    "least {:.6g} {}, or more --decimals",
+                    accuracy.tolerance, unit, accuracy.decimals, 10 * digit, unit));
   }
   if (format.format == ExportFormat::Gcode)
     accuracy.most_radius = problems::kMostArcRadius * per_mm;
@@ -238,7 +237,7 @@ void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& sta
 /// What a mechanism without a profile has instead, in words.
 std::string instead(const problems::ProblemStatement& statement) {
   if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
-    return "; --format table and json have its motion and law";
+    return "; --format table or json writes its motion and law";
   }
   const bool moves = !problems::curves_of(statement).empty();
   return moves ? "; --format table --slave NAME writes one of its curves" : "";
@@ -275,7 +274,7 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   }
   if (inspection && (curves.size() > 1 || !curves.front().name().ends_with("profile"))) {
     throw std::invalid_argument(
-        fmt::format("--curve {}: an inspection table is of profile or second-profile", asked));
+        fmt::format("--curve {}: an inspection table takes profile or second-profile", asked));
   }
   return curves;
 }
@@ -296,6 +295,31 @@ std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
   }
 }
 
+/// Refuses even steps whose chords cut deep into a curve: past a thousandth of its size, less what
+/// straight lines bridge where it jumps.
+void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
+                const problems::ExportedCurve& chords, const problems::LengthUnit& unit) {
+  constexpr double kShare = 1e-3, kRoom = 0.9;  // kRoom: the deviation is not quite the square's
+  if (!o.step) return;
+  double bridged = 0;
+  for (const auto& [place, length] : curve.jumps()) bridged = std::max(bridged, length / unit.mm);
+  const problems::Extent extent = problems::extent_of({chords});
+  const double size = (extent.high - extent.low).maxCoeff(), most = kShare * size;
+  const double worst = chords.worst() - bridged;
+  if (!(worst > most)) return;
+  // A finer step that divides the cycle in the digits that are printed.
+  const double cycle = curve.end() - curve.begin();
+  double count = std::ceil(static_cast<double>(chords.size()) * std::sqrt(worst / (kRoom * most)));
+  constexpr double kMostSteps = 1e6;
+  while (count < kMostSteps && std::stod(fmt::format("{:.4g}", cycle / count)) * count != cycle) {
+    ++count;
+  }
+  throw std::invalid_argument(fmt::format(
+      "--step {}: lines between these points leave the exact {} by {:.4g} {}, which is more than "
+      "a thousandth of its size of {:.4g} {}; use --tolerance, or a step such as {:.4g} deg",
+      *o.step, curve.name(), chords.worst(), unit.name, size, unit.name, cycle / count));
+}
+
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
@@ -312,6 +336,7 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
       e.curves.push_back(problems::exported(curve, form, inner));
     }
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
+    check_step(o, curve, e.curves.back(), e.accuracy.unit);
   }
   const std::vector<std::string> more =
       e.passes.empty() ? cuts_of(e.design.statement, curves) : e.passes.back().path.doubts();
@@ -321,7 +346,8 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
 /// The radius of the tool, for who sets up the machine.
 std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement,
                       const problems::LengthUnit& unit) {
-  if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
+  if (o.curve && *o.curve != "cutter" && !o.tool)
+    return "this is the curve itself: compensate for the tool";
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
   const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
@@ -358,7 +384,7 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   }
 }
 
-/// A design that its search could not bring within its limits is not to be made by oversight.
+/// What was found by the search that the design is from.
 std::vector<std::string> notes_on(const problems::ReadDesign& design,
                                   const std::vector<std::string>& settings) {
   if (design.verdict != to_string(optim::Verdict::Infeasible)) return {};
@@ -369,21 +395,29 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 }  // namespace
 
 ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
-                           problems::ReadDesign design, const std::vector<std::string>& review) {
+                           problems::ReadDesign design, const std::vector<std::string>& review,
+                           std::vector<std::string> unmet) {
+  const std::vector<std::string> own = unmet_words(design.statement);
+  unmet.insert(unmet.end(), own.begin(), own.end());
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
              .accuracy = accuracy_of(options, format),
-             .notes = notes_on(design, options.settings)};
+             .notes = notes_on(design, options.settings),
+             .unmet = std::move(unmet)};
+  const auto note = [&](const std::vector<std::string>& words) {
+    e.notes.insert(e.notes.end(), words.begin(), words.end());
+  };
+  note(e.unmet);
   const problems::Buildability built = problems::buildability(design.statement);
   if (std::string words = failure_text(built); !words.empty()) e.notes.push_back(std::move(words));
   if (std::string words = buildable_words(built); !words.empty()) {
     e.notes.push_back(std::move(words));
   }
-  e.notes.insert(e.notes.end(), review.begin(), review.end());
+  note(review);
   if (!review.empty()) design.verdict.reset();  // it is not to be told as one
   std::string text = content(options, format, e);
-  return {std::move(text), export_document(e)};
+  return {std::move(text), export_document(e), e.unmet};
 }
 
 }  // namespace camlaw::cli

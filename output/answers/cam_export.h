@@ -51,11 +51,14 @@ void check_options(const ExportOptions& options, const FormatRow& format);
 struct ExportedText {
   std::string text;
   Document about;
+  std::vector<std::string> unmet;  ///< unmet_words of the design
 };
 
 /// The design as the format has it; its statement is at the values that are wanted already. Whether
-/// it can be built, and what `review` says of its record, is noted in the text.
+/// it can be built, which limits it does not meet (`unmet`: further ones, of the shaft that its cam
+/// is on), and what `review` says of its record, is noted in the text.
 ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
-                           problems::ReadDesign design, const std::vector<std::string>& review);
+                           problems::ReadDesign design, const std::vector<std::string>& review,
+                           std::vector<std::string> unmet = {});
 
 }  // namespace camlaw::cli

@@ -40,7 +40,7 @@ void add_departures(const CamFit& fit, Document& document) {
   Json list = Json::array();
   for (const problems::Departure& d : fit.departures) {
     document.say(fmt::format(
-        "from {} to {} the lift is up to {} {} than the law{}; left out\n", number(d.from),
+        "from {} to {} the lift is up to {} {} than the law{}; it is left out\n", number(d.from),
         with_unit(number(d.to), "deg"), with_unit(number(std::abs(d.most)), fit.cam.samples.unit),
         d.most < 0 ? "lower" : "higher", d.most < 0 ? ", as where it is worn" : ""));
     list.push_back({{"from", to_json(d.from)},

@@ -52,8 +52,8 @@ void check_objective(const ProblemStatement& statement, const std::string& file,
                      const char* asked) {
   if (!statement.objectives.empty()) return;
   throw std::invalid_argument(fmt::format(
-      "{}: {} looks at the objective, and there is none; write [objective] minimize = \"...\"",
-      file, asked));
+      "{}: {} needs an objective, and there is none; write [objective] minimize = \"...\"", file,
+      asked));
 }
 
 Variants variants_of(const ProblemStatement& statement, const char* asked) {
@@ -155,7 +155,7 @@ bool add_derivatives(const std::vector<CheckedVariant>& variants, bool several_o
     for (const std::string& shape : result.shapes) shapes += shape + "\n";
   }
   document.add(std::move(table));
-  document.say(fmt::format("{} derivatives compared with differences: {}\n", count,
+  document.say(fmt::format("{} derivatives compared with finite differences: {}\n", count,
                            agrees ? "all agree" : "they do not agree"));
   document.say(shapes);
   document.fact("compared", count);

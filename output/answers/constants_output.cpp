@@ -48,7 +48,7 @@ Table numbers_table(const ConstantsFit& fit) {
                {in_digits(n.high), n.high},
                {shown_unit(n.unit), n.unit},
                datum(n.of_law ? "law" : "machine"),
-               {n.identifiable ? "yes" : "no: others make up for it", n.identifiable}});
+               {n.identifiable ? "yes" : "no: other constants compensate for it", n.identifiable}});
   }
   return table;
 }
@@ -125,7 +125,7 @@ std::string verdict(const std::vector<ConstantsFit>& fits) {
     line(fmt::format("the same motion: {}", fmt::join(names_of(best.also), "; ")));
   }
   if (const auto equal = as_good(fits); !equal.empty()) {
-    line(fmt::format("{} explain{} it as shortly: more constants or digits would tell",
+    line(fmt::format("{} explain{} it with as few digits: more constants or digits would decide",
                      fmt::join(equal, "; "), equal.size() == 1 ? "s" : ""));
   }
   if (off.size() < best.constants.size() && best.cost >= digits_of_print(best)) {

@@ -31,7 +31,7 @@ Document delivery_document(std::span<const DeliveryChoice> choices) {
   document.fact("study", "sheet-delivery");
   document.say("the greatest least efficiency of the sheet delivery for a required slow-down\n\n");
   document.add(delivery_table(choices));
-  document.say("\nprice: efficiency that one more of slow-down costs, to first order\n");
+  document.say("\nprice: efficiency lost per unit of slow-down, to first order\n");
   return document;
 }
 

@@ -157,6 +157,13 @@ Document export_document(const Exported& e) {
   return document;
 }
 
+std::string warning_head(const Exported& e) {
+  std::string head;
+  for (const std::string& words : e.unmet)
+    head += fmt::format("# {}\n", problems::plain_text(words));
+  return head;
+}
+
 std::string export_csv(const Exported& e) {
   const auto in_unit = [&](const char* name) {
     return fmt::format("{} [{}]", name, e.accuracy.unit.name);
@@ -176,7 +183,7 @@ std::string export_csv(const Exported& e) {
                       fmt::format("{:.3e}", point.deviation)});
     }
   }
-  return to_csv(rows);
+  return warning_head(e) + to_csv(rows);
 }
 
 Json export_json(const Exported& e) {

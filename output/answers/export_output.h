@@ -34,6 +34,7 @@ struct Exported {
   std::optional<ExportedMotion> motion = {};    ///< of drives
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
+  std::vector<std::string> unmet = {};  ///< those of the notes that name a limit that is not met
 };
 
 /// The lines of a comment: title, mechanism and file, verdict, settings, law; of each curve how
@@ -42,8 +43,11 @@ std::vector<std::string> comments_of(const Exported& exported);
 /// What is said of a file that is written: where it is from, its curves, and notes.
 Document export_document(const Exported& exported);
 
-/// A row for each point: curve, cam angle, x, y, r, theta, how far the curve departs from the
-/// straight line to the next point.
+/// Lines that begin with '#' and head a table whose design does not meet its limits; else empty.
+std::string warning_head(const Exported& exported);
+
+/// A row for each point, after warning_head: curve, cam angle, x, y, r, theta, how far the curve
+/// departs from the straight line to the next point.
 std::string export_csv(const Exported& exported);
 
 /// The points, the motion as a table where the mechanism has one, and the law as a law file has it.

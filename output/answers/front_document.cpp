@@ -88,9 +88,9 @@ std::string measures_text(const FrontAnswer& answer) {
 std::string unfinished_text(problems::Resuming resuming) {
   switch (resuming) {
     case problems::Resuming::Works:
-      return "the study is not finished; --resume goes on with it\n";
+      return "the study is not finished; --resume continues it\n";
     case problems::Resuming::Refused:
-      return "the study is not finished, and this program cannot go on with it: begin it again in "
+      return "the study is not finished, and this program cannot continue it: start it again in "
              "another file\n";
     case problems::Resuming::NoRecord:
       break;
@@ -112,8 +112,9 @@ std::string work_text(const FrontAnswer& answer) {
                             : "");
   }
   if (front.without_end > 0) {
-    text += fmt::format("the front may lack a part: the least of an objective was not found{}\n",
-                        front.parts > 1 ? fmt::format(" in {} of them", front.without_end) : "");
+    text += fmt::format(
+        "part of the front may be missing: the best value of an objective was not found{}\n",
+        front.parts > 1 ? fmt::format(" in {} of them", front.without_end) : "");
   }
   for (const optim::FailedTask& failed : front.failures) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
@@ -186,7 +187,7 @@ void add_knee(const FrontAnswer& answer, Document& document) {
   document.say(
       fmt::format("knee: point {}, {}\n", knee->point + 1, values_text(answer, all[knee->point])));
   for (std::size_t i = 0; i < knee->low.size(); ++i) {
-    document.say(fmt::format("  stays the knee while {} counts {} to {} times as much\n",
+    document.say(fmt::format("  remains the knee while {} is weighted {} to {} times as much\n",
                              answer.front.objectives[i].name, shown(knee->low[i], 2),
                              shown(knee->high[i], 2)));
   }

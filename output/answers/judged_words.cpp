@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "output/document/formatting.h"
 #include "problems/results/judged_design.h"
 
@@ -15,13 +17,18 @@ std::vector<std::string> judged_words(const problems::ReadDesign& read) {
   if (optim::is_feasible(found)) {
     return {fmt::format("judged again: {}", optim::to_string(found.verdict))};
   }
-  std::vector<std::string> words{"judged again: the design does not meet its limits"};
-  for (const optim::LimitReport& limit : found.limits) {
+  return {"judged again: the design does not meet its limits"};
+}
+
+std::vector<std::string> unmet_words(const problems::ProblemStatement& design) {
+  std::vector<std::string> words;
+  for (const optim::LimitReport& limit : problems::standing(design)) {
     if (limit.met) continue;
-    words.push_back(fmt::format("{} is {}, and its limit is {} {}", limit.name,
-                                with_unit(in_digits(limit.value), limit.unit),
-                                limit.is_upper ? "at most" : "at least",
-                                with_unit(in_digits(limit.bound), limit.unit)));
+    const char* side = limit.is_equation ? "equal to" : limit.is_upper ? "at most" : "at least";
+    const std::string value =
+        std::isnan(limit.value) ? "undefined" : with_unit(in_digits(limit.value), limit.unit);
+    words.push_back(fmt::format("limit not met: {} is {} and must be {} {}", limit.name, value,
+                                side, with_unit(in_digits(limit.bound), limit.unit)));
   }
   return words;
 }

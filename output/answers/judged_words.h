@@ -9,8 +9,12 @@
 /// A design judged again before it is written to a file.
 namespace camlaw::cli {
 
-/// "judged again: feasible", and of each limit that is not met by how much, a sentence each; empty
-/// where nothing is asked of the design.
+/// "judged again: feasible", or that the design does not meet its limits; empty where there is
+/// nothing to judge.
 std::vector<std::string> judged_words(const problems::ReadDesign& read);
+
+/// Of each limit of its problem that a design does not meet its value and its bound, a sentence
+/// each: "limit not met: pressure_angle is 32.8 deg and must be at most 30 deg".
+std::vector<std::string> unmet_words(const problems::ProblemStatement& design);
 
 }  // namespace camlaw::cli

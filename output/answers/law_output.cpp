@@ -172,11 +172,11 @@ Document laws_document(const std::vector<Member>& laws) {
   Table table = laws_table(laws);
   document.take_list(json_of(table));
   document.add(std::move(table));
-  document.say(fmt::format(
-      "\nConstants are those of the default parameters. Every R-R law also takes crossover=c.\n"
-      "'camlaw law NAME' tells more of one law. Law files in the folder that {} names are laws "
-      "too.\n",
-      problems::kOwnLaws));
+  document.say(
+      fmt::format("\nConstants are those of the default parameters. Every R-R law also takes "
+                  "crossover=c.\n'camlaw law NAME' tells more about one law. Law files in the "
+                  "folder that {} names are laws too.\n",
+                  problems::kOwnLaws));
   return document;
 }
 

@@ -193,9 +193,9 @@ Document mechanisms_page() {
   page.add(Heading{"Mechanisms of problem files", 1});
   page.say(
       "Printed by `camlaw mechanisms --markdown` from the code. A file names one, sets or varies "
-      "its\nparameters and asks about its responses ([problem-files.md](problem-files.md)). A "
-      "curve is asked about as\n`peak`, `highest` or `lowest` of it. The formulas of each are in "
-      "[machine-formulas](machine-formulas).\n");
+      "its\nparameters and limits or optimises its responses "
+      "([problem-files.md](problem-files.md)). Of a curve, a file names\n`peak`, `highest` or "
+      "`lowest` of it. The formulas of each are in [machine-formulas](machine-formulas).\n");
   std::string contents;
   for (const Mechanism& m : problems::mechanisms()) {
     contents +=
@@ -210,11 +210,11 @@ Document formulas_page(const Mechanism& mechanism) {
   Document page;
   page.add(Heading{fmt::format("Formulas of {}", mechanism.name), 1});
   page.say(fmt::format(
-      "Printed by `camlaw mechanisms {0} --formulas` from what is computed. Quantities are in the "
-      "units of the SI and\nangles in rad; a response is then given in the unit beside its name. "
-      "The symbols are those of\n[mechanisms.md](../mechanisms.md#{0}). $s$ is the displacement "
-      "in strokes over the cycle $x$ from 0 to 1, $\\varphi$ the angle of\na shaft. "
-      "$[\\dots]_{{y > 0}}$ has a value only where $y$ is positive.\n",
+      "Printed by `camlaw mechanisms {0} --formulas` from what is computed. Quantities are in SI "
+      "units and\nangles in rad; a response is then given in the unit beside its name. The symbols "
+      "are those of\n[mechanisms.md](../mechanisms.md#{0}). $s$ is the displacement in strokes "
+      "over the cycle $x$ from 0 to 1, $\\varphi$ the angle of\na shaft. $[\\dots]_{{y > 0}}$ has "
+      "a value only where $y$ is positive.\n",
       mechanism.name));
   for (const auto& response : mechanism.responses) {
     if (!response.write) continue;
@@ -233,8 +233,8 @@ Document formula_document(const Mechanism& mechanism, const std::string& asked) 
   }
   const std::string formula = formula_text(mechanism, *name.response);
   Document document;
-  document.say(fmt::format("{}\nin {}; the formula counts in the units of the SI and in rad\n",
-                           formula, shown_unit(name.response->unit)));
+  document.say(fmt::format("{}\nin {}; the formula uses SI units and rad\n", formula,
+                           shown_unit(name.response->unit)));
   document.fact("mechanism", mechanism.name);
   document.fact("response", name.response->name);
   document.fact("unit", name.response->unit);

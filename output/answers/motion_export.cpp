@@ -21,11 +21,12 @@ problems::MasterUnit master_of(const ExportOptions& o, const Motion& motion) {
   const std::string unit = o.master.value_or(motion.place_unit == "1" ? "x" : motion.place_unit);
   const bool is_own = unit == motion.place_unit || (unit == "x" && motion.place_unit == "1");
   if (!is_own && unit != "ms" && unit != "increments") {
-    throw std::invalid_argument(fmt::format("--master {}: accepted are {}, ms and increments", unit,
+    throw std::invalid_argument(fmt::format("--master {}: use {}, ms or increments", unit,
                                             motion.place_unit == "1" ? "x" : motion.place_unit));
   }
   if (is_own) {
-    if (o.cycle) throw std::invalid_argument("--cycle is for --master ms and --master increments");
+    if (o.cycle)
+      throw std::invalid_argument("--cycle is only for --master ms and --master increments");
     return {motion.master};
   }
   if (!o.cycle) {
@@ -54,7 +55,7 @@ std::string columns_of(const ExportOptions& o) {
   const bool once = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   if (!known || !once || !letters.starts_with('s')) {
     throw std::invalid_argument(fmt::format(
-        "--columns {}: it begins with s; v, a and j may follow, such as s,v,a", *o.columns));
+        "--columns {}: begin with s; any of v, a and j may follow, such as s,v,a", *o.columns));
   }
   return letters;
 }
@@ -71,10 +72,10 @@ problems::TableStyle style_of(const ExportOptions& o, int decimals) {
     style.separator = separator[0];
   } else {
     throw std::invalid_argument(
-        fmt::format("--separator {}: accepted are ',', ';', tab and space", separator));
+        fmt::format("--separator {}: use ',', ';', tab or space", separator));
   }
   if (style.decimal_comma && style.separator == ',') {
-    throw std::invalid_argument("--separator ,: with --decimal-comma it is ';', tab or space");
+    throw std::invalid_argument("--separator ,: with --decimal-comma use ';', tab or space");
   }
   return style;
 }
@@ -128,6 +129,17 @@ std::vector<problems::MotionKnot> points_of(const ExportOptions& o, const Motion
   return knots;
 }
 
+/// Refuses even steps between which a drive leaves the motion by much of its range.
+void check_step(const ExportOptions& o, const Motion& motion, double deviation) {
+  constexpr double kShare = 0.01;
+  const double range = range_of(motion);
+  if (!o.step || !(deviation > kShare * range)) return;
+  throw std::invalid_argument(fmt::format(
+      "--step {}: between these points the drive leaves the exact {} by {:.4g} {}, which is more "
+      "than a hundredth of its range of {:.4g} {}; use a smaller step",
+      *o.step, motion.slave_heading(), deviation, motion.unit, range, motion.unit));
+}
+
 std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,
                        const Motion& motion, const problems::MasterUnit& master, Exported& e) {
   const problems::WrittenMotion written{motion, master.per_place};
@@ -143,6 +155,7 @@ std::string drive_text(const ExportOptions& o, const problems::DriveFormat& driv
                ? problems::lines_between(std::move(knots))
                : problems::cubic_spline_through(std::move(knots));
     deviation = problems::deviation_of(written, path);
+    check_step(o, motion, deviation.most);
   }
   e.motion = {motion.slave_heading(), path.knots.size(), drive.path, motion.unit, deviation,
               drive.description};
@@ -158,7 +171,7 @@ problems::LengthUnit unit_of(const ExportOptions& o) {
   const std::string unit = o.unit.value_or("mm");
   if (unit == "mm") return problems::kMillimetre;
   if (unit == "inch") return problems::kInch;
-  throw std::invalid_argument(fmt::format("--unit {}: accepted are mm and inch", unit));
+  throw std::invalid_argument(fmt::format("--unit {}: use mm or inch", unit));
 }
 
 std::string motion_text(const ExportOptions& o, const FormatRow& format, Exported& e) {
@@ -167,7 +180,8 @@ std::string motion_text(const ExportOptions& o, const FormatRow& format, Exporte
   const problems::MasterUnit master = master_of(o, motion);
   if (format.drive != nullptr) return drive_text(o, *format.drive, motion, master, e);
   const int decimals = e.accuracy.decimals;
-  return problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
+  return warning_head(e) +
+         problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
                               style_of(o, decimals));
 }
 

@@ -77,9 +77,10 @@ std::string prices(const Answer& answer) {
   std::string text;
   const auto add = [&](const std::string& what, const std::string& unit, double price) {
     if (!(std::abs(price) > 1e-9 * std::abs(a.objective.value))) return;
-    text += fmt::format("  {} by 1{}: {} better by {}\n", what, unit == "1" ? "" : " " + unit,
-                        objective_name(answer),
-                        with_unit(fmt::format("{:.4g}", price), objective_unit(answer)));
+    const bool falls = answer.bound.statement().objectives.front().sense == optim::Sense::Minimize;
+    text += fmt::format("  {} by 1{} would {} {} by {}\n", what, unit == "1" ? "" : " " + unit,
+                        falls == (price > 0) ? "reduce" : "increase", objective_name(answer),
+                        with_unit(fmt::format("{:.4g}", std::abs(price)), objective_unit(answer)));
   };
   for (const LimitReport& limit : a.limits) {
     if (limit.is_equation) continue;
@@ -96,7 +97,7 @@ std::string prices(const Answer& answer) {
           v.multiplier);
     }
   }
-  return text.empty() ? "" : "what limits cost, to first order\n" + text;
+  return text.empty() ? "" : "what each limit costs, to first order\n" + text;
 }
 
 /// The solver asked for, and the one that ended the search where that is another: what a global

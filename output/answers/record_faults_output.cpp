@@ -26,7 +26,7 @@ std::string stray_text(const problems::MotionRecord& record) {
     rows.push_back(
         fmt::format("line {} at {}", row.line, with_unit(in_digits(row.place, 12), unit)));
   }
-  return fmt::format("{} row{} far from all others left out: {}{}\n", record.stray.size(),
+  return fmt::format("{} row{} far from all others, left out: {}{}\n", record.stray.size(),
                      record.stray.size() == 1 ? "" : "s", fmt::join(rows, ", "),
                      record.stray.size() > kListedRows ? ", ..." : "");
 }
@@ -37,7 +37,7 @@ std::string far_text(const problems::MotionRecord& record) {
   for (std::size_t i = 0; i < std::min(kListedRows, record.far.size()); ++i) {
     rows.push_back(problems::told(record.far[i], record.samples));
   }
-  return fmt::format("{} row{} off the curve of the others left out: {}{}\n", record.far.size(),
+  return fmt::format("{} row{} off the curve of the others, left out: {}{}\n", record.far.size(),
                      record.far.size() == 1 ? "" : "s", fmt::join(rows, ", "),
                      record.far.size() > kListedRows ? ", ..." : "");
 }
@@ -51,7 +51,7 @@ std::string centre_text(const SamplesAnswer& answer) {
   const auto& centre = answer.centre();
   if (!centre) return "";
   const double towards = problems::in_turn(std::arg(centre->place)) / problems::kDegree;
-  return fmt::format("centre fitted along: {} off, towards {} deg (x {} +- {}, y {} +- {})\n",
+  return fmt::format("fitted centre: {} off, towards {} deg (x {} +- {}, y {} +- {})\n",
                      with_unit(number(std::abs(centre->place)), centre_unit(answer)),
                      in_digits(towards, 4), number(centre->place.real()),
                      in_digits(centre->x_error(), 2), number(centre->place.imag()),

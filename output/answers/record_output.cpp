@@ -81,14 +81,14 @@ Figure record_figure(const RecordAnswer& answer) {
     model.y.push_back(answer.fit.model[order[k]]);
   }
   Figure figure;
-  figure.title = "Machine behind a record";
+  figure.title = "Machine behind a recorded curve";
   figure.columns = 2;
   figure.panel_width = 480;
   draw({.title = record.response.name,
         .x = {.label = "abscissa", .unit = shown_unit(record.response.response->along)},
         .y = {.label = "recorded and computed", .unit = shown_unit(unit_of(answer))},
         .dots = "recorded",
-        .left = "recorded less computed",
+        .left = "recorded minus computed",
         .place = record.place,
         .value = record.value,
         .residual = answer.fit.fit.residuals,

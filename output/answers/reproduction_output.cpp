@@ -65,7 +65,7 @@ namespace {
 void add_departures(const SystemReproduction& result, Document& document) {
   if (!result.departures.empty()) {
     document.say(fmt::format(
-        "the smallest set of departures that explains the most digits ({} sets looked at):\n",
+        "the smallest set of departures that explains the most digits ({} sets tried):\n",
         result.tried));
   }
   for (const std::string& departure : result.departures) document.say("  " + departure + "\n");

@@ -175,7 +175,7 @@ std::string merits_text(const std::string& what, const Rulers& r) {
                                                  : fmt::format("{:.7g}", r.peaks.max_jerk()),
                   r.peaks.max_dynamic_moment());
   if (r.lambda) {
-    text += fmt::format("  lambda = {:.6f}, {} below 1, which no law passes\n", *r.lambda,
+    text += fmt::format("  lambda = {:.6f}, {} below 1, which no law exceeds\n", *r.lambda,
                         percent(1 - *r.lambda));
   }
   if (r.least_acceleration) {
@@ -192,7 +192,7 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
   std::string text = merits_text("the law", r);
   const std::string among =
       fmt::format("{} laws of the catalogue{}{}", r.rivals,
-                  r.reoptimised ? ", what else varies searched again for each" : "",
+                  r.reoptimised ? ", with everything else searched again for each" : "",
                   r.held ? ", choices as in the answer" : "");
   if (!r.finished) text += "  rulers not finished: stopped before every named law was tried\n";
   if (!r.best && !r.finished) return text;

@@ -56,11 +56,10 @@ void add_segments(const SamplesAnswer& answer, Document& document) {
   }
   document.add(std::move(table));
   if (cycle.segments.size() < 2) return;
-  document.say(
-      fmt::format("noise {}{}\n\n", with_unit(number(cycle.found.noise), samples.unit),
-                  cycle.found.outlying > 0
-                      ? fmt::format("; {} samples far off, left out here", cycle.found.outlying)
-                      : ""));
+  document.say(fmt::format("noise {}{}\n\n", with_unit(number(cycle.found.noise), samples.unit),
+                           cycle.found.outlying > 0
+                               ? fmt::format("; {} outliers, left out here", cycle.found.outlying)
+                               : ""));
 }
 
 /// The laws that were tried, the best first; of one alone there is nothing to compare.
@@ -82,7 +81,7 @@ void add_ranking(const MotionFit& fit, Document& document) {
   }
   if (fit.ranking.size() > 1) {
     document.say(
-        fmt::format("laws and their share in what may be behind the samples, the best of {}\n",
+        fmt::format("laws and how likely each is to be behind the samples, the best of {}\n",
                     fit.ranking.size()));
   }
   document.add(std::move(table));
@@ -131,8 +130,8 @@ std::string outliers_text(const MotionFit& fit) {
         fmt::format("{} by {}", with_unit(number(samples.place[at]), samples.place_unit),
                     with_unit(in_digits(-fit.best().fit.residuals[at], 3), samples.unit)));
   }
-  return fmt::format("{} of {} samples farther off than the {} that chance explains: {}{}\n", count,
-                     samples.place.size(),
+  return fmt::format("{} of {} samples are farther off than the {} that chance explains: {}{}\n",
+                     count, samples.place.size(),
                      with_unit(in_digits(fit.outliers.bound, 3), samples.unit),
                      fmt::join(worst, ", "), count > kShown ? ", ..." : "");
 }
@@ -168,8 +167,8 @@ Document motion_document(const MotionFit& fit) {
   document.fact("prediction_error", fit.prediction_error);
   add_trust(fit.distrust, document);
   if (fit.distrust.empty() && !fit.as_good.empty()) {
-    document.say(fmt::format("as good for all that the samples tell: {}\n",
-                             problems::first_names(fit.as_good)));
+    document.say(
+        fmt::format("the samples fit these as well: {}\n", problems::first_names(fit.as_good)));
   }
   document.fact("as_good", fit.as_good);
   document.fact("untried", fit.untried);
@@ -210,7 +209,7 @@ void draw_motion(const MotionFit& fit, Figure& figure) {
               .unit = shown_unit(samples.place_unit)},
         .y = {.label = label, .unit = shown_unit(samples.unit)},
         .dots = "samples",
-        .left = "samples less law",
+        .left = "samples minus law",
         .place = samples.place,
         .value = samples.value,
         .residual = best.fit.residuals,

@@ -110,24 +110,24 @@ Table local_sensitivity_table(const LocalSensitivity& local) {
 std::string local_sensitivity_words(const LocalSensitivity& local) {
   std::string text =
       "derivatives at this design, exact unless marked, and by how many percent each number "
-      "changes for one percent of the parameter; what is left out is 0\n";
+      "changes when the parameter changes by one percent; entries left out are 0\n";
   const auto is_long = [](const NumberSensitivity& n) {
     const auto counts = [](const Sensitivity& s) { return s.low != 0 || s.high != 0; };
     return static_cast<std::size_t>(std::count_if(n.by.begin(), n.by.end(), counts)) > kMostShown;
   };
   if (std::any_of(local.numbers.begin(), local.numbers.end(), is_long)) {
     text +=
-        fmt::format("of each number the {} parameters that matter most are shown\n", kMostShown);
+        fmt::format("for each number, the {} parameters that matter most are shown\n", kMostShown);
   }
   if (any_of(local, [](const Sensitivity& s) { return s.is_kink(); })) {
     text +=
-        "two values: the derivative is another to each side, as where several peaks are equally "
-        "high; the percentage is that of their middle\n";
+        "two values: the derivative differs to each side, as where several peaks are equally high; "
+        "the percentage is for their mean\n";
   }
   if (any_of(local, [](const Sensitivity& s) { return s.by_difference; })) {
     text +=
-        "~: by differences, since the extreme stands at a joint of the law that moves, or at a "
-        "kink of the formula, where the formula's own derivative is that of one side\n";
+        "~: by finite differences, since the extreme lies at a joint of the law that moves, or at "
+        "a kink of the formula, where the formula's own derivative holds for one side only\n";
   }
   return text;
 }
@@ -215,8 +215,8 @@ std::string global_sensitivity_words(const GlobalSensitivity& global) {
   }
   std::string text = fmt::format(
       "Sobol indices over {}: the share of a number's variance that a parameter makes alone (first "
-      "order) and with others (total), from {} samples of {} points, with 95 % intervals of "
-      "resampling; what is left out rounds to 0\n",
+      "order) and with others (total), from {} samples of {} points, with 95 % intervals from "
+      "resampling; entries left out round to 0\n",
       ranges, samples, global.over.ranges.size() + 2);
   if (undefined > 0) {
     text += fmt::format("up to {} of the samples have no value somewhere and do not count\n",

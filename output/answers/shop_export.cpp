@@ -21,7 +21,7 @@ std::optional<problems::Keyway> keyway_of(const Text& text, const problems::Leng
   const std::size_t by = text->find('x');
   if (by == std::string::npos) {
     throw std::invalid_argument(fmt::format(
-        "--keyway {}: width x depth from the bore's edge is wanted, such as '8 x 3.3 mm'", *text));
+        "--keyway {}: give width x depth from the bore's edge, such as '8 x 3.3 mm'", *text));
   }
   std::string width = text->substr(0, by), depth = text->substr(by + 1);
   // "8 x 3.3 mm": the unit stands behind the second number and holds for both.
@@ -90,7 +90,7 @@ std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Export
   for (const double left : allowances_of(o.allowances, unit)) {
     passes.push_back(
         {problems::ToolPath(design, curve.beside(curve.name(), side * left), form, accuracy),
-         fmt::format("roughing, {:.6g} {} are left", left / unit.mm, unit.name)});
+         fmt::format("roughing, leaves {:.6g} {}", left / unit.mm, unit.name)});
   }
   passes.push_back(
       {problems::ToolPath(design, curve, form, accuracy), passes.empty() ? "" : "finishing"});

@@ -67,7 +67,7 @@ Table study_table(const SpineCutterStudy& study) {
 Document study_document(const SpineCutterStudy& study) {
   Document document;
   document.fact("study", "spine-cutter");
-  document.say("Spine cutter: which motion law for the cam?\n\ngivens\n");
+  document.say("Spine cutter: which motion law for the cam?\n\ninputs\n");
   Json givens = Json::array();
   for (const auto& given : problems::givens(study.cutter)) {
     document.say(fmt::format("  {:<16} {:<4} = {:g}{}  ({})\n", given.name, given.symbol,

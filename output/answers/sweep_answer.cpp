@@ -43,7 +43,7 @@ SweepRow row_of(const problems::SweepStudy& study, const problems::Sweep& sweep,
   const bool is_failed = point.verdict == optim::Verdict::Failed;
   row.state = !is_failed ? SweepState::Design : is_met ? SweepState::Failed : SweepState::Passes;
   row.verdict = study.plan().settings().evaluates
-                    ? (row.state == SweepState::Design ? "meets every limit" : "passes a limit")
+                    ? (row.state == SweepState::Design ? "meets every limit" : "violates a limit")
                     : std::string(to_string(point.verdict));
   if (row.state == SweepState::Failed) row.verdict = "failed";
   row.reason = point.reason;

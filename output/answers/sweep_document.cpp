@@ -111,7 +111,7 @@ Table best_table(const SweepAnswer& answer, std::size_t axis) {
       .columns = {names(swept.name, "value"), numbers(named(o.name, o.unit), "objective"),
                   numbers("designs", "designs"), numbers("of", "combinations"), words("at", "at")},
       .shown = kShown,
-      .caption = fmt::format("\nbest with each {}:\n", swept.name)};
+      .caption = fmt::format("\nbest for each {}:\n", swept.name)};
   for (const Line& line : lines) {
     const double value = objective(line);
     table.add({line.value,
@@ -141,7 +141,7 @@ std::string counts_text(const SweepAnswer& answer) {
     if (feasible > 0) parts.push_back(fmt::format("{} feasible", feasible));
   } else {
     add(SweepState::Design, "meet every limit");
-    add(SweepState::Passes, "pass a limit");
+    add(SweepState::Passes, "violate a limit");
   }
   add(SweepState::NoDesign, "without a design");
   add(SweepState::Failed, "failed");

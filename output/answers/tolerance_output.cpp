@@ -25,8 +25,8 @@ std::size_t variable_named(const optim::Problem& problem, const std::string& nam
   if (at == problem.variables.end()) {
     std::vector<std::string> known;
     for (const optim::Variable& v : problem.variables) known.push_back(v.name);
-    throw std::invalid_argument(
-        fmt::format("--tolerance: no variable '{}'; there are {}", name, fmt::join(known, ", ")));
+    throw std::invalid_argument(fmt::format(
+        "--tolerance: '{}' is not a variable; the variables are {}", name, fmt::join(known, ", ")));
   }
   return static_cast<std::size_t>(at - problem.variables.begin());
 }
@@ -60,7 +60,7 @@ std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontP
     const std::string what = "--tolerance " + problem.variables[i].name;
     const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
     if (!(value >= 0 && std::isfinite(value))) {
-      throw std::invalid_argument(what + ": a number that is not negative is wanted");
+      throw std::invalid_argument(what + ": it must be a number that is not negative");
     }
     tolerances[i] = value;
   }
@@ -87,7 +87,7 @@ std::string tolerances_text(const std::vector<optim::Variable>& variables,
 Table spreads_table(const optim::ToleranceReport& report) {
   Table table{
       .key = "spreads",
-      .columns = {words("", "name"), numbers("as meant", "nominal"), numbers("lowest", "lowest"),
+      .columns = {words("", "name"), numbers("nominal", "nominal"), numbers("lowest", "lowest"),
                   numbers("highest", "highest"), numbers("mean", "mean"),
                   numbers("deviation", "deviation"), numbers("5 %", "low"), numbers("95 %", "high"),
                   words("unit", "unit"), data("margin"), data("possible"), data("by_variable")}};
@@ -118,7 +118,7 @@ Document spreads_document(const optim::ToleranceReport& report, bool with_yield)
   document.add(spreads_table(report));
   if (report.impossible_corners + report.impossible_samples > 0) {
     document.say(fmt::format(
-        "not possible: {} of the corners and {} of the samples; the model gives no number there\n",
+        "not possible: {} of the corners and {} of the samples; the model is undefined there\n",
         report.impossible_corners, report.impossible_samples));
   }
   document.say(fmt::format("lowest and highest: over {} and the samples; the rest over {} samples",

@@ -30,9 +30,9 @@ std::string limit_names(const VariedDesign& varied, const std::vector<std::size_
 Table variations_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
   Table table{
       .key = "variations",
-      .columns = {words("varies", "name"), numbers("as meant", "meant"), words("unit", "unit"),
-                  words("by", "text"), words("breaks by itself", "breaks"), data("lower"),
-                  data("upper"), data("distribution"), data("deviation")}};
+      .columns = {words("varies", "name"), numbers("nominal", "meant"), words("unit", "unit"),
+                  words("by", "text"), words("fails alone", "breaks"), data("lower"), data("upper"),
+                  data("distribution"), data("deviation")}};
   for (std::size_t i = 0; i < varied.statements.size(); ++i) {
     const problems::VariationStatement& v = varied.statements[i];
     const optim::Variation& off = varied.variations[i];
@@ -47,7 +47,7 @@ Table variations_table(const VariedDesign& varied, const ToleranceAnswer& answer
                {digits(varied.meant[i]), varied.meant[i]},
                v.parameter.unit,
                variation_text(v, varied.meant[i]),
-               {is_known ? limit_names(varied, answer.broken_alone[i]) : "not worked out", names},
+               {is_known ? limit_names(varied, answer.broken_alone[i]) : "not calculated", names},
                datum(off.lower),
                datum(off.upper),
                datum(off.is_normal ? "normal" : "uniform"),
@@ -66,7 +66,7 @@ std::string slope_unit(const std::string& of, const std::string& by) {
 Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
   Table table{
       .key = "limits",
-      .columns = {names("limit", "name"), numbers("as meant", "value"), numbers("bound", "bound"),
+      .columns = {names("limit", "name"), numbers("nominal", "value"), numbers("bound", "bound"),
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
                   data("at_angle"), data("slopes")}};
   for (const auto& v : varied.problem.variables) {
@@ -121,7 +121,7 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
       .columns = {names("worst of", "name"), numbers("value", "value"), numbers("bound", "bound"),
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
                   words("for a part with", "part_text"), words("it", "holds"),
-                  numbers("breaks at factor", "factor"), data("at_angle"), data("part"),
+                  numbers("violated at factor", "factor"), data("at_angle"), data("part"),
                   data("side"), data("proved_within"), data("why_not"), data("factor_proved")}};
   for (std::size_t i = 0; i < answer.worst.size(); ++i) {
     const WorstPart& w = answer.worst[i];
@@ -141,7 +141,7 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                part_text(varied, w),
                std::string(to_string(w.holds)),
                has_factor ? Cell(factor_text(answer.factors[i]), answer.factors[i].factor)
-                          : Cell("not worked out", nullptr),
+                          : Cell("not calculated", nullptr),
                datum(w.angle),
                datum(part),
                datum(w.is_upper ? "upper" : "lower"),
@@ -217,7 +217,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
     if (y.by_limit[i] == 0) continue;
     const bool has_index = i < y.indices.size() && y.indices[i];
     document.say(
-        fmt::format("  {} is broken by {:.3g} %{}\n", varied.problem.constraints[i].response.name,
+        fmt::format("  {} is violated by {:.3g} %{}\n", varied.problem.constraints[i].response.name,
                     100 * y.by_limit[i],
                     has_index ? fmt::format(" (reliability index {:.4g})", *y.indices[i]) : ""));
   }
@@ -239,12 +239,13 @@ void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
     const auto tried =
         std::min_element(answer.factors.begin(), answer.factors.end(),
                          [](const auto& a, const auto& b) { return a.tried < b.tried; });
-    document.say(fmt::format("no limit breaks up to {:.4g} times these variations{}\n",
+    document.say(fmt::format("no limit is violated up to {:.4g} times these variations{}\n",
                              tried->tried, all_proved ? "" : " (not proved)"));
     return;
   }
-  document.say(fmt::format("the first limit to break is {}, at {:.4g} times these variations{}\n",
-                           worst.name, first->factor, all_proved ? "" : " (not proved)"));
+  document.say(
+      fmt::format("the first limit to be violated is {}, at {:.4g} times these variations{}\n",
+                  worst.name, first->factor, all_proved ? "" : " (not proved)"));
 }
 
 }  // namespace
@@ -274,7 +275,7 @@ std::vector<problems::VariationStatement> stated_variations(
     const std::string& unit = v.parameter.unit;
     const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
     if (!(value > 0 && std::isfinite(value))) {
-      throw std::invalid_argument(what + ": a number above 0 is wanted");
+      throw std::invalid_argument(what + ": it must be a number above 0");
     }
     v.plus = v.minus = value;
     said([&] { add_variation(result, std::move(v)); });

@@ -22,7 +22,7 @@ void add_verdicts(const ReadDesign& read, const VerifiedDesign& verified, Docume
                            read.global ? ", global" : "", to_string(found.verdict), found.reason));
   if (found.global) document.say(fmt::format("global:  {}\n", *found.global));
   if (!verified.whole) {
-    document.say("judged with the choices and integer variables held at what the search chose\n");
+    document.say("judged with the choices and integer variables fixed at what the search chose\n");
   }
   document.fact("title", read.statement.title);
   document.fact("claimed", *read.verdict);

@@ -96,7 +96,7 @@ int count_steps(double cycle, double step, const std::string& unit) {
   const double count = cycle / step;
   if (!(step > 0) || !(count >= 1 - kRounding) || count > kMostSteps) {
     throw std::invalid_argument(
-        fmt::format("a step of {} is not accepted; it may be {} .. {}", with_unit(step, unit),
+        fmt::format("a step of {} is outside {} .. {}", with_unit(step, unit),
                     with_unit(cycle / kMostSteps, unit), with_unit(cycle, unit)));
   }
   const double whole = std::round(count);

@@ -144,7 +144,7 @@ auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
     }
     if (fit.pieces.size() >= kMostPieces || to - from < kLeast * cycle) {
       throw std::invalid_argument(fmt::format(
-          "the {} cannot be followed within {:.6g} {} at {:.6g} deg; a larger tolerance is wanted",
+          "the {} cannot be followed within {:.6g} {} at {:.6g} deg; use a larger tolerance",
           curve.name(), tolerance, curve.unit(), from));
     }
     const double middle = std::midpoint(from, to);
@@ -198,8 +198,7 @@ auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
     if (fit.worst.most <= tolerance) return fit;
   }
   throw std::invalid_argument(fmt::format(
-      "that the {} is followed within {:.6g} {} cannot be proved; a larger tolerance is "
-      "wanted",
+      "it cannot be proved that the {} is followed within {:.6g} {}; use a larger tolerance",
       curve.name(), tolerance, curve.unit()));
 }
 

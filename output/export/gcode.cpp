@@ -54,7 +54,7 @@ void run_pass(const ToolPass& pass, const GcodeSettings& settings, Program& prog
   const ExportedCurve& curve = pass.path.exported();
   const auto& lead = pass.path.lead();
   if (std::holds_alternative<CubicPath>(curve.path)) {
-    throw std::invalid_argument("G-code has no splines; arcs and lines are accepted");
+    throw std::invalid_argument("G-code has no splines; use arcs or lines");
   }
   if (settings.compensation && !lead) {
     throw std::invalid_argument(

@@ -128,8 +128,9 @@ Possible<Motion> motion_of(const ProblemStatement& statement,
   }
   return Impossible{fmt::format(
       "{}; its curves are {}",
-      slave ? fmt::format("{} has no curve '{}'", mechanism, *slave)
-            : fmt::format("{} has no displacement of its own; name the slave", mechanism),
+      slave
+          ? fmt::format("{} has no curve '{}'", mechanism, *slave)
+          : fmt::format("{} has no displacement of its own; name a curve with --slave", mechanism),
       fmt::join(names, ", "))};
 }
 

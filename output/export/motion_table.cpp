@@ -77,10 +77,10 @@ TableColumn derivative_column(const Motion& motion, const std::vector<optim::Pla
   for (const optim::Place& place : places) {
     const double value = motion.at(place)[static_cast<std::size_t>(order)];
     if (!std::isfinite(value)) {
-      throw std::invalid_argument(fmt::format(
-          "--columns {}: {} has no {} at {} = {:.6g}{}", letter, motion.slave_heading(),
-          order == 3 ? "third derivative" : "such derivative", motion.master, place.angle,
-          order == 3 && !motion.velocity ? "; s, v and a are accepted" : ""));
+      throw std::invalid_argument(
+          fmt::format("--columns {}: {} has no {} at {} = {:.6g}{}", letter, motion.slave_heading(),
+                      order == 3 ? "third derivative" : "such derivative", motion.master,
+                      place.angle, order == 3 && !motion.velocity ? "; use s, v and a" : ""));
     }
     column.values.push_back(value / std::pow(master.per_place, order));
   }
@@ -133,10 +133,9 @@ std::string table_text(const MotionTable& table, const TableStyle& style) {
   if (!keeps_places(table, style.decimals)) {
     int enough = style.decimals + 1;
     while (!keeps_places(table, enough)) ++enough;
-    throw std::invalid_argument(
-        fmt::format("places of {} that are {:.6g} apart cannot be told with {} decimals; {} or "
-                    "more are wanted",
-                    table.master, table.places[1] - table.places[0], style.decimals, enough));
+    throw std::invalid_argument(fmt::format(
+        "places of {} that are {:.6g} apart cannot be told apart with {} decimals; use {} or more",
+        table.master, table.places[1] - table.places[0], style.decimals, enough));
   }
   std::string text = fmt::format("{}{}{}", table.master, style.separator, table.slave);
   for (const TableColumn& column : table.more) text += style.separator + column.heading;

@@ -71,10 +71,9 @@ CurvePoint PlaneCurve::look(optim::Place place) const {
 CurvePoint PlaneCurve::at(optim::Place place) const {
   const CurvePoint point = look(place);
   if (!point.at.allFinite()) {
-    throw std::invalid_argument(
-        fmt::format("the {} has no point at {:.6g} deg: the motion jumps there, or the cam is "
-                    "not possible",
-                    name_, place.angle));
+    throw std::invalid_argument(fmt::format(
+        "the {} has no point at {:.6g} deg: the motion jumps there, or the cam is impossible",
+        name_, place.angle));
   }
   return point;
 }
@@ -126,7 +125,7 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
     if (x != nullptr && y != nullptr) result.emplace_back(kind.name, *x, *y);
   }
   if (!known) {
-    throw std::invalid_argument(fmt::format("no curve '{}'; there are {}", option, options));
+    throw std::invalid_argument(fmt::format("there is no curve '{}'; use {}", option, options));
   }
   return result;
 }

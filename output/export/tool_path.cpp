@@ -23,14 +23,13 @@ std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneC
   if (!radius) return "";
   const Interference found = interference(centre, profile, *radius);
   if (doubts != nullptr && !found.proved) {
-    doubts->push_back(fmt::format("that the {} does not cut into the {} is measured, not proved",
+    doubts->push_back(fmt::format("the {} was measured not to cut into the {}; this is not proved",
                                   circle, profile.name()));
   }
   if (found.depth <= found.certain + kLeast) return "";
   return fmt::format(
       "the {}, {:.6g} mm in radius, cuts {:.3g} mm into the {} near {:.4g} deg when it is at "
-      "{:.4g} "
-      "deg: the profile is undercut there, or the {} too large",
+      "{:.4g} deg: the profile is undercut there, or the {} is too large",
       circle, *radius, found.depth, profile.name(), found.profile_angle, found.circle_angle,
       circle);
 }
@@ -58,8 +57,8 @@ void check_profile_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve&
     const double clearance = clearance_of(centres, profile);
     if (clearance >= radius - kLeast) continue;
     throw std::invalid_argument(
-        fmt::format("--lead: a tool nearly as large as the lead, {:.6g} mm in radius, would on its "
-                    "way to the path cut {:.3g} mm into the {}; a smaller lead is wanted",
+        fmt::format("--lead: a tool nearly as large as the lead, {:.6g} mm in radius, would cut "
+                    "{:.3g} mm into the {} as it approaches the path; use a smaller lead",
                     radius, radius - clearance, profile.name()));
   }
 }
@@ -76,9 +75,8 @@ void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
     const double clearance = clearance_of(way, profile);
     if (clearance >= *radius - kLeast) continue;
     throw std::invalid_argument(
-        fmt::format("--lead: on its way to the path the tool, {:.6g} mm in radius, would cut "
-                    "{:.3g} mm into the "
-                    "{}; a smaller lead is wanted",
+        fmt::format("--lead: as it approaches the path, the tool, {:.6g} mm in radius, would cut "
+                    "{:.3g} mm into the {}; use a smaller lead",
                     *radius, *radius - clearance, profile.name()));
   }
 }
@@ -130,7 +128,7 @@ std::vector<std::string> obstacles(const PlaneCurve& curve) {
   std::vector<std::string> result;
   if (const auto angle = turns_back(curve)) {
     result.push_back(fmt::format(
-        "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
+        "the {} turns back near {:.4g} deg: the profile is undercut, or the tool is too large",
         curve.name(), *angle));
   }
   for (const auto& [place, length] : curve.jumps()) {
@@ -173,7 +171,7 @@ ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, Curv
   for (const PlaneCurve& own : curves) {
     if ((&own == &curves.front() || is_profile(own)) && !turning(own).proved) {
       doubts_.push_back(fmt::format(
-          "that the {} nowhere turns back was looked for every 0.1 deg; it is not proved",
+          "the {} was found to turn back nowhere, at steps of 0.1 deg; this is not proved",
           own.name()));
     }
   }

@@ -15,7 +15,7 @@ namespace size = chart_size;
 void check_size(const char* what, double value) {
   if (!(value > 0 && value <= 1e5))
     throw std::invalid_argument(
-        fmt::format("chart: {} is {}, accepted is above 0 up to 100000", what, value));
+        fmt::format("chart: {} is {}; it must be above 0 and at most 100000", what, value));
 }
 
 void check(const Panel& panel) {
@@ -31,7 +31,7 @@ void check(const Panel& panel) {
 void check(const Figure& figure) {
   if (figure.columns < 1)
     throw std::invalid_argument(
-        fmt::format("chart: columns is {}, accepted is 1 or more", figure.columns));
+        fmt::format("chart: columns is {}; it must be 1 or more", figure.columns));
   check_size("panel_width", figure.panel_width);
   check_size("panel_height", figure.panel_height);
   for (const Panel& panel : figure.panels) check(panel);

@@ -93,7 +93,7 @@ std::vector<std::string> limits_on(const std::string& curve, const ProblemStatem
     if (c.response.response == nullptr || c.response.response->name != curve) continue;
     const bool both_ways = c.response.part == optim::Part::Magnitude;
     const auto text = [&](const char* words, double bound) {
-      texts.push_back(fmt::format("{}{} {}", both_ways ? "either way " : "", words,
+      texts.push_back(fmt::format("{}{} {}", both_ways ? "in either direction " : "", words,
                                   with_unit(fmt::format("{:.6g}", bound), c.response.unit)));
     };
     if (c.lower) text("at least", *c.lower);

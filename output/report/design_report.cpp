@@ -90,7 +90,7 @@ std::string verdict_badge(const std::optional<std::string>& said, const Review& 
   const bool meets = review.met() == review.limits.size();
   if (!meets) {
     const bool agrees = said == to_string(Verdict::Infeasible);
-    return badge("bad", agrees ? *said : "passes a limit");
+    return badge("bad", agrees ? *said : "violates a limit");
   }
   // Among its choices the search compared designs; among what varies evenly this page looks itself.
   const bool optimal = said == to_string(Verdict::Certified) && review.is_optimal();
@@ -130,7 +130,7 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
                said_of(reported.read), chosen ? ", what was chosen among options held" : ""));
   }
   html += paragraph(fmt::format(
-      "The design is the file's own, not searched for. {}",
+      "These are the file's own values, not the result of a search. {}",
       design.objectives.empty()
           ? "The file names no objective."
           : fmt::format("To search: camlaw {}", search_command(design, reported.file))));

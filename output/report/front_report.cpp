@@ -35,13 +35,12 @@ std::string front_html(const Figure& still) {
   }
   return "<div class=\"fronts\">\n" + charts +
          "</div>\n<div class=\"controls\"><label>design A <select "
-         "id=\"design-a\"></select></label>\n"
-         "<label>design B <select id=\"design-b\"></select></label>\n"
-         "<fieldset><legend>a click chooses</legend>"
-         "<label><input type=\"radio\" name=\"chooses\" value=\"a\" checked> A</label> "
-         "<label><input type=\"radio\" name=\"chooses\" value=\"b\"> B</label></fieldset></div>\n"
-         "<div class=\"table\" tabindex=\"0\"><table id=\"compare\" aria-live=\"polite\"></table>"
-         "</div>\n<noscript>" +
+         "id=\"design-a\"></select></label>\n<label>design B <select "
+         "id=\"design-b\"></select></label>\n<fieldset><legend>a click "
+         "selects</legend><label><input type=\"radio\" name=\"chooses\" value=\"a\" checked> "
+         "A</label> <label><input type=\"radio\" name=\"chooses\" value=\"b\"> "
+         "B</label></fieldset></div>\n<div class=\"table\" tabindex=\"0\"><table id=\"compare\" "
+         "aria-live=\"polite\"></table></div>\n<noscript>" +
          (still.panels.empty() ? "" : to_svg(still)) + "</noscript>\n";
 }
 
@@ -101,10 +100,10 @@ ReportSection knee_sensitivity(const FrontAnswer& answer) {
 Facts facts_of(const FrontAnswer& answer, const std::string& file) {
   const auto settings = answer.study.settings();
   return {{"study", file},
-          {"points wanted", settings.at("points")},
+          {"points requested", settings.at("points")},
           {"method", settings.at("method")},
           {"seed", settings.at("seed")},
-          {"solver asked for", settings.at("solver")},
+          {"solver requested", settings.at("solver")},
           {"made with", settings.at("versions")},
           {"problem file", settings.at("source")}};
 }

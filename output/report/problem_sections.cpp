@@ -171,11 +171,13 @@ ReportSection limits_section(const ProblemStatement& design,
     }
   }
   std::string notes =
-      "The bar is the margin as a share of the bound: to the right what is left, to the left what "
-      "is "
-      "passed. Proved: by intervals, over the whole cycle, rounding included.";
-  if (!blamed.empty()) notes += " Blamed: the search found that it cannot be met, or not together.";
-  if (priced) notes += " Price: what the objective gains per unit by which the bound is eased.";
+      "The bar shows the margin relative to the bound: to the right of the middle if the limit is "
+      "met, to the left if it is violated. Proved: by intervals, over the whole cycle, rounding "
+      "included.";
+  if (!blamed.empty())
+    notes += " Blamed: the search found that these limits cannot be met, alone or together.";
+  if (priced)
+    notes += " Price: how much the objective improves per unit by which the bound is eased.";
   return {"limits", "Limits", html_of(table) + paragraph(notes)};
 }
 
@@ -212,7 +214,7 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
           : std::nullopt);
   row("C_Mdyn", peak.max_dynamic_moment(), {});
   return ReportSection{
-      "rulers", "Rulers",
+      "rulers", "Figures of merit",
       html_of(table) + paragraph(ruler_words(peak, lambda)) +
           (lambda ? paragraph("Least of any law from rest to rest: of C_v at all, of "
                               "C_a for this C_v, of C_j for this C_v and C_a.")

@@ -34,7 +34,7 @@ ReportSection provenance_section(Facts facts, const std::string& input_name,
   facts.emplace_back("plots", "Chart.js, MIT licence, https://www.chartjs.org");
   std::string html = definitions(facts);
   if (!input_text.empty()) html += details(input_name, preformatted(input_text));
-  return {"provenance", "Where this comes from", html};
+  return {"provenance", "Provenance", html};
 }
 
 }  // namespace camlaw::cli

@@ -29,7 +29,7 @@ std::string departures_html(const SystemReproduction& r) {
   std::string html;
   if (!r.departures.empty()) {
     html += paragraph(fmt::format(
-        "The smallest set of departures that explains the most digits, of {} sets looked at:",
+        "The smallest set of departures that explains the most digits, of {} sets tried:",
         r.tried));
     html += list_of_lines(fmt::format("{}", fmt::join(r.departures, "\n")));
     if (r.equals.empty()) html += paragraph("No other set as small explains as many.");

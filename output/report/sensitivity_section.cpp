@@ -52,7 +52,7 @@ std::string change_table(const std::vector<optim::Variable>& variables,
 }
 
 std::string spread_table(const optim::ToleranceReport& report) {
-  Table table{.columns = {names(""), numbers("as meant"), numbers("lowest"), numbers("highest"),
+  Table table{.columns = {names(""), numbers("nominal"), numbers("lowest"), numbers("highest"),
                           numbers("5 %"), numbers("95 %"), words("unit")}};
   for (const optim::Spread& s : report.spreads) {
     const std::string none = "not possible";
@@ -72,7 +72,7 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
   const std::vector<double> tolerances = hundredths(variables, x);
   const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
   std::string html = paragraph(fmt::format(
-      "What becomes of the design when {} off by up to a hundredth of {} value, up or down.",
+      "How the design changes when {} off by up to a hundredth of {} value, up or down.",
       variables.size() == 1 ? plain_name(variables.front().name) + " is"
                             : "each continuous variable is",
       "its"));

@@ -58,7 +58,7 @@ std::optional<Scene> servo_scene(const problems::ProblemStatement& design, int p
     const double level = side * constant("continuous_torque");
     scene.segment("way", plane.at(-fastest, level), plane.at(fastest, level));
   }
-  scene.body("way of the working point through the cycle");
+  scene.body("path of the working point through the cycle");
   std::vector<Point> path;
   for (std::size_t i = 0; i < speed.size(); ++i) {
     path.push_back(plane.at(speed[i], torque[i]));

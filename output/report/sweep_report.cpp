@@ -111,13 +111,11 @@ Json sweep_json(const SweepAnswer& answer) {
 }
 
 std::string map_html() {
-  return "<div class=\"controls\" id=\"sweep-controls\"></div>\n"
-         "<div class=\"controls\" id=\"sweep-held\"></div>\n"
-         "<figure class=\"sweep\" id=\"sweep-map\"></figure>\n"
-         "<ul id=\"sweep-legend\"></ul>\n"
-         "<div class=\"table\" tabindex=\"0\"><table id=\"swept\" aria-live=\"polite\"></table>"
-         "</div>\n<p class=\"notes\">A place that is pointed at or clicked is told of here; the "
-         "table of all combinations stands below.</p>\n";
+  return "<div class=\"controls\" id=\"sweep-controls\"></div>\n<div class=\"controls\" "
+         "id=\"sweep-held\"></div>\n<figure class=\"sweep\" id=\"sweep-map\"></figure>\n<ul "
+         "id=\"sweep-legend\"></ul>\n<div class=\"table\" tabindex=\"0\"><table id=\"swept\" "
+         "aria-live=\"polite\"></table></div>\n<p class=\"notes\">Point at a place or click it to "
+         "see its values here; the table of all combinations is below.</p>\n";
 }
 
 std::string sweep_lead(const SweepAnswer& answer) {
@@ -150,7 +148,7 @@ Facts facts_of_sweep(const SweepAnswer& answer, const std::string& file) {
   const auto settings = answer.study.settings();
   return {{"study", file},
           {"seed", settings.at("seed")},
-          {"solver asked for", settings.at("solver")},
+          {"solver requested", settings.at("solver")},
           {"made with", settings.at("versions")},
           {"problem file", settings.at("source")}};
 }
@@ -186,7 +184,7 @@ ReportPage sweep_report(const SweepAnswer& answer, const std::string& file) {
                   .data = {{"sweep", sweep_json(answer)}}};
   std::string best;
   for (const Table& one : best_tables(answer)) best += html_of(one);
-  if (!best.empty()) page.sections.push_back({"best", "Best with each choice", best});
+  if (!best.empty()) page.sections.push_back({"best", "Best for each choice", best});
   page.sections.push_back({"combinations", "All combinations", all});
   page.sections.push_back(problem_section(stated));
   page.sections.push_back(provenance_section(facts_of_sweep(answer, file), "The problem file",

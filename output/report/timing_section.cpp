@@ -126,7 +126,7 @@ std::optional<ReportSection> timing_section(const ProblemStatement& design) {
     const auto motion = laws[cam].possible_law();
     if (motion && is_moved) track += line(*motion, phase_of(design, cam));
     rows += fmt::format(
-        "<p class=\"cam\"><b>{}</b> its zero at {} deg</p>\n<div class=\"track\">{}</div>\n",
+        "<p class=\"cam\"><b>{}</b> has its zero at {} deg</p>\n<div class=\"track\">{}</div>\n",
         escaped(plain_name(name)), in_digits(phase_of(design, cam), 6), track);
   }
   return ReportSection{

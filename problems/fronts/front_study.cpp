@@ -39,8 +39,7 @@ optim::ParetoMethod parse_method(std::string_view text) {
   for (const auto& [method, name] : kMethods) {
     if (text == name) return method;
   }
-  throw std::invalid_argument(
-      fmt::format("no method is called '{}'; there are auto, sweep, nsga2", text));
+  throw std::invalid_argument(fmt::format("'{}' is not a method; use auto, sweep or nsga2", text));
 }
 
 std::string_view to_string(optim::ParetoMethod method) {

@@ -67,7 +67,7 @@ void judge_anew(const FrontStudy& study, const std::string& version, StoredFront
                         certified(front.points));
   }
   stored.notes.push_back(
-      fmt::format("the study was made by {}; its designs are judged anew{}", version, found));
+      fmt::format("the study was made by {}; its designs are judged again{}", version, found));
   if (points.size() < front.points.size()) {
     stored.notes.push_back(fmt::format("{} of its points do not meet their limits and are left out",
                                        front.points.size() - points.size()));

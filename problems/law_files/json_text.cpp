@@ -11,7 +11,7 @@ Json parse_json(std::string_view text) {
   static constexpr int kDeepest = 64;
   const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
     if (depth <= kDeepest) return true;
-    throw std::invalid_argument(fmt::format("its brackets are nested deeper than {}", kDeepest));
+    throw std::invalid_argument(fmt::format("its brackets are nested more than {} deep", kDeepest));
   };
   constexpr bool kThrows = false;
   Json result = Json::parse(text, check_depth, kThrows);

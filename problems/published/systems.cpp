@@ -89,8 +89,7 @@ ReproducibleSystem find_reproducible(const std::string& name_or_path) {
     known.push_back(system.name);
   }
   throw std::invalid_argument(
-      fmt::format("no system is called '{}'; there is {}, or the file of a "
-                  "table, which ends in .toml",
+      fmt::format("'{}' is not a system; use {}, or the file of a table, which ends in .toml",
                   name_or_path, fmt::join(known, ", ")));
 }
 

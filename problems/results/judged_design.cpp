@@ -90,7 +90,7 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
   const double margin = stated.is_upper ? stated.bound - stated.value : stated.value - stated.bound;
   if (std::isfinite(margin) && !(std::abs(margin - stated.margin) <= kDigits * size)) {
     words.push_back(
-        fmt::format("the value of {} is stated as {:.9g}, by its margin and bound it is {:.9g}",
+        fmt::format("the value of {} is stated as {:.9g}, but its margin and bound give {:.9g}",
                     stated.name, stated.value,
                     stated.is_upper ? stated.bound - stated.margin : stated.bound + stated.margin));
   }
@@ -99,9 +99,9 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
     return bound && std::abs(std::abs(*bound) - std::abs(stated.bound)) <= kDigits * size;
   };
   if (is_its(constraint.lower) || is_its(constraint.upper)) return;
-  words.push_back(fmt::format("the bound of {} is stated as {:.9g}, in its problem it is {:.9g}",
-                              stated.name, stated.bound,
-                              constraint.upper ? *constraint.upper : *constraint.lower));
+  words.push_back(fmt::format(
+      "the bound of {} is stated as {:.9g}, but in its problem it is {:.9g}", stated.name,
+      stated.bound, constraint.upper ? *constraint.upper : *constraint.lower));
 }
 
 void compare_shown_variables(const ReadDesign& read, std::vector<std::string>& words) {
@@ -111,7 +111,7 @@ void compare_shown_variables(const ReadDesign& read, std::vector<std::string>& w
     if (shown == read.stated.variables.end()) continue;
     const double slack = kDigits * std::max(std::abs(v.start), std::abs(shown->second));
     if (std::abs(shown->second - v.start) <= slack) continue;
-    words.push_back(fmt::format("{} is shown as {:.9g}, in the design it is {:.9g}", v.name,
+    words.push_back(fmt::format("{} is shown as {:.9g}, but in the design it is {:.9g}", v.name,
                                 shown->second, v.start));
   }
 }
@@ -145,7 +145,7 @@ optim::FrontPoint stated_point(const ReadDesign& read, const std::vector<double>
     if (at == limits->end()) {
       // Where laws were chosen from, limits of the laws' own are called otherwise.
       if (read.problem.laws.size() <= 1) {
-        words.push_back(fmt::format("nothing is stated of the limit on {}", c.response.name));
+        words.push_back(fmt::format("the limit on {} is not stated", c.response.name));
       }
       return true;
     }
@@ -173,7 +173,7 @@ std::vector<std::string> differences(const ReadDesign& read) {
     };
     const auto& sought = held->problem.objectives;
     if (std::any_of(sought.begin(), sought.end(), is_number)) {
-      words.emplace_back("nothing is stated of what is sought");
+      words.emplace_back("the objective is not stated");
       return words;
     }
     problem.objectives = {optim::no_objective()};
@@ -188,16 +188,16 @@ std::vector<std::string> record_notes(const ReadDesign& read, const std::string&
   if (!read.verdict) return {};
   if (read.stated.seal == Seal::Broken) {
     return {
-        "the result is not as it was written, its checksum does not fit: what it says is not "
-        "believed, what stands here is evaluated from its design"};
+        "the result was changed after it was written, as its checksum shows: its claims are "
+        "ignored, and everything here is evaluated from its design"};
   }
   if (read.stated.seal == Seal::None) {
     return {
-        "the result has no checksum, as those of earlier versions: what it says is not believed, "
-        "what stands here is evaluated from its design"};
+        "the result has no checksum, like those of earlier versions: its claims are ignored, and "
+        "everything here is evaluated from its design"};
   }
   if (read.stated.program == program) return {};
-  return {fmt::format("the result was written by {}: what it says is judged anew",
+  return {fmt::format("the result was written by {}: its claims are judged again",
                       read.stated.program.empty() ? "an unknown version" : read.stated.program)};
 }
 
@@ -231,7 +231,7 @@ void compare_best_possible(const ReadDesign& read, const optim::Assessment& foun
   const bool differs = found.global ? std::abs(tighter) > slack : tighter > slack;
   if (!differs) return;
   words.push_back(fmt::format(
-      "the result says that no design is better than {:.9g}{}; judged again the bound is {:.9g}{}",
+      "the result says that no design is better than {:.9g}{}; judged again, the bound is {:.9g}{}",
       stated, in_unit, *found.best_possible, in_unit));
 }
 
@@ -285,8 +285,8 @@ VerifiedDesign verified(const ReadDesign& read) {
                                        held->problem.objectives.front().response.unit);
   if (read.global && !held->whole) {
     result.not_judged.push_back(
-        "the result says that no better design exists; of other choices and integers only a "
-        "search can tell");
+        "the result says that no better design exists; only a search can tell that of other "
+        "choices and integers");
   }
   return result;
 }

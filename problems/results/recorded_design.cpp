@@ -19,7 +19,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr const char* kWanted = "a problem file or a result of 'camlaw optimize' is wanted";
+constexpr const char* kWanted = "give a problem file or a result of 'camlaw optimize'";
 
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
@@ -27,7 +27,7 @@ const Json& key(const Json& record, const char* name, bool (Json::*is)() const n
                 const char* kind) {
   const auto found = record.find(name);
   if (found == record.end()) refuse(fmt::format("its design has no {}", name));
-  if (!((*found).*is)()) refuse(fmt::format("{} of its design is no {}", name, kind));
+  if (!((*found).*is)()) refuse(fmt::format("{} of its design is not of type {}", name, kind));
   return *found;
 }
 
@@ -72,7 +72,7 @@ void choose_law(const Json& record, ProblemStatement& statement) {
   const auto chosen = std::find_if(statement.laws.begin(), statement.laws.end(),
                                    [&](const Member& law) { return is_called(law, name); });
   if (chosen == statement.laws.end()) {
-    refuse(fmt::format("its design has the law '{}', which its problem has not", name));
+    refuse(fmt::format("its design has the law '{}', which its problem does not have", name));
   }
   statement.laws = std::vector<Member>{*chosen};
 }

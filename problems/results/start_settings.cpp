@@ -78,7 +78,7 @@ std::vector<std::string> start_settings(const ProblemStatement& problem, const s
   const ReadDesign design = read_design_file(path);
   if (!design.verdict) {
     throw std::invalid_argument(fmt::format(
-        "{}: it is a problem file; to begin with, a result of 'camlaw optimize' is wanted", path));
+        "{}: this is a problem file; --start needs a result of 'camlaw optimize'", path));
   }
   try {
     return start_settings(problem, design);

@@ -126,7 +126,7 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
   if (!parts.empty()) return listed(parts) + " stated";
   for (const ParameterRange& range : problem.ranges) {
     if (bound_moves(check, problem, range)) {
-      return fmt::format("what it is held to changes over the range of {}",
+      return fmt::format("its bound changes over the range of {}",
                          problem.mechanism->parameters[range.parameter].name);
     }
   }
@@ -136,7 +136,7 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
     const optim::Variation off = v.at(meant);
     const ParameterRange made{v.parameter.parameter, meant + off.lower, meant + off.upper};
     if (bound_moves(check, problem, made)) {
-      return fmt::format("what it is held to changes with the variation of {}", v.name());
+      return fmt::format("its bound changes with the variation of {}", v.name());
     }
   }
   return "";
@@ -169,7 +169,7 @@ void judge(BuildableAnswer& answer) {
   } else if (report.proved) {
     answer.built = Built::Holds;
   } else {
-    answer.why = "it holds wherever it was looked, which is not proved";
+    answer.why = "it holds wherever it was evaluated, which is not a proof";
   }
 }
 
@@ -223,16 +223,15 @@ void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
       put_item(part, item, constants);
       if (bound_of(check, problem) == bound_with(check, problem, constants)) continue;
       throw std::invalid_argument(
-          fmt::format("{} is chosen, and with it what {} is held to, {}; state {}", part.name,
+          fmt::format("{} is chosen, and with it the bound of {}, {}; state {}", part.name,
                       check.name, check.standard, check.input));
     }
   }
   for (const VariableStatement& v : problem.variables) {
     if (v.of_law || v.lower == v.upper) continue;
     if (!bound_moves(check, problem, {v.parameter, v.lower, v.upper})) continue;
-    throw std::invalid_argument(
-        fmt::format("{} varies, and with it what {} is held to, {}; state {}", v.name, check.name,
-                    check.standard, check.input));
+    throw std::invalid_argument(fmt::format("{} varies, and with it the bound of {}, {}; state {}",
+                                            v.name, check.name, check.standard, check.input));
   }
 }
 
@@ -308,7 +307,7 @@ const BuildableInput* find_input(const Mechanism& mechanism, std::string_view na
 double accepted_input(const BuildableInput& input, double value) {
   if (value > 0) return value;
   throw std::invalid_argument(
-      fmt::format("{} is {}; it is above 0", input.name, with_unit(value, input.unit)));
+      fmt::format("{} is {}; it must be above 0", input.name, with_unit(value, input.unit)));
 }
 
 void limit_to_checks(ProblemStatement& problem) {

@@ -71,7 +71,7 @@ Column column_of(std::string_view cell, const Mechanism& mechanism) {
     column.factor = 0.5;
   }
   if (!parameter) {
-    throw std::invalid_argument(fmt::format("the column '{}' is no parameter of {}; {}",
+    throw std::invalid_argument(fmt::format("the column '{}' is not a parameter of {}; {}",
                                             column.title, mechanism.name,
                                             suggestion(column.title, column_names(mechanism))));
   }
@@ -117,7 +117,7 @@ class CatalogueReader {
       auto& known = part_.parameters;
       if (std::find(known.begin(), known.end(), column.parameter) != known.end()) {
         refuse_line(part_.catalogue, line,
-                    fmt::format("{} is there twice", mechanism_.parameters[column.parameter].name));
+                    fmt::format("{} appears twice", mechanism_.parameters[column.parameter].name));
       }
       known.push_back(column.parameter);
     }
@@ -125,8 +125,9 @@ class CatalogueReader {
       return c.kind == Column::Kind::Name;
     });
     if (!has_names || part_.parameters.empty()) {
-      refuse_line(part_.catalogue, line,
-                  "a line of names is wanted, with a column 'name' and parameters of the machine");
+      refuse_line(
+          part_.catalogue, line,
+          "the first line must hold names, with a column 'name' and parameters of the machine");
     }
   }
 
@@ -149,7 +150,7 @@ class CatalogueReader {
     const std::string name = folded(item.name);
     if (std::any_of(part_.items.begin(), part_.items.end(),
                     [&](const PartItem& known) { return folded(known.name) == name; })) {
-      refuse_line(part_.catalogue, line, fmt::format("'{}' is there twice", item.name));
+      refuse_line(part_.catalogue, line, fmt::format("'{}' appears twice", item.name));
     }
     if (part_.items.size() == kMostCatalogueRows) {
       refuse_line(part_.catalogue, line, fmt::format("more than {} rows", kMostCatalogueRows));

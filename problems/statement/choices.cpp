@@ -21,7 +21,7 @@ std::optional<double> find_choice(const std::vector<double>& values, double want
 std::optional<std::string> why_not(const VariableStatement& variable, double value) {
   if (!variable.values.empty()) {
     if (find_choice(variable.values, value)) return {};
-    return fmt::format("{} is none of {}", with_unit(value, variable.unit),
+    return fmt::format("{} is not one of {}", with_unit(value, variable.unit),
                        values_text(variable.values, variable.unit));
   }
   const double meant = onto_range(value, variable.lower, variable.upper);

@@ -121,9 +121,8 @@ std::vector<std::string> doubtful_limits(const BoundProblem& bound) {
       if (size <= kApart * found[i].most && size * kApart >= found[i].least) continue;
       const bool met = upper ? found[i].met_above : found[i].met_below;
       sentences.push_back(
-          fmt::format("the limit {} {} {} is {}: at {} designs all over the box its greatest size "
-                      "is {}; is the unit "
-                      "right?",
+          fmt::format("the limit {} {} {} is {}: at {} designs all over the box its largest "
+                      "magnitude is {}; is the unit right?",
                       c.response.name,
                       c.lower == c.upper ? "="
                       : upper            ? "<="

@@ -120,12 +120,20 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
 
 [[noreturn]] void refuse_unknown(const ProblemStatement& problem, const Spelling& name) {
   std::vector<std::string> known, owners;
+  bool several = false;
   if (name.owner != Owner::Law) {
     owners.push_back(problem.mechanism->name);
     for (const auto& p : problem.mechanism->parameters) known.push_back(p.name);
   }
   if (name.owner != Owner::Machine && !problem.laws.empty()) {
-    owners.push_back((problem.laws.size() == 1 ? "law " : "laws ") + law_names(problem));
+    const bool alone = owners.empty();
+    if (problem.mechanism->moved_by == MovedBy::Program) {
+      owners.emplace_back(alone ? "the motion program" : "its motion program");
+    } else {
+      owners.push_back((problem.laws.size() == 1 ? "law " : "laws ") + law_names(problem));
+      several = several || problem.laws.size() > 1;
+    }
+    several = several || !alone;
     for (const Member& law : problem.laws) {
       for (const Parameter& p : law.family->parameters) {
         if (std::find(known.begin(), known.end(), p.name) == known.end()) known.push_back(p.name);
@@ -133,8 +141,11 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
     }
   }
   throw std::invalid_argument(fmt::format(
-      "no parameter '{}' of {}; {}{}", name.bare, fmt::join(owners, " or "),
-      known.empty() ? "there is none" : suggestion(name.bare, known), elsewhere(problem, name)));
+      "{} {} no parameter '{}'; {}{}", fmt::join(owners, " and "), several ? "have" : "has",
+      name.bare,
+      known.empty() ? "there is none"
+                    : suggestion(name.bare, known, several ? "they accept" : "it accepts"),
+      elsewhere(problem, name)));
 }
 
 /// Refuses an element that is not there, in any of the laws.

@@ -201,7 +201,7 @@ std::string variables_part(const Mechanism& mechanism, const UsualProblem& usual
 
 std::string objective_part(const Mechanism& mechanism, const UsualProblem& usual) {
   const ResponseName name = find_response(mechanism, usual.objective);
-  return "\n# What is wanted.\n" + sentence(words_on(mechanism, name)) +
+  return "\n# The objective.\n" + sentence(words_on(mechanism, name)) +
          fmt::format("[objective]\n{} = \"{}\"\n",
                      usual.sense == optim::Sense::Minimize ? "minimize" : "maximize",
                      usual.objective);

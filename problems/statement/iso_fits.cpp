@@ -102,10 +102,10 @@ Fit parse_fit(std::string_view text) {
   for (int known = kLeastGrade; known <= kLargestGrade && !letter.empty(); ++known) {
     if (grade == std::to_string(known)) return {letter, known};
   }
-  throw std::invalid_argument(fmt::format(
-      "'{}' is not a fit that is known; accepted are the letters d, e, f, g, h, js, k, m, n, p of "
-      "shafts and D, E, F, G, H, JS of holes with a grade from {} to {}, such as h7",
-      text, kLeastGrade, kLargestGrade));
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a known fit; use the letters d, e, f, g, h, js, k, m, n, p of "
+                  "shafts and D, E, F, G, H, JS of holes with a grade from {} to {}, such as h7",
+                  text, kLeastGrade, kLargestGrade));
 }
 
 double standard_tolerance(int grade, double size) {

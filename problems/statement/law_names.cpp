@@ -144,7 +144,7 @@ std::optional<std::vector<Member>> read_law_class(const Entry& name) {
     if (!read_condition(name, condition, wanted)) {
       if (is_first) return {};  // the name of a law
       refuse(name, "'" + std::string(condition) +
-                       "' is not a condition on laws; accepted are all, ends R-R, continuity >= 2");
+                       "' is not a condition on laws; write all, ends R-R or continuity >= 2");
     }
     is_first = false;
     if (comma == std::string_view::npos) break;
@@ -158,7 +158,7 @@ std::optional<std::vector<Member>> read_law_class(const Entry& name) {
         laws.begin(), laws.end(), [&](const Member& other) { return other.name() == law.name(); });
     if (!is_there && law.possible_law()) laws.push_back(law);
   }
-  if (laws.empty()) refuse(name, "no law of the catalogue is so");
+  if (laws.empty()) refuse(name, "no law of the catalogue meets it");
   return laws;
 }
 

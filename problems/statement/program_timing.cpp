@@ -96,7 +96,7 @@ double speed_of_machine(const Entry& program, const StatedParameter& stated) {
 void set_speed(const Entry& cycle, double speed, std::size_t parameter, ProblemStatement& problem) {
   const MechanismParameter& known = problem.mechanism->parameters[parameter];
   if (!(speed >= known.low && speed <= known.high)) {
-    refuse(cycle, fmt::format("a turn of that time is a speed of {:.6g} rpm; accepted is {}", speed,
+    refuse(cycle, fmt::format("a turn of that time is a speed of {:.6g} rpm; it must be {}", speed,
                               range_text(known.low, known.high, known.unit)));
   }
   problem.constants[parameter] = speed;
@@ -115,7 +115,7 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
   const Entry* cycle = find(program, "cycle_time");
   const Entry* at = find(program, "times_at");
   if (at != nullptr && cycle != nullptr) {
-    refuse(*at, "cycle_time says already how long a turn takes; drop one of the two");
+    refuse(*at, "cycle_time already says how long a turn takes; drop one of the two");
   }
   if (at != nullptr) {
     if (!needs_time) refuse(*at, "the program has no times; drop it");

@@ -157,7 +157,7 @@ std::optional<std::size_t> stroke_of(const Mechanism& mechanism) {
 void set_stroke(const Entry& entry, std::size_t place, double stroke, ProblemStatement& problem) {
   const MechanismParameter& parameter = problem.mechanism->parameters[place];
   if (!(stroke >= parameter.low && stroke <= parameter.high)) {
-    refuse(entry, fmt::format("the highest displacement, the {}, is {:.6g} {}; accepted is {}",
+    refuse(entry, fmt::format("the highest displacement, the {}, is {:.6g} {}; it must be {}",
                               parameter.name, stroke, parameter.unit,
                               range_text(parameter.low, parameter.high, parameter.unit)));
   }
@@ -201,7 +201,7 @@ double ProgramUnits::stroke_for(const Entry& entry) const {
 
 double ProgramUnits::tolerance(const Entry& entry) const {
   const double value = level(entry);
-  if (!(value >= 0)) refuse(entry, "a tolerance is 0 or above");
+  if (!(value >= 0)) refuse(entry, "a tolerance must not be below 0");
   return value;
 }
 
@@ -216,8 +216,8 @@ double ProgramUnits::rate(const Entry& entry, Rate rate) const {
     return *value * std::pow(kTurnDegrees, order) / size;
   }
   const char* exponent = rate == Rate::Velocity ? "" : "^2";
-  refuse(entry, fmt::format("'{0}' is not {1}; accepted are \"0.3 {2}/s{3}\", \"0.3 {2}/deg{3}\", "
-                            "and a plain number in strokes per cycle{3}",
+  refuse(entry, fmt::format("'{0}' is not {1}; write \"0.3 {2}/s{3}\", \"0.3 {2}/deg{3}\", or a "
+                            "plain number in strokes per cycle{3}",
                             entry.text, rate == Rate::Velocity ? "a velocity" : "an acceleration",
                             unit, exponent));
 }
@@ -226,7 +226,7 @@ std::optional<double> ProgramUnits::angle(const Entry& table) const {
   const Entry* angle = find(table, "angle");
   const Entry* time = find(table, "time");
   if (angle != nullptr && time != nullptr) {
-    refuse(*time, "there is an angle already; give one of the two");
+    refuse(*time, "an angle is given already; give only one of the two");
   }
   if (angle != nullptr) return positive_of(*angle, "deg");
   if (time == nullptr) return {};

@@ -204,7 +204,7 @@ void read_cams(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
     }
   }
   if (table.items.empty() || table.items.size() > kMostCams) {
-    refuse(table, fmt::format("{} cams; from 1 to {} are accepted", table.items.size(), kMostCams));
+    refuse(table, fmt::format("{} cams; a file may have 1 to {}", table.items.size(), kMostCams));
   }
   std::vector<ReadCam> cams;
   std::vector<NamedCam> named;

@@ -25,7 +25,7 @@ std::string read_case_name(const Entry& table, const ProblemStatement& problem) 
   check_spelling(*name, text);
   for (const char* word : {"worst", "mean", "all"}) {
     if (text == word) {
-      refuse(*name, fmt::format("'{}' stands for all cases; give this one another name", text));
+      refuse(*name, fmt::format("'{}' means all cases; give this one another name", text));
     }
   }
   for (const CamStatement& cam : problem.cams) {

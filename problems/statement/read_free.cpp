@@ -42,7 +42,7 @@ int smooth_or(const Entry& table, const char* key, int low, int high, int defaul
   if (entry == nullptr) return default_value;
   if (entry->kind == Kind::Integer && entry->integer >= 0 && entry->integer < low) {
     refuse(*entry, fmt::format("with {} the velocity jumps at the knots, where the acceleration is "
-                               "infinite; accepted are {} .. {}",
+                               "infinite; use {} .. {}",
                                entry->integer, low, high));
   }
   return static_cast<int>(whole_of(*entry, low, high));
@@ -75,8 +75,8 @@ FreeEnd read_end(const Entry& table, const char* key, int continuity) {
   if (text == "U") return {1, false};
   if (text == "G") return {0, true};
   if (text == "B") return {0, false};
-  refuse(*entry, fmt::format("'{}' is not an end; accepted are R (rest), U (reversal: s' = 0), G "
-                             "(s'' = 0), B (any), or how many derivatives are 0",
+  refuse(*entry, fmt::format("'{}' is not an end; use R (rest), U (reversal: s' = 0), G (s'' = 0), "
+                             "B (any), or how many derivatives are 0",
                              text));
 }
 

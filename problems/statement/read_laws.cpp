@@ -103,8 +103,8 @@ namespace {
 void refuse_table(const Entry& file, const Mechanism& mechanism, const char* key) {
   const Entry* table = find(file, key);
   if (table == nullptr) return;
-  const char* wanted = mechanism.moved_by == MovedBy::Program ? "; it wants [program]"
-                       : mechanism.moved_by == MovedBy::Law   ? "; it wants [law]"
+  const char* wanted = mechanism.moved_by == MovedBy::Program ? "; it needs [program]"
+                       : mechanism.moved_by == MovedBy::Law   ? "; it needs [law]"
                                                               : "";
   refuse(*table, fmt::format("{} takes no {}{}", mechanism.name, key, wanted));
 }
@@ -170,7 +170,7 @@ void check_laws_at_start(const Entry& file, const ProblemStatement& problem) {
   std::set<std::string> seen;
   for (const Member& law : problem.laws) {
     if (!seen.insert(identity_of(law)).second) {
-      refuse(name, fmt::format("'{}' is there twice, with what varies at its start", law.label()));
+      refuse(name, fmt::format("'{}' appears twice, with what varies at its start", law.label()));
     }
   }
 }

@@ -133,7 +133,7 @@ MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) 
   }
   parameter.meaning = text_or_none(table, "meaning");
   const Entry* value = find(table, "default");
-  if (value == nullptr) refuse(table, "default is missing; give the value that it has as a rule");
+  if (value == nullptr) refuse(table, "default is missing; give its usual value");
   parameter.default_value = quantity_of(*value, parameter.unit);
   parameter.low = read_number(table, "lower", parameter.unit, -kWidest);
   parameter.high = read_number(table, "upper", parameter.unit, kWidest);
@@ -172,8 +172,8 @@ MovedBy read_moved_by(const Entry& machine) {
       {"law", MovedBy::Law}, {"program", MovedBy::Program}, {"nothing", MovedBy::Nothing}};
   const auto found = known.find(text_of(*entry));
   if (found == known.end()) {
-    refuse(*entry, fmt::format("'{}' does not move a machine; accepted are law, program, nothing",
-                               entry->text));
+    refuse(*entry,
+           fmt::format("'{}' does not move a machine; use law, program or nothing", entry->text));
   }
   return found->second;
 }
@@ -250,7 +250,7 @@ class Adding {
     if (is_added_[i]) return;
     const Entry& formula = *find(*all_[i].table, "formula");
     if (std::find(path_.begin(), path_.end(), names_[i]) != path_.end()) {
-      refuse(formula, fmt::format("the formulas hold one another in a circle: {}, {}",
+      refuse(formula, fmt::format("the formulas refer to one another in a circle: {}, {}",
                                   fmt::join(path_, ", "), names_[i]));
     }
     path_.push_back(names_[i]);
@@ -290,7 +290,7 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
   const Entry *name = find(file, "mechanism"), *own = find(file, "machine");
   const Entry* responses = find(file, "responses");
   if (name == nullptr && own == nullptr) {
-    refuse(file, fmt::format("mechanism is missing; there are {}", known_mechanisms()));
+    refuse(file, fmt::format("mechanism is missing; choose one of {}", known_mechanisms()));
   }
   if (name != nullptr && own != nullptr) {
     refuse(*own, "the file names a mechanism too; drop one of the two");

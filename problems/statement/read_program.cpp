@@ -36,7 +36,7 @@ Matched read_matched(const Entry& program) {
   if (text == "velocity") return Matched::Velocity;
   if (text == "acceleration") return Matched::Acceleration;
   refuse(*entry,
-         fmt::format("'{}' is not known; accepted are displacement, velocity, acceleration", text));
+         fmt::format("'{}' is not known; use displacement, velocity or acceleration", text));
 }
 
 /// Adds the law of a name, or the laws of a class.
@@ -74,7 +74,7 @@ std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, c
 std::optional<double> read_level(const Entry& table, const ProgramUnits& units, double from) {
   const Entry* to = find(table, "to");
   const Entry* by = find(table, "by");
-  if (to != nullptr && by != nullptr) refuse(*by, "there is a to already; give one of the two");
+  if (to != nullptr && by != nullptr) refuse(*by, "to is given already; give only one of the two");
   if (to != nullptr) return units.level(*to);
   if (by == nullptr) return {};
   // Steps that add up to nothing leave rounding.
@@ -161,7 +161,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   segment.shapes = truth_of(entry, "joining");
   const std::optional<double> to = read_level(entry, units, level);
   if (to && segment.rests) {
-    refuse(entry, "a segment that goes somewhere needs a law, or law = \"joining\"");
+    refuse(entry, "a segment that moves needs a law, or law = \"joining\"");
   }
   segment.to = to ? *to : segment.rests ? level : level == 0 ? top : 0;
   read_joining(entry, units, level, segment);
@@ -220,7 +220,7 @@ void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
   for (StatedSegment& s : segments) {
     if (&s == &segments.back() && s.segment.angle == 0) s.segment.angle = kTurnDegrees - sum;
     if (s.segment.angle == 0) {
-      refuse(*s.entry, "angle is missing; the last segment alone may do without");
+      refuse(*s.entry, "angle is missing; only the last segment may leave it out");
     }
     sum += s.segment.angle;
   }
@@ -321,7 +321,7 @@ void read_tolerances(const Entry& file, ProblemStatement& problem) {
     const std::string name = segment_name(segments[i], i);
     if (const Entry* tolerance = find(segments[i], "tolerance")) {
       if (find(segments[i], "law") == nullptr && !moves_without_law(segments[i])) {
-        refuse(*tolerance, "a rest stays where the segment before it ends; give it to that one");
+        refuse(*tolerance, "a dwell stays where the segment before it ends; state it there");
       }
       add_tolerance(*tolerance, units, name + "_to", problem);
     }

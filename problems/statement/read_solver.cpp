@@ -23,7 +23,7 @@ std::string find_solver_name(std::string_view typed) {
   if (std::find(known.begin(), known.end(), wanted) != known.end()) return wanted;
   const auto near = near_names(wanted, known);
   throw std::invalid_argument(
-      fmt::format("no solver is called '{}'{}; there are {}", typed,
+      fmt::format("'{}' is not a solver{}; use one of {}", typed,
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
                   fmt::join(known, ", ")));
 }
@@ -35,7 +35,7 @@ std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   const bool whole = rest == end && error != std::errc::invalid_argument;
   if (!whole || error != std::errc{} || value < low || value > high) {
-    throw std::invalid_argument(fmt::format("{}: {}; an integer from {} to {} is wanted", what,
+    throw std::invalid_argument(fmt::format("{}: {}; it must be an integer from {} to {}", what,
                                             whole ? fmt::format("{} is out of range", text)
                                                   : fmt::format("'{}' is not an integer", text),
                                             low, high));
@@ -63,7 +63,7 @@ optim::NativeValue native_value(const Entry& entry) {
     case Entry::Kind::Float:
       return entry.number;
     default:
-      refuse(entry, fmt::format("{} is given; a text, an integer or a number is wanted",
+      refuse(entry, fmt::format("{} is given; write a text, an integer or a number",
                                 to_string(entry.kind)));
   }
 }

@@ -59,7 +59,7 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
   const auto check_again = [&](std::size_t i, double known) {
     if (std::abs(lift.values[i] - known) <= alike) return;
     throw std::invalid_argument(fmt::format(
-        "at {:.6g} deg the lift is {} and {}; one turn of a motion that returns is wanted",
+        "at {:.6g} deg the lift is {} and {}; give one turn of a motion that returns",
         x[i] * kTurnDegrees, with_unit(known, lift.unit), with_unit(lift.values[i], lift.unit)));
   };
   TurnTable turn{{}, {}, lift.unit};
@@ -86,10 +86,10 @@ void check_turn(const TurnTable& turn) {
     const bool last = i + 1 == turn.x.size();
     const double next = last ? turn.x.front() + 1 : turn.x[i + 1];
     if ((next - turn.x[i]) * kTurnDegrees <= kWidestGap) continue;
-    throw std::invalid_argument(fmt::format(
-        "there is nothing from {:.6g} to {:.6g} deg; a lift over the whole turn is wanted, with "
-        "rows at most {:g} deg apart",
-        turn.x[i] * kTurnDegrees, next * kTurnDegrees, kWidestGap));
+    throw std::invalid_argument(
+        fmt::format("there is nothing from {:.6g} to {:.6g} deg; give the lift over the whole "
+                    "turn, with rows at most {:g} deg apart",
+                    turn.x[i] * kTurnDegrees, next * kTurnDegrees, kWidestGap));
   }
 }
 
@@ -102,10 +102,10 @@ TableSmoothing read_smoothing(const Entry& program, const std::string& unit, dou
     try {
       return positive_of(*entry, unit);
     } catch (const std::invalid_argument&) {
-      throw std::invalid_argument(fmt::format(
-          "accepted are \"none\", \"auto\", and how far the motion may be from the rows, root "
-          "mean square, such as {}",
-          unit == "1" ? "0.0001" : fmt::format("\"0.002 {}\"", unit)));
+      throw std::invalid_argument(
+          fmt::format("write \"none\", \"auto\", or how far the motion may be from the rows, root "
+                      "mean square, such as {}",
+                      unit == "1" ? "0.0001" : fmt::format("\"0.002 {}\"", unit)));
     }
   });
   return {Kind::Deviation, deviation / range};
@@ -166,8 +166,9 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
     }
   } else {
     if (other != nullptr) {
-      refuse(*other, fmt::format("the table's lift says what the {} is, {}; drop this entry",
-                                 parameter.name, with_unit(range, parameter.unit)));
+      refuse(*other,
+             fmt::format("the table's lift already says what the {} is, {}; drop this entry",
+                         parameter.name, with_unit(range, parameter.unit)));
     }
     set_stroke(name, *place, range, problem);
     problem.told_by_motion.insert(*place);

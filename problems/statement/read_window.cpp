@@ -39,8 +39,8 @@ double read_end(const Entry* entry, const Cycle& cycle, double otherwise) {
   const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
   const double value = quantity_of(*entry, cycle.unit);
   if (!(value >= begin && value <= end)) {
-    refuse(*entry, fmt::format("{} is outside the cycle; accepted is {}",
-                               with_unit(value, cycle.unit), range_text(begin, end, cycle.unit)));
+    refuse(*entry, fmt::format("{} is outside the cycle, {}", with_unit(value, cycle.unit),
+                               range_text(begin, end, cycle.unit)));
   }
   return value;
 }
@@ -58,13 +58,12 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
   }
   const auto cycle = response.response->cycle;
   if (!cycle) {
-    refuse(*any, fmt::format("{} runs over the turn of the driving shaft, of which no windows are "
-                             "taken",
+    refuse(*any, fmt::format("{} runs over the turn of the driving shaft, which takes no windows",
                              response.name));
   }
   if (over != nullptr) {
     if (from != nullptr || to != nullptr) {
-      refuse(from != nullptr ? *from : *to, "over says where already; drop one of the two");
+      refuse(from != nullptr ? *from : *to, "over already says where; drop one of the two");
     }
     response.window = read_over(*over, problem, *response.response);
     response.name += " over " + response.window->segment;
@@ -74,8 +73,8 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
                      read_end(to, *cycle, cycle->stretches.back().end)};
   if (!(window.from < window.to)) {
     refuse(*any,
-           fmt::format("the window from {} to {} is empty; one that goes over the end of the "
-                       "cycle is two limits",
+           fmt::format("the window from {} to {} is empty; state one that crosses the end of the "
+                       "cycle as two limits",
                        with_unit(window.from, cycle->unit), with_unit(window.to, cycle->unit)));
   }
   response.name +=

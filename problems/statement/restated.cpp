@@ -203,9 +203,9 @@ void put_variable_bound(Entry& file, const VariableStatement& variable, std::str
   const auto [owner, side] = at_last_dot(name);
   Entry* entry = variable_entry(file, owner);
   if (entry == nullptr) {
-    throw std::invalid_argument(fmt::format(
-        "{}: the bounds of {} do not stand in a table of its own; change them in the file", name,
-        variable.name));
+    throw std::invalid_argument(
+        fmt::format("{}: the bounds of {} are not in a table of their own; change them in the file",
+                    name, variable.name));
   }
   put_entry(*entry, text_entry(*entry, side, text, place));
   // A start that the file states for other bounds may lie outside of these.
@@ -292,7 +292,7 @@ bool is_of_file(const ProblemStatement& problem, std::string_view name) {
 void restate(Entry& file, const ProblemStatement& problem, std::string_view name,
              std::string_view text, const std::string& assignment) {
   if (text.empty()) {
-    throw std::invalid_argument(fmt::format("'{}' sets nothing; a value is wanted", assignment));
+    throw std::invalid_argument(fmt::format("'{}' sets nothing; give a value", assignment));
   }
   if (is_law_setting(name)) return put_laws(file, name, text, assignment);
   if (const auto response = bounded(name)) {

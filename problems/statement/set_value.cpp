@@ -98,7 +98,8 @@ void set_parameter_in_case(ProblemStatement& problem, const LoadCase& load, std:
   if (own == "weight") {
     changed.weight = parse_quantity(text, "1", "1", std::string(name));
     if (!(changed.weight > 0)) {
-      throw std::invalid_argument(fmt::format("{} is {:g}; it is above 0", name, changed.weight));
+      throw std::invalid_argument(
+          fmt::format("{} is {:g}; it must be above 0", name, changed.weight));
     }
   } else {
     const NamedParameter parameter = find_parameter(problem, own, Owner::Machine);

@@ -124,12 +124,11 @@ std::string explained(std::string_view description) {
   const auto says = [&](std::string_view words) {
     return description.find(words) != std::string_view::npos;
   };
-  const char* remedy = says("saw ','") ? "; use a point for the decimals, such as 4.5"
-                       : says("a comment or whitespace")
-                           ? "; a number with a unit stands in quotes, such as \"40 mm\""
-                       : says("could not determine value type")
-                           ? "; a name stands in quotes, such as \"cosine\""
-                           : "";
+  const char* remedy =
+      says("saw ','")                   ? "; use a point for the decimals, such as 4.5"
+      : says("a comment or whitespace") ? "; put a number with a unit in quotes, such as \"40 mm\""
+      : says("could not determine value type") ? "; put a name in quotes, such as \"cosine\""
+                                               : "";
   return fmt::format("it is not TOML: {}{}", description, remedy);
 }
 

@@ -101,9 +101,10 @@ void guard_toml(std::string_view text, const std::string& source) {
   for (; walk.is_outside(); walk.step_outside()) {
     const char next = walk.rest().front();
     if (is_between(next, 0x80, 0xFF)) {
-      refuse(begins_letter(walk.rest())
-                 ? "it is not TOML: letters beyond a to z stand in quotes, such as \"größe\""
-                 : "it is not UTF-8; save the file as UTF-8 text");
+      refuse(
+          begins_letter(walk.rest())
+              ? "it is not TOML: put a key with letters beyond a to z in quotes, such as \"größe\""
+              : "it is not UTF-8; save the file as UTF-8 text");
     }
     points.take(next);
     if (points.count() >= kMostParts) {

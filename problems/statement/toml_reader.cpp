@@ -19,15 +19,16 @@ using Kind = Entry::Kind;
 /// Of a parameter that is a list: what is made of its elements takes their square at least.
 constexpr std::size_t kMostNumbers = 1000;
 
-std::string suggestion(std::string_view typed, const std::vector<std::string>& known) {
+std::string suggestion(std::string_view typed, const std::vector<std::string>& known,
+                       const std::string& lead) {
   const auto near = near_names(typed, known);
-  return near.empty() ? fmt::format("accepted are {}", fmt::join(known, ", "))
+  return near.empty() ? fmt::format("{} {}", lead, fmt::join(known, ", "))
                       : fmt::format("did you mean {}?", fmt::join(near, ", "));
 }
 
 void expect(const Entry& entry, Kind kind, const std::string& wanted) {
   if (entry.kind != kind) {
-    refuse(entry, fmt::format("{} is given; {} is wanted", to_string(entry.kind), wanted));
+    refuse(entry, fmt::format("{} is given; write {}", to_string(entry.kind), wanted));
   }
 }
 
@@ -63,7 +64,7 @@ std::int64_t whole_of(const Entry& entry, std::int64_t low, std::int64_t high) {
 
 double quantity_of(const Entry& entry, const std::string& unit) {
   if (entry.kind != Kind::Text && !entry.is_number()) {
-    refuse(entry, fmt::format("{} is given; a number is wanted{}", to_string(entry.kind),
+    refuse(entry, fmt::format("{} is given; write a number{}", to_string(entry.kind),
                               unit == "1" ? "" : fmt::format(", such as 1 or \"1 {}\"", unit)));
   }
   double value = entry.number;
@@ -114,7 +115,7 @@ bool reads_integer(const Entry& table) {
   if (type == nullptr) return false;
   const std::string& text = text_of(*type);
   if (text != "integer" && text != "continuous") {
-    refuse(*type, fmt::format("'{}' is not a type; accepted are integer, continuous", text));
+    refuse(*type, fmt::format("'{}' is not a type; use integer or continuous", text));
   }
   return text == "integer";
 }

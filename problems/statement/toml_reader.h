@@ -38,8 +38,9 @@ bool reads_integer(const Entry& table);
 /// The numbers of a list that is not empty.
 std::vector<double> quantities_of(const Entry& list, const std::string& unit);
 
-/// "did you mean lower?", or without near names "accepted are lower, upper".
-std::string suggestion(std::string_view typed, const std::vector<std::string>& known);
+/// "did you mean lower?", or without near names "use lower, upper"; `lead` stands before them.
+std::string suggestion(std::string_view typed, const std::vector<std::string>& known,
+                       const std::string& lead = "use");
 
 /// Does what knows nothing of files; its errors get the entry's place and path.
 template <class Action>

@@ -67,10 +67,10 @@ std::string parts_sentences(const ProblemStatement& problem) {
     if (!part.is_chosen()) {
       words += fmt::format("The {} is {} of {}.\n", part.name, start, part.catalogue);
     } else if (names.size() > kShown) {
-      words += fmt::format("Choose the {} among {} of {}, starting at {}.\n", part.name,
+      words += fmt::format("Choose the {} from {} of {}, starting at {}.\n", part.name,
                            names.size(), part.catalogue, start);
     } else {
-      words += fmt::format("Choose the {} among {} of {}, starting at {}.\n", part.name,
+      words += fmt::format("Choose the {} from {} of {}, starting at {}.\n", part.name,
                            listed(names), part.catalogue, start);
     }
   }

@@ -92,7 +92,7 @@ def test_published_tables_come_out():
     assert solved["verdict"] == "certified optimum" and solved["objective"] == pytest.approx(
         solved["true_optimum"], rel=1e-8
     )
-    with pytest.raises(cl.InputError, match="no system is called"):
+    with pytest.raises(cl.InputError, match="is not a system"):
         cl.reproduce("perpetuum-mobile")
 
 

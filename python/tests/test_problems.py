@@ -60,16 +60,16 @@ def test_quantities_of_pint_are_taken_with_their_units():
         "spring_preload": 60 * units.N,
     }
     assert roller(constants=constants).constants == pytest.approx(roller().constants, rel=1e-12)
-    with pytest.raises(cl.InputError, match="a length is wanted"):
+    with pytest.raises(cl.InputError, match="a length is needed"):
         roller(constants={"stroke": 3 * units.kg})
     many = roller().evaluate_many({"base_radius": np.array([5, 6]) * units.cm}, ["outer_radius"])
     assert many["base_radius"].tolist() == [50, 60]
-    with pytest.raises(cl.InputError, match="a length is wanted"):
+    with pytest.raises(cl.InputError, match="a length is needed"):
         roller().evaluate_many({"base_radius": np.array([5, 6]) * units.s})
 
 
 def test_errors_have_the_line_and_what_is_accepted():
-    with pytest.raises(cl.InputError, match=r"constants.stroke.*a length is wanted"):
+    with pytest.raises(cl.InputError, match=r"constants.stroke.*a length is needed"):
         roller(constants={"stroke": "30 N"})
     with pytest.raises(cl.InputError, match="roller_radius"):
         roller(constants={"roler_radius": "8 mm"})

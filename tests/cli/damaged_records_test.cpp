@@ -137,7 +137,7 @@ TEST_CASE("a study of an earlier version is judged anew, and what is wrong in it
   const ParsedJson whole = json_of({"front", path, "--json"});
   make_older(path);
   const ParsedJson older = json_of({"front", path, "--json"});
-  CHECK_THAT(older["record"]["notes"].dump(), Contains("judged anew"));
+  CHECK_THAT(older["record"]["notes"].dump(), Contains("judged again"));
   REQUIRE(older["points"].size() == whole["points"].size());
   for (std::size_t i = 0; i < whole["points"].size(); ++i) {
     CHECK(older["points"][i]["verdict"] == whole["points"][i]["verdict"]);

@@ -354,8 +354,9 @@ TEST_CASE("tables have any curve as their slave, at any whole division of the cy
   CHECK(std::stod(table[201][1]) == Approx(pitch.at({100}).at.x()).margin(5.001e-4));
   CHECK_THAT(failed({"export", kRoller, "--format", "table", "--slave", "lift"}, 2),
              Contains("no curve 'lift'; its curves are displacement, velocity"));
-  CHECK_THAT(failed({"export", problem("geneva/fastest.toml"), "--format", "table"}, 2),
-             Contains("geneva has no displacement of its own; name the slave; its curves are"));
+  CHECK_THAT(
+      failed({"export", problem("geneva/fastest.toml"), "--format", "table"}, 2),
+      Contains("geneva has no displacement of its own; name a curve with --slave; its curves are"));
 }
 
 TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
@@ -366,17 +367,17 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   };
   CHECK_THAT(refused({}), Contains("--format is missing") && Contains("csv, dxf, svg, json"));
   CHECK_THAT(refused({"--out", folder / "cam.step"}), Contains("--format is missing"));
-  CHECK_THAT(refused({"--format", "iges"}), Contains("no format 'iges'; accepted are csv"));
+  CHECK_THAT(refused({"--format", "iges"}), Contains("'iges' is not a format; use one of csv"));
   CHECK_THAT(refused({"--format", "csv", "--curve", "base"}),
-             Contains("no curve 'base'; there are all, profile"));
-  CHECK_THAT(refused({"--format", "csv", "--tolerance", "0.01 s"}), Contains("a length is wanted"));
+             Contains("there is no curve 'base'; use all, profile"));
+  CHECK_THAT(refused({"--format", "csv", "--tolerance", "0.01 s"}), Contains("a length is needed"));
   CHECK_THAT(refused({"--format", "csv", "--tolerance", "-1"}), Contains("--tolerance: -1 mm"));
   CHECK_THAT(refused({"--format", "gcode", "--tolerance", "0.1 um"}),
-             Contains("too fine for coordinates of 4 decimals; at least 0.001 mm"));
+             Contains("too fine for coordinates of 4 decimals; use at least 0.001 mm"));
   CHECK_THAT(refused({"--format", "csv", "--step", "1 deg", "--tolerance", "1 mm"}),
-             Contains("--step and --tolerance: give one of the two"));
+             Contains("--step and --tolerance: give only one of the two"));
   CHECK_THAT(refused({"--format", "dxf", "--step", "1 deg", "--as", "spline"}),
-             Contains("--as lines alone"));
+             Contains("takes only --as lines"));
   CHECK_THAT(refused({"--format", "csv", "--step", "7 deg"}),
              Contains("a step of 7 deg does not divide the cycle of 360 deg; 7.2 deg does"));
   CHECK_THAT(refused({"--format", "gcode", "--as", "spline"}),
@@ -393,7 +394,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(failed({"export", problem("geneva/fastest.toml"), "--format", "json"}, 2),
              Contains("geneva has no profile to export; --format table --slave NAME"));
   CHECK_THAT(failed({"export", problem("spine_cutter/least_force.toml"), "--format", "svg"}, 2),
-             Contains("spine-cutter has no profile to export; --format table and json have"));
+             Contains("spine-cutter has no profile to export; --format table or json writes"));
   CHECK_THAT(failed({"export", problem("cams/flat_least_base.toml"), "--format", "json", "--curve",
                      "pitch"},
                     2),

@@ -125,7 +125,7 @@ TEST_CASE("fit reads profiles without units and fits their centre", "[program][h
   const ParsedJson plain = json_of(words);
   CHECK(plain["notes"].size() == 2);
   CHECK(plain["trusted"] == false);
-  CHECK_THAT(plain["reason"].get<std::string>(), Contains("once round per turn"));
+  CHECK_THAT(plain["reason"].get<std::string>(), Contains("once per turn"));
   Words with_centre = words;
   with_centre.insert(with_centre.end(), {"--shift", "centre"});
   const ParsedJson centred = json_of(with_centre);

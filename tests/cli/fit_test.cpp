@@ -109,7 +109,7 @@ TEST_CASE("fit says what printed constants tell and what they do not", "[program
   for (const Case& c :
        std::vector<Case>{{"B=1.6125, C=4.66", "auto", "every constant agrees in all digits"},
                          {"B=1.6125, C=4.66", "auto", "the same motion: legendre"},
-                         {"B=1.6, D=inf", "auto", "more constants or digits would tell"},
+                         {"B=1.6, D=inf", "auto", "more constants or digits would decide"},
                          {"B=1.6", "trapezoidal-velocity", "does not determine t1, t2"},
                          {"B=1.6, C=6", "cubic", "B does not agree with the rest"},
                          {"B=1.6, C=5", "cubic", "no constant agrees"}}) {
@@ -130,7 +130,7 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
   for (const Case& bad : std::vector<Case>{
            {{"fit"}, "--constants"},
            {{"fit", good, "--constants", "B=2"}, "--constants"},
-           {{"fit", good, "--loss", "square"}, "none, huber, cauchy"},
+           {{"fit", good, "--loss", "square"}, "none, huber or cauchy"},
            {{"fit", good, "--law", "polynomal-5"}, "polynomial-5"},
            {{"fit", folder / "none.csv"}, "none.csv"},
            {{"fit", written(folder, "empty.csv", "")}, "empty"},

@@ -133,7 +133,7 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   CHECK_THAT(refused("--starts", "1000001"), Contains("from 1 to 1000000"));
   CHECK_THAT(refused("--time-limit", "nan"), Contains("--time-limit: nan"));
   CHECK_THAT(refused("--time-limit", "-1"), Contains("-1 s is not a time above zero"));
-  CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is wanted"));
+  CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is needed"));
   CHECK_THAT(refused("--solver", "ipot"), Contains("near: ipopt") && Contains("auto, ipopt"));
   failed({"optimize", shipped("least_radius.toml"), "--json=3"}, 2);
   const ParsedJson answer =
@@ -250,7 +250,7 @@ TEST_CASE("what a cam does not bear stands beside every verdict", "[program]") {
                                            Contains("FAILS") &&
                                            Contains("the profile is undercut"));
   const auto amber = Contains(
-      "certified optimum of the limits stated; cannot be built: undercut 1.131 at 52.5 deg\n");
+      "certified optimum within the limits stated; cannot be built: undercut 1.131 at 52.5 deg\n");
   CHECK_THAT(done({"optimize", path, "--out", folder / "out"}), amber);
   const std::string result = folder / "out" + "/result.json";
   const ParsedJson answer = ParsedJson::parse(read(result));
@@ -340,7 +340,7 @@ TEST_CASE("a bad problem file is one line with its place and what is accepted", 
   const Folder folder;
   const std::string path = written(folder, force_and_radius("30 deg", "30 mm"));
   CHECK_THAT(failed({"check", path}, 2),
-             Contains("problem.toml:") && Contains("a force is wanted"));
+             Contains("problem.toml:") && Contains("a force is needed"));
   CHECK_THAT(failed({"optimize", folder / "nothing.toml"}, 2), Contains("nothing.toml"));
   CHECK_THAT(failed({"optimize", shipped("least_force.toml"), "--solver", "simplex"}, 2),
              Contains("simplex") && Contains("slsqp"));

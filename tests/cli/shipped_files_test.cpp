@@ -47,7 +47,7 @@ void check_every_file(const std::vector<Words>& options) {
     for (const Words& more : options) {
       Words words{"check", file};
       words.insert(words.end(), more.begin(), more.end());
-      const Outcome outcome = check_done_or_refused(words, "looks at the objective");
+      const Outcome outcome = check_done_or_refused(words, "needs an objective");
       INFO(file);
       const bool is_plain = more.empty() || more == Words{"--json"};
       CHECK((outcome.status == 0) == (is_plain || has_objective(file)));

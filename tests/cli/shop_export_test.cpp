@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/answers/cam_export.h"
 #include "output/export/plane_curve.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
@@ -215,7 +216,7 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
                  "profile", "--lead", radius,     "--set", "base_radius=30 mm"};
   };
   CHECK_THAT(done(lead("12 mm")), Contains("G2 "));
-  CHECK_THAT(failed(lead("500 mm"), 2), Contains("a smaller lead is wanted"));
+  CHECK_THAT(failed(lead("500 mm"), 2), Contains("use a smaller lead"));
 }
 
 TEST_CASE("a tool's radius without a unit is in the unit of the file", "[export][shop]") {
@@ -255,7 +256,7 @@ TEST_CASE("an inspection table has nominal points, normals and the tolerance", "
                    "--form-tolerance", "0.005 mm"}),
              Contains(",-0.005000,0.005000\n"));
   CHECK_THAT(failed({"export", kRoller, "--format", "inspection", "--curve", "pitch"}, 2),
-             Contains("of profile or second-profile"));
+             Contains("takes profile or second-profile"));
 }
 
 TEST_CASE("a result that was changed by hand is judged before it is written",
@@ -279,6 +280,41 @@ TEST_CASE("a result that was changed by hand is judged before it is written",
   std::ofstream(folder / "larger.json") << result.dump(2);
   const Outcome larger = run({"export", folder / "larger.json", "--format", "gcode"});
   CHECK_THAT(larger.out, Contains("(judged again: feasible)"));
+}
+
+TEST_CASE("every export of a design past its limits names them in the file and on the terminal",
+          "[export][shop]") {
+  const Folder folder;
+  done({"optimize", kRoller, "--out", folder / ""});
+  const std::string result = folder / "result.json", small = "base_radius=45 mm";
+  const std::string note = "limit not met: pressure_angle is 32.8",
+                    bound = "must be at most 30 deg";
+  for (const cli::FormatRow& format : cli::export_formats()) {
+    INFO(format.name);
+    const std::string out = folder / "cam";
+    const std::string said =
+        done({"export", result, "--set", small, "--format", format.name, "--out", out});
+    CHECK_THAT(said, Contains(note) && Contains(bound));
+    CHECK_THAT(read(out), Contains(note) && Contains(bound));
+    const Outcome shown = run({"export", result, "--set", small, "--format", format.name});
+    CHECK_THAT(shown.err, Contains(note) && Contains(bound));
+    const Outcome met = run({"export", result, "--format", format.name});
+    CHECK(met.err.empty());
+    CHECK(met.out.find("limit not met") == std::string::npos);
+  }
+}
+
+TEST_CASE("an export refuses steps whose chords cut deep into the cam", "[export][shop]") {
+  for (const char* format : {"csv", "dxf", "svg", "gcode"}) {
+    INFO(format);
+    CHECK_THAT(failed({"export", kRoller, "--format", format, "--step", "90 deg"}, 2),
+               Contains("--step 90 deg: lines between these points leave the exact ") &&
+                   Contains("more than a thousandth of its size") &&
+                   Contains("or a step such as "));
+    done({"export", kRoller, "--format", format, "--step", "4.5 deg"});
+  }
+  CHECK_THAT(failed({"export", kRoller, "--format", "codesys", "--step", "90 deg"}, 2),
+             Contains("more than a hundredth of its range"));
 }
 
 }  // namespace camlaw::cli::shop_export_test

@@ -210,7 +210,7 @@ TEST_CASE("a lift that goes once round per turn is off its centre, which can be 
   REQUIRE_FALSE(plain.faults.empty());
   CHECK(plain.faults.front().fault.kind == FaultKind::OffCentre);
   for (const MotionFit& fit : plain.cycle.fits) {
-    CHECK_THAT(fit.distrust, Contains("once round per turn") && Contains("--shift centre"));
+    CHECK_THAT(fit.distrust, Contains("once per turn") && Contains("--shift centre"));
   }
   const RecordedMotion centred = fit_recorded_motion(record, few_laws(), {{}, true});
   REQUIRE(centred.centre);

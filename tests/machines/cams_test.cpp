@@ -170,14 +170,14 @@ TEST_CASE("what is not a program is refused with its line", "[cams]") {
   const std::vector<Case> cases = {
       {"mechanism = 'disc-cam-flat'\n", "program is missing"},
       {"mechanism = 'disc-cam-flat'\n[law]\nname = 'cosine'\n",
-       "f.toml:2: law: disc-cam-flat takes no law; it wants [program]"},
+       "f.toml:2: law: disc-cam-flat takes no law; it needs [program]"},
       {"mechanism = 'spine-cutter'\n[law]\nname = 'cosine'\n[program]\n",
-       "spine-cutter takes no program; it wants [law]"},
+       "spine-cutter takes no program; it needs [law]"},
       {with_segments(rise + "{name = 'back', law = 'cosine'}"), "the acceleration jumps"},
       {with_segments(rise + "{name = 'back', angle = 200, law = 'cycloidal'}"),
        "the angles add up to 320 deg"},
       {with_segments(rise + "{name = 'dwell'}, {name = 'back', law = 'cycloidal'}"),
-       "angle is missing; the last segment alone may do without"},
+       "angle is missing; only the last segment may leave it out"},
       {with_segments(rise + "{name = 'back', law = 'cycloidale'}"), "cycloidal"},
       {with_segments(rise + "{name = 'back', to = 0}"), "needs a law"},
       {with_segments(rise + "{name = 'back', time = '1 s', law = 'cycloidal'}"), "cycle_time"},
@@ -185,7 +185,7 @@ TEST_CASE("what is not a program is refused with its line", "[cams]") {
       {with_segments(rise + "{name = 'back', angle = '40 mm', law = 'cycloidal'}"), "angle"},
       {with_segments("{name = 'back', law = 'cycloidal'}"), "at least two segments"},
       {with_segments(rise + "{name = 'back', law = 'cycloidal'}", "matched = 'jerk'\n"),
-       "accepted are displacement, velocity, acceleration"},
+       "use displacement, velocity or acceleration"},
   };
   for (const Case& c : cases) {
     const std::string message = complaint(c.text);

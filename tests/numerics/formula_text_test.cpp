@@ -116,7 +116,9 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"x + m",
        "at character 3: '+' adds a length (m) and a mass (kg), which are of different kinds"},
       {"x - 1", "at character 3: '-' subtracts a length (m) and a plain number, which are of"},
-      {"sin(x)", "at character 5: the argument of sin is a length (m); a plain number or an angle"},
+      {"sin(x)",
+       "at character 5: the argument of sin is a length (m); it must be a plain number or an "
+       "angle"},
       {"max(p, x)", "at character 8: max compares a plain number and a length (m)"},
       {"x^p", "at character 2: a length (m) has powers with a plain number as the exponent alone"},
       {"2^x", "at character 3: the exponent is a length (m)"},
@@ -134,7 +136,7 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"root(a, 0, 1, root(b, 0, 1, root(c, 0, 1, c - a - b)))", "more than 2 deep"},
       {"", "the formula is empty"},
       {"  ", "the formula is empty"},
-      {"1 +", "at character 4: the formula ends where a number, a name or '(' is wanted"},
+      {"1 +", "at character 4: the formula ends where a number, a name or '(' is expected"},
       {"(1", "at character 1: this '(' is not closed"},
       {"sin(1", "at character 4: this '(' is not closed"},
       {"1)", "at character 2: ')' closes nothing"},
@@ -143,8 +145,8 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"2 p", "at character 1: 'p' is not a unit; for a product write 2 * p"},
       {"2(p)", "at character 2: an operator is missing before '('"},
       {"p**2", "'**' is not an operator; write ^ for a power"},
-      {"1,5", "a comma stands between the arguments of a function only"},
-      {"p = 2", "a formula is what stands to the right of '='"},
+      {"1,5", "a comma is only for the arguments of a function"},
+      {"p = 2", "a formula is only what is to the right of '='"},
       {"p # 2", "at character 3: '#' is not part of a formula"},
       {"9.81 m/s^2", "'9.81 m / s' can be read in two ways"},
       {"1 mm^2", "write a unit with powers in brackets, such as [mm^2]"},
@@ -152,9 +154,9 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"1 []", "there is no unit in these brackets"},
       {"1 [mm", "this '[' is not closed"},
       {"1 [degC]", "has a scale of its own"},
-      {"1 Hz", "counts revolutions to some and not to others"},
-      {"1e999", "this is not a number that can be counted with"},
-      {"peak(1)", "'peak' stands before the name of a curve"}};
+      {"1 Hz", "may or may not mean revolutions"},
+      {"1e999", "this number is out of range"},
+      {"peak(1)", "'peak' comes before the name of a curve"}};
   for (const auto& [text, words] : cases) {
     INFO(text);
     CHECK_THAT(refusal(text), Catch::Contains(words));

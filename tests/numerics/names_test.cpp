@@ -53,9 +53,9 @@ TEST_CASE("an unknown name is refused with those that are near, or with all", "[
   CHECK_THROWS_WITH(refuse_name("no law is called", "cubc", known, "see the list"),
                     "no law is called 'cubc'; near: cubic; see the list");
   CHECK_THROWS_WITH(refuse_name("no law is called", "cubc", known),
-                    "no law is called 'cubc'; near: cubic; known are cubic, cosine");
+                    "no law is called 'cubc'; near: cubic; use cubic, cosine");
   CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", known, "see the list"),
-                    "no law is called 'wwww'; known are cubic, cosine");
+                    "no law is called 'wwww'; use cubic, cosine");
 }
 
 }  // namespace camlaw::names_test

@@ -163,7 +163,7 @@ TEST_CASE("A motion that takes more polynomials than a drive has is refused", "[
   options.format = "siemens";
   options.tolerance = "1e-7 mm";
   CHECK_THROWS_WITH(exported_file(testing::source("problems/cams/roller_least_base.toml"), options),
-                    Contains("a larger --tolerance is wanted"));
+                    Contains("use a larger --tolerance"));
 }
 
 TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
@@ -210,11 +210,13 @@ TEST_CASE("Options of tables and drives that do not go together are refused", "[
   };
   using O = cli::ExportOptions;
   CHECK_THAT(refusal("table", [](O& o) { o.master = "ms"; }), Contains("--cycle how long"));
-  CHECK_THAT(refusal("table", [](O& o) { o.master = "turns"; }), Contains("accepted are deg, ms"));
-  CHECK_THAT(refusal("table", [](O& o) { o.cycle = "3"; }), Contains("--cycle is for --master"));
-  CHECK_THAT(refusal("table", [](O& o) { o.columns = "v,a"; }), Contains("begins with s"));
-  CHECK_THAT(refusal("table", [](O& o) { o.columns = "s,s"; }), Contains("begins with s"));
-  CHECK_THAT(refusal("table", [](O& o) { o.separator = "#"; }), Contains("accepted are"));
+  CHECK_THAT(refusal("table", [](O& o) { o.master = "turns"; }), Contains("use deg, ms"));
+  CHECK_THAT(refusal("table", [](O& o) { o.cycle = "3"; }),
+             Contains("--cycle is only for --master"));
+  CHECK_THAT(refusal("table", [](O& o) { o.columns = "v,a"; }), Contains("begin with s"));
+  CHECK_THAT(refusal("table", [](O& o) { o.columns = "s,s"; }), Contains("begin with s"));
+  CHECK_THAT(refusal("table", [](O& o) { o.separator = "#"; }),
+             Contains("use ',', ';', tab or space"));
   CHECK_THAT(refusal("table",
                      [](O& o) {
                        o.separator = ",";
@@ -224,7 +226,7 @@ TEST_CASE("Options of tables and drives that do not go together are refused", "[
   CHECK_THAT(refusal("codesys", [](O& o) { o.step = "1 deg"; }), Contains("--step is for"));
   CHECK_THAT(refusal("lenze", [](O& o) { o.tolerance = "1 mm"; }), Contains("--tolerance is for"));
   CHECK_THAT(refusal("dxf", [](O& o) { o.master = "ms"; }), Contains("--master is for"));
-  CHECK_THAT(refusal("dxf", [](O& o) { o.unit = "furlong"; }), Contains("mm and inch"));
+  CHECK_THAT(refusal("dxf", [](O& o) { o.unit = "furlong"; }), Contains("mm or inch"));
 }
 
 }  // namespace camlaw::problems::drives_test

@@ -336,10 +336,11 @@ TEST_CASE("Arcs above a largest radius are lines, and the path stays within its 
 TEST_CASE("A table has the decimals that keep its places even", "[exports]") {
   const auto statement = shipped("cams/roller_least_base.toml");
   const MotionTable table = motion_table(statement, {}, "0.05 deg", 6);
-  CHECK_THROWS_WITH(table_text(table, 1), Contains("0.05 apart cannot be told with 1 decimals; 2"));
+  CHECK_THROWS_WITH(table_text(table, 1),
+                    Contains("0.05 apart cannot be told apart with 1 decimals; use 2"));
   CHECK_NOTHROW(table_text(table, 2));
   CHECK_THROWS_WITH(table_text(motion_table(statement, {}, "0.0125 deg", 6), 2),
-                    Contains("with 2 decimals; 3 or more are wanted"));
+                    Contains("with 2 decimals; use 3 or more"));
 }
 
 TEST_CASE("A table of a law that does not come back ends with exactly 1", "[exports]") {

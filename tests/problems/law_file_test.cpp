@@ -106,7 +106,7 @@ TEST_CASE("A problem file takes laws from files beside it", "[law-files]") {
   own.put("mine.json", text_of(find_law("modified-sine").law()));
   const std::string file =
       own.put("problem.toml", "mechanism = 'law'\n[law]\nname = ['mine.json', 'cosine', 'mine']\n");
-  CHECK_THROWS_WITH(read_problem_file(file), Contains("law.name") && Contains("there twice"));
+  CHECK_THROWS_WITH(read_problem_file(file), Contains("law.name") && Contains("appears twice"));
   const std::string good =
       own.put("problem.toml", "mechanism = 'law'\n[law]\nname = ['mine.json', 'cosine']\n");
   const auto problem = read_problem_file(good);
@@ -139,8 +139,8 @@ TEST_CASE("Files of one name are told apart by their paths, and by what is in th
   CHECK(laws("'a/law.json', 'b/law.json'") == Names{"a/law.json", "b/law.json"});
   CHECK(laws("'a/law.json', 'cosine'") == Names{"law", "cosine"});
   CHECK(laws("'cosine.json', 'cosine'") == Names{"cosine.json", "cosine"});
-  CHECK_THROWS_WITH(laws("'b/law.json', 'other.json'"), Contains("'other' is there twice"));
-  CHECK_THROWS_WITH(laws("'b/law.json', './b/law.json'"), Contains("is there twice"));
+  CHECK_THROWS_WITH(laws("'b/law.json', 'other.json'"), Contains("'other' appears twice"));
+  CHECK_THROWS_WITH(laws("'b/law.json', './b/law.json'"), Contains("appears twice"));
 }
 
 TEST_CASE("A file that is called free is not the free law", "[law-files]") {
@@ -182,7 +182,7 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
   CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }),
              Contains("newer than this program"));
   CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw cam 1"; }),
-             Contains("'camlaw law 1' is wanted"));
+             Contains("it must be 'camlaw law 1'"));
   CHECK_THAT(changed([](Json& f) { f["format"] = 1; }), Contains("not a law file"));
   CHECK_THAT(changed([](Json& f) { f.erase("title"); }), Contains("it has no title"));
   CHECK_THAT(changed([](Json& f) { f.erase("pieces"); }), Contains("it has no pieces"));
@@ -227,7 +227,7 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
                Contains("is outside"));
   }
   CHECK_THAT(changed([](Json& f) { f["title"] = "a\n\x1b[2Jb"; }), Contains("control characters"));
-  CHECK_THROWS_WITH(read_law_file(own.folder()), Contains("it is a directory; a law file"));
+  CHECK_THROWS_WITH(read_law_file(own.folder()), Contains("it is a directory, not a law file"));
   CHECK_THROWS_WITH(read_law_file(own.folder() + "/no.json"), Contains("cannot be read"));
 }
 

@@ -82,8 +82,9 @@ TEST_CASE("a row of a catalogue sets several numbers of the machine at once", "[
   set_value(problem, "roller=C 35");
   CHECK(constant_of(problem, "roller_radius") == 17.5);
   CHECK(constant_of(problem, "face_width") == Approx(18));
-  CHECK_THAT(in_words(problem), Contains("Choose the roller among A 19, B 22 and C 35 of "
-                                         "rollers.csv, starting at C 35.\n"));
+  CHECK_THAT(
+      in_words(problem),
+      Contains("Choose the roller from A 19, B 22 and C 35 of rollers.csv, starting at C 35.\n"));
   const ProblemStatement one = with_rollers(kRoller + "choose = 'A 19'\n");
   CHECK_FALSE(chooses_part(one));
   CHECK_THAT(in_words(one), Contains("The roller is A 19 of rollers.csv.\n"));
@@ -95,21 +96,21 @@ TEST_CASE("a row of a catalogue sets several numbers of the machine at once", "[
 
 TEST_CASE("what a catalogue cannot be is said with its line", "[parts]") {
   CHECK_THAT(refusal_of(kRoller, "name, roller_radiu [mm]\nA, 1\n"),
-             Contains("rollers.csv:1: the column 'roller_radiu' is no parameter of "
+             Contains("rollers.csv:1: the column 'roller_radiu' is not a parameter of "
                       "disc-cam-roller; did you mean roller_radius"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius\nA, 1\n"),
              Contains("rollers.csv:1: the column 'roller_radius' has no unit"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [kg]\nA, 1\n"), Contains("rollers.csv:1"));
   CHECK_THAT(refusal_of(kRoller, "roller_radius [mm]\n1\n"),
-             Contains("rollers.csv:1: a line of names is wanted, with a column 'name'"));
+             Contains("rollers.csv:1: the first line must hold names, with a column 'name'"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm], roller_diameter [mm]\nA, 1, 2\n"),
-             Contains("rollers.csv:1: roller_radius is there twice"));
+             Contains("rollers.csv:1: roller_radius appears twice"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\nA, few\n"),
              Contains("rollers.csv:2: roller_radius: 'few' is not a number"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\nA, -3\n"),
              Contains("rollers.csv:2: -3 mm is outside"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\n\nA, 3\na, 4\n"),
-             Contains("rollers.csv:4: 'a' is there twice"));
+             Contains("rollers.csv:4: 'a' appears twice"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\nA, 3, 4\n"),
              Contains("rollers.csv:2: 3 cells, where the header has 2"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\n"), Contains("has no rows"));

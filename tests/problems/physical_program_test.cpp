@@ -109,7 +109,7 @@ TEST_CASE("the stroke that is stated is what displacements are parts of", "[phys
              Contains("'10 kg' is a mass"));
   CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', velocity = '3 kg'}, {name = 'b', to "
                      "= 0, law = 'joining'}"),
-             Contains("'3 kg' is not a velocity; accepted are \"0.3 mm/s\", \"0.3 mm/deg\""));
+             Contains("'3 kg' is not a velocity; write \"0.3 mm/s\", \"0.3 mm/deg\""));
   // Angles are plain numbers to the unit library; how often they are there is looked at.
   for (const char* wrong : {"velocity = '3 mm'", "velocity = '3 mm/deg^2'",
                             "acceleration = '3 mm/deg'", "acceleration = '3 mm/s'"}) {
@@ -117,7 +117,7 @@ TEST_CASE("the stroke that is stated is what displacements are parts of", "[phys
     CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', " + std::string(wrong) +
                            "}, {name = 'b', to = 0, law = 'joining'}",
                        "cycle_time = '1 s'\n"),
-               Contains("is not a") && Contains("accepted are"));
+               Contains("is not a") && Contains("; write "));
   }
   const auto speed = [](const char* velocity) {
     return read("{name = 'a', angle = 120, to = '10 mm', velocity = '" + std::string(velocity) +
@@ -173,11 +173,11 @@ TEST_CASE("a tolerance of a point is a variable, and none of zero width", "[phys
   CHECK(slack.variables[0].name == "a_points[1]");
   CHECK(slack.variables[0].lower == Approx(5.8 / 20).epsilon(1e-13));
   CHECK(slack.variables[0].upper == Approx(6.2 / 20).epsilon(1e-13));
-  CHECK_THAT(complaint([&] { with(", tolerance = '-1 mm'"); }), Contains("0 or above"));
+  CHECK_THAT(complaint([&] { with(", tolerance = '-1 mm'"); }), Contains("must not be below 0"));
   CHECK_THAT(
       refusal("{name = 'a', angle = 140, to = '20 mm', law = 'MS'}, {name = 'h', angle = 20, "
               "tolerance = '1 mm'}, {name = 'c', to = 0, law = 'joining'}"),
-      Contains("a rest stays where the segment before it ends"));
+      Contains("a dwell stays where the segment before it ends"));
   CHECK_THAT(refusal("{name = 'a', angle = 140, to = '20 mm', law = 'MS'}, {name = 'c', to = 0, "
                      "tolerance = '1 mm', law = 'joining'}"),
              Contains("its end has no tolerance"));

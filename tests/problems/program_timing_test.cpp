@@ -102,7 +102,7 @@ TEST_CASE("times that contradict the speed, or hold at none, are refused", "[pro
       {cam("angle = 90", "times_at = '60 rpm'\n"), "the program has no times"},
       {cam(kTime, "times_at = '60 rpm'\ncycle_time = '1 s'\n"), "drop one of the two"},
       {cam(kTime, "times_at = '60 mm'\n"), "times_at"},
-      {cam(kTime, "cycle_time = '1e-9 s'\n"), "accepted is"},
+      {cam(kTime, "cycle_time = '1e-9 s'\n"), "it must be"},
       {cam(kTime, "cycle_time = '-1 s'\n"), "cycle_time"},
       {cam("time = '2 s'", "cycle_time = '1 s'\n"), "720 deg already"},
   };

@@ -143,7 +143,7 @@ TEST_CASE("What is not a result is refused with what it should be", "[results]")
     return complaint(result_text(damaged));
   };
   CHECK_THAT(with("alpha", 3), Contains("alpha of its design: 3 is outside the bounds -10 .. 0"));
-  CHECK_THAT(with("blades", 18), Contains("blades of its design: 18 is none of 17, 19 and 21"));
+  CHECK_THAT(with("blades", 18), Contains("blades of its design: 18 is not one of 17, 19 and 21"));
   CHECK_THAT(with("alpha", "x"), Contains("its design has no number for alpha"));
 }
 

@@ -372,7 +372,7 @@ TEST_CASE("a file of several cams says in words what it does not accept", "[shaf
   CHECK_THAT(complaint(a + formula + "'a.displacment'\n"), Contains("a.displacement"));
   CHECK_THAT(complaint(a + "[[constraints]]\nresponse = 'a.pressure_angle'\nover = 'rest'\n"),
              Contains("no segment is called 'rest'"));
-  CHECK_THAT(complaint("[cams]\n"), Contains("0 cams; from 1 to 40"));
+  CHECK_THAT(complaint("[cams]\n"), Contains("0 cams; a file may have 1 to 40"));
   ProblemStatement pair = read(a + b);
   CHECK_THAT(complaint([&] { set_value(pair, "a.base_radus=3"); }), Contains("a.base_radius"));
   set_value(pair, "b.base_radius=41 mm");

@@ -66,12 +66,12 @@ TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
       {"title = 'x'\nmechanism =\n", ":2: ", {"not TOML", "expected value"}},
       {"a = 1\na = 2\n", ":2: ", {"cannot redefine"}},
       {"title = 'x'\n[law\n", ":2: ", {"expected ']'"}},
-      {"[constants]\nstroke = 40 mm\n", ":2: ", {"stands in quotes, such as \"40 mm\""}},
-      {"mechanism = law\n", ":1: ", {"a name stands in quotes"}},
+      {"[constants]\nstroke = 40 mm\n", ":2: ", {"in quotes, such as \"40 mm\""}},
+      {"mechanism = law\n", ":1: ", {"put a name in quotes"}},
       {"[constants]\nstroke = 4,5\n", ":2: ", {"use a point for the decimals"}},
       {"title = 'x'\nmechanism = '\xff'\n", ":2: ", {"not UTF-8", "save the file as UTF-8"}},
-      {"# größe\nname = косинус\n", ":2: ", {"not TOML", "stand in quotes"}},
-      {"title = \"\"\"\né\\\"\"\"\"\"\"\" # 'é\nü = 3\n", ":3: ", {"stand in quotes"}},
+      {"# größe\nname = косинус\n", ":2: ", {"not TOML", "in quotes"}},
+      {"title = \"\"\"\né\\\"\"\"\"\"\"\" # 'é\nü = 3\n", ":3: ", {"in quotes"}},
       {"title = 'größe' # \"é\"\n'ü' = 3\n", ":2: ü: unknown key", {}},
       {"\xff\xfet\n", ":1: ", {"not UTF-8"}},
       {"a = 1\n[[[a]]]\n", ":2: ", {"not TOML"}},
@@ -94,7 +94,7 @@ TEST_CASE("a file's mechanism must be there and known", "[statement]") {
   check({
       {"title = 'x'", ": mechanism is missing", {"spine-cutter"}},
       {"\nmechanism = 'spine-cuter'", ":2: mechanism: ", {"'spine-cuter'", "spine-cutter"}},
-      {"mechanism = 3", ":1: mechanism: ", {"a number is given", "a text in quotes is wanted"}},
+      {"mechanism = 3", ":1: mechanism: ", {"a number is given", "write a text in quotes"}},
       {"mechanism = ' '", ":1: mechanism: ", {"empty"}},
       {"title = 3", ":1: title: a number is given", {}},
       {"title = \"a\\nb\"", ":1: title: it has a control character, U+000A", {"one line"}},
@@ -107,7 +107,7 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
   check({{"mechanism = 'spine-cutter'\nlaws = 3", ":2: laws: unknown key", {"did you mean law?"}},
          {"zzz = 3",
           ":1: zzz: unknown key",
-          {"accepted are format, title, mechanism, machine, cams, responses, constants, "
+          {"use format, title, mechanism, machine, cams, responses, constants, "
            "law"}}});
   check(after_law(
       kAlpha,
@@ -123,7 +123,7 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
         {"did you mean variables, variation, buildable?"}}}));
 }
 
-TEST_CASE("a table where a value is wanted is refused, and the reverse", "[statement]") {
+TEST_CASE("a table where a value is expected is refused, and the reverse", "[statement]") {
   check({
       {"mechanism = 'spine-cutter'\nlaw = 'cosine'", ":2: law: a text is given", {"[law]"}},
       {"mechanism = 'spine-cutter'", ": law is missing", {"[law]", "name"}},
@@ -148,7 +148,7 @@ TEST_CASE("constants are known, of their kind, in range and given once", "[state
       {{"[constants]\nstrok = 3", ":5: constants.strok: ", {"spine-cutter", "did you mean stroke"}},
        {"[constants]\nalpha = 3", ":5: constants.alpha: ", {"parameter of the law", "[law]"}},
        {"[constants]\nstroke = '30 deg'",
-        ":5: constants.stroke: '30 deg' is an angle; a length is wanted",
+        ":5: constants.stroke: '30 deg' is an angle; a length is needed",
         {"1 mm"}},
        {"[constants]\nstroke = '30 mn'", ":5: constants.stroke: ", {"'mn' is not a unit"}},
        {"[constants]\nstroke = '4,0 cm'", ":5: constants.stroke: '4,0 cm' has a comma", {"point"}},
@@ -169,25 +169,26 @@ TEST_CASE("laws are known, different and made of accepted values", "[statement]"
       {head + "[]", ":3: law.name: the list is empty", {}},
       {head + "3", ":3: law.name: a number is given", {"a list of names"}},
       {head + "['cosine',\n'cosin']", ":4: law.name[2]: no law is named 'cosin'", {}},
-      {head + "['cosine', 'simple harmonic']", ":3: law.name: 'cosine' is there twice", {}},
+      {head + "['cosine', 'simple harmonic']", ":3: law.name: 'cosine' appears twice", {}},
       {head + "'polynomial-5 alpha=50'", ":3: law.name: 50 is outside -30 .. 30", {"alpha"}},
       {head + "'polynomial-5 beta=5'", ":3: law.name: ", {"no parameter 'beta'", "alpha"}},
-      {head + "'inclined-sinusoid angle=5mm'", ":3: law.name: ", {"an angle is wanted"}},
+      {head + "'inclined-sinusoid angle=5mm'", ":3: law.name: ", {"an angle is needed"}},
       {head + "'scca a=0.9 b=0.9'", ":3: law.name: ", {"scca"}},
       {head + "['polynomial-5 alpha=-3', 'polynomial-5']\n" + variable("alpha", kBounds),
-       ":3: law.name: 'polynomial-5 alpha=-3' is there twice",
+       ":3: law.name: 'polynomial-5 alpha=-3' appears twice",
        {}},
   });
 }
 
 TEST_CASE("fixed parameters of the law are known, accepted and given once", "[statement]") {
-  check(after_law(kAlpha,
-                  {{"alpa = 3", ":4: law.alpa: ", {"polynomial-5", "did you mean alpha?"}},
-                   {"stroke = 3", ":4: law.stroke: ", {"parameter of the machine", "[constants]"}},
-                   {"A = 3", ":4: law.A: no parameter 'A'", {"polynomial-7 has it"}},
-                   {"alpha = 31", ":4: law.alpha: 31 is outside -30 .. 30", {}},
-                   {"alpha = '3 mm'", ":4: law.alpha: '3 mm' is a length", {"a plain number"}},
-                   {"alpha = [1]", ":4: law.alpha: a list is given", {"a number is wanted"}}}));
+  check(after_law(
+      kAlpha,
+      {{"alpa = 3", ":4: law.alpa: ", {"polynomial-5", "did you mean alpha?"}},
+       {"stroke = 3", ":4: law.stroke: ", {"parameter of the machine", "[constants]"}},
+       {"A = 3", ":4: law.A: law polynomial-5 has no parameter 'A'", {"polynomial-7 has it"}},
+       {"alpha = 31", ":4: law.alpha: 31 is outside -30 .. 30", {}},
+       {"alpha = '3 mm'", ":4: law.alpha: '3 mm' is a length", {"a plain number"}},
+       {"alpha = [1]", ":4: law.alpha: a list is given", {"write a number"}}}));
   for (const char* law : {"'polynomial-5 alpha=-3'", "'polynomial-5 Alpha = -5'"}) {
     check(after_law(law, {{"alpha = -4", ":4: law.alpha: ", {"name gives alpha already"}}}));
   }
@@ -202,7 +203,7 @@ TEST_CASE("variables are known, used by a law, and stated once", "[statement]") 
   check(after_law(
       kAlpha,
       {{variable("alpa", kBounds), ":4: variables.alpa: ", {"spine-cutter", "did you mean alpha"}},
-       {variable("A", kBounds), ":4: variables.A: no parameter 'A'", {"polynomial-7 has it"}},
+       {variable("A", kBounds), ":4: variables.A: ", {"no parameter 'A'", "polynomial-7 has it"}},
        {variable("law.stroke", kBounds), ":4: variables.law.stroke: ", {"no parameter 'stroke'"}},
        {variable("machine.alpha", kBounds), ":4: variables.machine.alpha: ", {"spine-cutter"}},
        {variable("'alpha[1]'", kBounds), ":4: variables.alpha[1]: ", {"single number"}},
@@ -240,14 +241,14 @@ TEST_CASE("bounds are there, finite, in order and in the accepted range", "[stat
         {"0.001 .. 10000 mm"}},
        {variable("stroke", "lower = '1 s'\nupper = 5"),
         ":5: variables.stroke.lower: '1 s' is a time",
-        {"a length is wanted"}},
+        {"a length is needed"}},
        {variable("alpha", kBounds + "start = 6"),
         ":7: variables.alpha.start: 6 is outside the bounds -5 .. 5",
         {}},
        {variable("alpha", kBounds + "scale = 0"), ":7: variables.alpha.scale: 0 is not above", {}},
        {variable("alpha", kBounds + "type = 'whole'"),
         ":7: variables.alpha.type: 'whole' is not a type",
-        {"integer, continuous"}}}));
+        {"integer or continuous"}}}));
 }
 
 TEST_CASE("integer parameters and those that shape a law do not vary continuously", "[statement]") {
@@ -298,7 +299,7 @@ TEST_CASE("listed values are there, accepted, different and stand alone", "[stat
         ":6: variables.stroke.scale: values",
         {}},
        {variable("stroke", "values = [40, 50]\nstart = 45"),
-        ":6: variables.stroke.start: 45 mm is none of 40 and 50 mm",
+        ":6: variables.stroke.start: 45 mm is not one of 40 and 50 mm",
         {}}}));
 }
 
@@ -364,7 +365,7 @@ TEST_CASE("an objective is one number that can be improved", "[statement]") {
         {"above zero"}},
        {objective("minimize = 'contact_angle'\ntolerance = '1 mm'"),
         ":6: objective.tolerance: ",
-        {"an angle is wanted"}},
+        {"an angle is needed"}},
        {objective("minimize = 'cam_radius'\n") + variable("alpha", kBounds),
         ":5: objective.minimize: cam_radius is a constant here",
         {"[variables.cam_radius]"}}}));
@@ -397,7 +398,7 @@ TEST_CASE("a constraint bounds what can be bounded", "[statement]") {
        {constraint("contact_angle", "lower = -inf"), ":6: constraints[1].lower: -inf is not", {}},
        {constraint("contact_angle", "upper = '3 mm'"),
         ":6: constraints[1].upper: '3 mm' is a length",
-        {"an angle is wanted"}},
+        {"an angle is needed"}},
        {constraint("contact_angle", "upper = 3\ntolerance = -1"),
         ":7: constraints[1].tolerance: -1 deg is not above zero",
         {"above zero"}},
@@ -427,12 +428,12 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
       kAlpha,
       {{"[solver]\nname = 'ipot'",
         ":5: solver.name: ",
-        {"'ipot'", "near: ipopt", "there are auto, "}},
+        {"'ipot'", "near: ipopt", "use one of auto, "}},
        {"[solver]\nstarts = 0", ":5: solver.starts: 0 is outside 1 .. 1000000", {}},
        {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"an integer"}},
        {"[solver]\nseed = -1", ":5: solver.seed: -1 is outside", {}},
        {"[solver]\ntime_limit = 0", ":5: solver.time_limit: 0 s is not above zero", {}},
-       {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is wanted"}}}));
+       {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is needed"}}}));
 }
 
 TEST_CASE("options of one solver are those that it has", "[statement][solvers]") {

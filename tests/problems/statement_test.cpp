@@ -411,9 +411,9 @@ TEST_CASE("set_value refuses what the problem does not allow", "[statement]") {
   const auto refused = [&](const char* assignment) { return complaint(p, assignment); };
   CHECK_THAT(refused("alpha=3"), Contains("alpha: 3 is outside the bounds -10 .. 0"));
   CHECK_THAT(refused("blades=17.5"), Contains("blades: 17.5 is not an integer"));
-  CHECK_THAT(refused("cutter_diameter=45"), Contains("45 mm is none of 40, 50 and 63 mm"));
+  CHECK_THAT(refused("cutter_diameter=45"), Contains("45 mm is not one of 40, 50 and 63 mm"));
   CHECK_THAT(refused("stroke=-1"), Contains("stroke: -1 mm is outside 0.001 .. 10000 mm"));
-  CHECK_THAT(refused("stroke=30 deg"), Contains("stroke") && Contains("a length is wanted"));
+  CHECK_THAT(refused("stroke=30 deg"), Contains("stroke") && Contains("a length is needed"));
   CHECK_THAT(refused("mass=nan"), Contains("mass: nan kg is outside"));
   CHECK_THAT(refused("crossover=2"), Contains("crossover: 2 is outside 0.02 .. 0.98"));
   CHECK_THAT(refused("strok=3"), Contains("'strok'") && Contains("did you mean stroke"));

@@ -317,7 +317,7 @@ TEST_CASE("a solver that no other process knows searches in this one",
   optim::ProcessExecutor workers = workers_of(study);
   const optim::Front front = study.run(workers);
   CHECK(bits(front) == expected);
-  CHECK_THAT(front.remark, Catch::Contains("no other process knows the solver own-slsqp"));
+  CHECK_THAT(front.remark, Catch::Contains("other processes do not know the solver own-slsqp"));
 }
 
 TEST_CASE("a study that is stopped does not wait for workers that say nothing",

@@ -136,7 +136,7 @@ MotionKnot WrittenMotion::knot(double place, int decimals) const {
   const auto right = motion.at({place, last}), left = motion.at({place, !first});
   if (!(std::abs(right[0] - left[0]) <= 1e-9 * (std::abs(right[0]) + std::abs(left[0]) + 1e-3))) {
     throw std::invalid_argument(
-        fmt::format("{} jumps at {:.6g}, or has no value there: no drive follows it",
+        fmt::format("{} jumps at {:.6g}, or has no value there: no drive can follow it",
                     motion.slave_heading(), place));
   }
   const auto mean = [&](std::size_t i) { return std::midpoint(left[i], right[i]); };
@@ -227,10 +227,10 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
           looked_at(exact, knots.back(), end, from, to) <= inner) {
         knots.push_back(end);
       } else if (to - from < kLeast * cycle || knots.size() > most) {
-        throw std::invalid_argument(fmt::format(
-            "{} cannot be followed within {:.6g} {} by {} polynomials of degree 5; a larger "
-            "--tolerance is wanted",
-            motion.slave_heading(), tolerance, motion.unit, most));
+        throw std::invalid_argument(
+            fmt::format("{} cannot be followed within {:.6g} {} by {} polynomials of degree 5; use "
+                        "a larger --tolerance",
+                        motion.slave_heading(), tolerance, motion.unit, most));
       } else {
         const double middle = std::midpoint(from, to);
         self(self, from, middle);
@@ -246,19 +246,18 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
       from = breaks[k];
     }
     if (knots.size() > most + 1) {
-      throw std::invalid_argument(fmt::format(
-          "{} takes {} polynomials of degree 5 within {:.6g} {}, and the drive has {}; a larger "
-          "--tolerance is wanted",
-          motion.slave_heading(), knots.size() - 1, tolerance, motion.unit, most));
+      throw std::invalid_argument(
+          fmt::format("{} takes {} polynomials of degree 5 within {:.6g} {}, and the drive has {}; "
+                      "use a larger --tolerance",
+                      motion.slave_heading(), knots.size() - 1, tolerance, motion.unit, most));
     }
     QuinticMotion result{quintics_between(std::move(knots)), {}};
     result.deviation = deviation_of(exact, result.path);
     if (result.deviation.most <= tolerance) return result;
   }
-  throw std::invalid_argument(
-      fmt::format("{} cannot be followed within {:.6g} {}; a larger "
-                  "--tolerance, or more --decimals, is wanted",
-                  motion.slave_heading(), tolerance, motion.unit));
+  throw std::invalid_argument(fmt::format(
+      "{} cannot be followed within {:.6g} {}; use a larger --tolerance, or more --decimals",
+      motion.slave_heading(), tolerance, motion.unit));
 }
 
 std::vector<MotionKnot> even_knots(const WrittenMotion& exact, int count, int decimals) {

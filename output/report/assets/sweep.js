@@ -46,7 +46,7 @@ report.bestOf = (rows) => {
 report.groupOfRow = (row) => {
   const view = report.sweepView, sweep = report.data.sweep;
   if (row.s === 'open') return 'not done';
-  if (row.s === 'passes') return 'passes ' + row.held.join(', ');
+  if (row.s === 'passes') return 'violates ' + row.held.join(', ');
   if (row.s !== 'design') return 'no design: ' + (row.why || 'none was found');
   if (view.tells === 'held' && sweep.evaluated) return 'meets every limit';
   if (view.tells === 'held') return row.held.length ? 'held by ' + row.held.join(', ') : 'held by no limit';
@@ -157,7 +157,7 @@ report.tellRow = (row) => {
                 report.text(row.o, 6) + (sweep.objective.unit ? ' ' + sweep.objective.unit : '')]);
   }
   facts.push(['verdict', row.verdict]);
-  if (row.held.length) facts.push([row.s === 'passes' ? 'passes' : 'held by', row.held.join(', ')]);
+  if (row.held.length) facts.push([row.s === 'passes' ? 'violates' : 'held by', row.held.join(', ')]);
   if (row.why) facts.push(['why', row.why]);
   sweep.limits.forEach((limit, k) => {
     if (row.m && row.m[k] !== null && row.m[k] !== undefined) {
@@ -382,7 +382,7 @@ report.drawCurves = (box, size) => {
         'stroke-width': 3, 'paint-order': 'stroke' }, mark));
     }
   });
-  report.sweepLegend(look, ['hatched: no design there, or one that passes a limit']);
+  report.sweepLegend(look, ['hatched: no design there, or one that violates a limit']);
 };
 
 // Words alone: bars, the best first.
@@ -479,7 +479,7 @@ report.startSweep = () => {
   }
   if (numeric.length) {
     const tells = words.map((k) => [k, 'best ' + title(k)]);
-    box.append(report.sweepSelect('colours tell', [...tells, ['held', 'what holds the design'],
+    box.append(report.sweepSelect('colours show', [...tells, ['held', 'what holds the design'],
       ['objective', 'the objective']], view.tells,
       (k) => { view.tells = k === 'held' || k === 'objective' ? k : Number(k); }));
   }

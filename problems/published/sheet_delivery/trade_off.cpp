@@ -36,10 +36,10 @@ DeliveryChoice best_for(ProblemStatement statement, double slow_down,
 std::vector<DeliveryChoice> trade_off_sheet_delivery(const DeliveryQuestion& question) {
   const auto& [least, greatest, points, progress, stop] = question;
   if (!(least > 0 && least < greatest && greatest < 1) || points < 2) {
-    throw std::invalid_argument(fmt::format(
-        "trade-off: slow-downs from {} to {} in {} points; wanted are 0 < from < to < 1 "
-        "and 2 points or more",
-        least, greatest, points));
+    throw std::invalid_argument(
+        fmt::format("trade-off: slow-downs from {} to {} in {} points; it needs 0 < from < to < 1 "
+                    "and 2 points or more",
+                    least, greatest, points));
   }
   const ProblemStatement statement =
       read_problem(data::greatest_least_efficiency, "greatest_least_efficiency.toml");

@@ -38,7 +38,7 @@ Given find_given(const std::string& name) {
     known.push_back(fmt::format("{} ({})", parameter->name, parameter->symbol));
   }
   throw std::invalid_argument(
-      fmt::format("no given is called '{}'; known are {}", name, fmt::join(known, ", ")));
+      fmt::format("'{}' is not an input; use {}", name, fmt::join(known, ", ")));
 }
 
 }  // namespace

@@ -48,8 +48,8 @@ PrintedText read_printed_text(std::string_view text) {
   }
   decimals -= exponent_at(all, at);
   if (decimals < 0 || decimals > optim::kMaxDecimals) {
-    refuse_print(fmt::format("has {} decimals; accepted are 0 to {}: write it in another unit",
-                             decimals, optim::kMaxDecimals));
+    refuse_print(fmt::format("has {} decimals; use 0 to {}: write it in another unit", decimals,
+                             optim::kMaxDecimals));
   }
   PrintedText result;
   result.number.decimals = decimals;

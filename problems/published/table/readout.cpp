@@ -74,7 +74,7 @@ int steps_in(std::string_view text, std::string_view before, std::string_view af
   if (error != std::errc{} || end != number.data() + number.size()) return 0;
   if (steps < kLeastSteps || steps > kMostSteps) {
     throw std::invalid_argument(
-        fmt::format("'{}': accepted are {} to {} steps", text, kLeastSteps, kMostSteps));
+        fmt::format("'{}': use {} to {} steps", text, kLeastSteps, kMostSteps));
   }
   return steps;
 }
@@ -94,8 +94,8 @@ Readout read_readout(std::string_view text) {
     return {Readout::Kind::Differences, steps};
   }
   throw std::invalid_argument(
-      fmt::format("'{}' does not say how peaks are read; accepted are \"exact\", \"grid of 20 "
-                  "steps\", \"grid of 20 steps without its ends\", \"differences on 20 steps\"",
+      fmt::format("'{}' does not say how peaks are read; write \"exact\", \"grid of 20 steps\", "
+                  "\"grid of 20 steps without its ends\", \"differences on 20 steps\"",
                   text));
 }
 

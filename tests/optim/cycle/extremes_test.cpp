@@ -287,7 +287,7 @@ TEST_CASE("a peak too narrow for the search is found by the proof", "[cycle]") {
   CHECK(prove_below(spike, 1, peak - 1e-9).broken);
 }
 
-TEST_CASE("a jump passes a limit on the side where it stands above it", "[cycle]") {
+TEST_CASE("a jump violates a limit on the side where it stands above it", "[cycle]") {
   CHECK(prove_below(sawtooth(), 1, 1).proved);
   CHECK(prove_below(sawtooth(), -1, 4).proved);
   const CycleProof left = prove_below(sawtooth(), 1, 1 - 1e-12);

@@ -116,7 +116,7 @@ TEST_CASE("a bound that the fit leans on holds its parameter", "[fit]") {
   CHECK(result.degrees_of_freedom == 4);
   CHECK(result.covariance(1, 1) == 0);
   CHECK(result.converged);
-  CHECK(result.reason == "'b' stands at its upper bound 0.5");
+  CHECK(result.reason == "'b' is at its upper bound 0.5");
 }
 
 TEST_CASE("a start at a bound is left where the fit leads inwards", "[fit]") {

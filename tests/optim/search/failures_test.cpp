@@ -58,7 +58,7 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   const Found none = optimise(problem, {.starts = 1}).found;
   CHECK(none.assessment.verdict == Verdict::Failed);
   CHECK(none.status == Status::NonFiniteStart);
-  CHECK(none.assessment.reason == "the model gives no number at the start (cost)");
+  CHECK(none.assessment.reason == "the model is undefined at the start (cost)");
   CHECK(optimise(problem).found.assessment.verdict == Verdict::Failed);
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("an objective without end is a failure that says so", "[optimise]") {
     const Found found = optimise(problem).found;
     CHECK(found.assessment.verdict == Verdict::Failed);
     CHECK(found.status == Status::Unbounded);
-    CHECK(found.assessment.reason == "the objective improves without end: a limit is missing");
+    CHECK(found.assessment.reason == "the objective improves without bound: a limit is missing");
   }
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("integer values at which the model is undefined are passed over", "[op
   CHECK(optimum.found.x.at(0) == 5);
   CHECK(optimum.found.assessment.objective.value == Approx(9).epsilon(1e-9));
   CHECK(optimum.found.assessment.verdict == Verdict::Feasible);
-  CHECK(optimum.found.assessment.reason == "not every one of the 10 combinations was settled");
+  CHECK(optimum.found.assessment.reason == "not all of the 10 combinations were settled");
 }
 
 TEST_CASE("integers that no limit allows are infeasible, tried one by one", "[optimise]") {

@@ -149,7 +149,7 @@ TEST_CASE("a process that dies leaves its combination open, and the answer says 
   CHECK(optimum.options == std::vector<std::size_t>{3});  // the best of the others
   CHECK(optimum.found.assessment.verdict == Verdict::Feasible);
   CHECK_THAT(optimum.found.assessment.reason,
-             Contains("killed by signal 9") && Contains("not every one of the 4 combinations"));
+             Contains("killed by signal 9") && Contains("not all of the 4 combinations"));
 }
 
 TEST_CASE("where every process dies there is no answer, and the reason says why",

@@ -91,7 +91,7 @@ TEST_CASE("linear programs without an answer say so", "[solvers]") {
 TEST_CASE("what is not linear is refused", "[solvers]") {
   Problem problem = bowl();
   CHECK(optimise(problem, {.solver = "clp"}).found.assessment.reason ==
-        "clp takes linear problems alone, and this one is not known to be linear");
+        "clp takes only linear problems, and this one is not known to be linear");
   problem.objectives = {least(sum())};
   problem.constraints = {at_most(
       "circle", convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }), 1)};

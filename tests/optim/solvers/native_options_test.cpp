@@ -54,7 +54,7 @@ TEST_CASE("an option is refused with its solver, its name and what is accepted",
   CHECK(complaint("ipopt", "mu_init", kNan) ==
         "ipopt: option mu_init: nan is not a number above 0");
   CHECK(complaint("crs2", "popula", two) == "crs2 has no option 'popula'; near: population");
-  CHECK(complaint("crs2", "zzz", two) == "crs2 has no option 'zzz'; known are population");
+  CHECK(complaint("crs2", "zzz", two) == "crs2 has no option 'zzz'; use population");
   CHECK(complaint("direct-l", "zzz", two) == "direct-l has no option 'zzz'; it takes none");
   CHECK(complaint("crs2", "population", std::int64_t{0}) ==
         "crs2: option population: 0 is not an integer from 1 to 1000000");

@@ -167,7 +167,7 @@ TEST_CASE("what is left of a study that was begun is not a hindrance", "[study]"
   // What is someone else's stays.
   write(folder / "u.db.new", "mine");
   CHECK_THROWS_WITH(StudyRecord::create(folder / "u.db", kSettings),
-                    Contains("u.db.new") && Contains("where the study is to be begun"));
+                    Contains("u.db.new") && Contains("where the study is to be started"));
   CHECK(read(folder / "u.db.new") == "mine");
   CHECK_FALSE(fs::exists(folder / "u.db"));
 }
@@ -407,7 +407,7 @@ TEST_CASE("a study of the version before is read, and not gone on with", "[study
   recorded.believed();
   REQUIRE(recorded.faults().size() == 1);
   CHECK_FALSE(recorded.faults().front().is_damaged);
-  CHECK_THAT(recorded.faults().front().why, Contains("evaluated again"));
+  CHECK_THAT(recorded.faults().front().why, Contains("evaluates to"));
 }
 
 namespace {

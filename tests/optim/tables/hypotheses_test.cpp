@@ -504,7 +504,7 @@ TEST_CASE("bad tables are refused with the table's name and the fault") {
           t.depends[0] = {0, 0};
         }) == "table 'lookup': row 0 depends twice on 'h0'");
   CHECK(complaint([](Table& t) { t.printed[0].decimals = -1; }) ==
-        "table 'lookup': row 0 has -1 decimals; accepted are 0 to 15");
+        "table 'lookup': row 0 has -1 decimals; use 0 to 15");
   CHECK(complaint([](Table& t) { t.printed[0].value = kNan; }) ==
         "table 'lookup': row 0 prints nan, which is not finite");
   CHECK(complaint([](Table& t) { t.hypotheses.resize(65); }) ==

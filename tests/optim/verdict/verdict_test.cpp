@@ -85,7 +85,7 @@ TEST_CASE("a limit passed within its tolerance counts as met", "[verdict]") {
   CHECK(judge(strict, {1.5 + 4e-7, 0.5 + 4e-7}).verdict == Verdict::Failed);
 }
 
-TEST_CASE("a design that passes a limit fails, and the reason names it", "[verdict]") {
+TEST_CASE("a design that violates a limit fails, and the reason names it", "[verdict]") {
   const Assessment a = judge(projection(), {2, 1});
   CHECK(a.verdict == Verdict::Failed);
   CHECK(a.reason == "the design does not meet sum");
@@ -151,7 +151,7 @@ TEST_CASE("a number that its enclosure does not prove is not certified", "[verdi
   }
 }
 
-TEST_CASE("a design at which the model gives no number fails", "[verdict]") {
+TEST_CASE("a design at which the model is undefined fails", "[verdict]") {
   Problem problem = projection();
   problem.constraints[0].response.measure =
       function({0, 1}, [](const auto& u) { return sqrt(u[0] - 1.0) + u[1]; });

@@ -194,7 +194,7 @@ TEST_CASE("Reliability indices are those that are printed", "[variation]") {
   CHECK(share.error < 0.05 * 3.872108e-6);
 }
 
-TEST_CASE("Designs of which the model gives no number fail", "[variation]") {
+TEST_CASE("Designs at which the model is undefined fail", "[variation]") {
   using std::sqrt;
   Problem problem;
   problem.variables = {{.name = "x"}};
