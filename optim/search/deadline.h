@@ -2,16 +2,12 @@
 #pragma once
 
 #include <atomic>
-#include <exception>
 #include <optional>
 #include <string>
 
-namespace camlaw::optim {
+#include "optim/problem/interrupted.h"
 
-/// Something was asked for after the deadline.
-struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "the work was cut short"; }
-};
+namespace camlaw::optim {
 
 /// Clock and stop flag of a search, or of other long work.
 class Deadline {

@@ -11,7 +11,7 @@
 #include "numerics/linear/statistics.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/sizes.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/interrupted.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {

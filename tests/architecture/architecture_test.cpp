@@ -92,6 +92,8 @@ const Names& refusals_caught() {
       "output/answers/cam_export.cpp",
       // Of a combination of a sweep it is the outcome: why that combination has no design.
       "problems/sweeps/sweep_study.cpp",
+      // Values whose units do not go together are words.
+      "problems/sweeps/axis.cpp",
       // It becomes an exit status, a sentence with the file's name, an exception of Python.
       "cli/", "python/bindings/errors.cpp", "python/bindings/fits.cpp",
       // A warning is left out where the problem is refused anyway by whoever searches or evaluates.

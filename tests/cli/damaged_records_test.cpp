@@ -165,7 +165,7 @@ TEST_CASE("what is said of resuming is what resuming does") {
   const Folder folder;
   const std::string path = made_study(folder);
   const Words resume{"pareto", front_file(folder), "--db", path, "--resume"};
-  const std::string goes_on = "--resume goes on with it", again = "begin it again";
+  const std::string goes_on = "--resume continues it", again = "start it again";
   const auto forget = [&] {
     change(path, "DELETE FROM task WHERE id = (SELECT max(id) FROM task)");
   };
@@ -216,7 +216,8 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
       INFO(command.front());
       const Outcome outcome = run(command);
       CHECK(outcome.status == 4);
-      CHECK_THAT(outcome.out + outcome.err, Contains(words) && Contains("not as it was written"));
+      CHECK_THAT(outcome.out + outcome.err,
+                 Contains(words) && Contains("was changed after it was written"));
       CHECK_THAT(outcome.out, !Contains("certified optimum") || Contains("does not hold"));
     }
     CHECK_THAT(read(page), Contains("the result is wrong"));
@@ -229,7 +230,8 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
   CHECK_THAT(run({"verify", stored(folder, bound)}).out, Contains("the bound is"));
   ParsedJson words = whole;
   words["verdict"] = "feasible";
-  CHECK_THAT(run({"verify", stored(folder, words)}).out, Contains("not as it was written"));
+  CHECK_THAT(run({"verify", stored(folder, words)}).out,
+             Contains("was changed after it was written"));
 }
 
 TEST_CASE("a result stays of use where a note is edited or the layout changed") {
@@ -242,7 +244,7 @@ TEST_CASE("a result stays of use where a note is edited or the layout changed") 
   noted["title"] = "for the second machine";
   const Outcome edited = run({"evaluate", stored(folder, noted)});
   CHECK(edited.status == 0);
-  CHECK_THAT(edited.out, Contains("not as it was written"));
+  CHECK_THAT(edited.out, Contains("was changed after it was written"));
   CHECK(run({"verify", stored(folder, noted)}).status == 0);
   ParsedJson older = whole;
   older.erase("checksum");

@@ -500,7 +500,7 @@ TEST_CASE("a verdict is that of the design it was passed on", "[export][long]") 
   const auto in = [&](const char* format) {
     Words words = changed;
     words.push_back(format);
-    return done(words);
+    return done_unmet(words);
   };
   const ParsedJson json = ParsedJson::parse(in("json"));
   CHECK(json["provenance"]["verdict"].is_null());
@@ -523,7 +523,7 @@ TEST_CASE("a result that does not meet its limits is exported with a note of it"
   const std::string note = "the design does not meet its limits";
   CHECK_THAT(done({"export", result, "--out", folder / "cam.nc"}), Contains(note));
   CHECK_THAT(read(folder / "cam.nc"), Contains(note));
-  CHECK(json_of({"export", result, "--format", "json"})["notes"][0] == note);
+  CHECK(ParsedJson::parse(done_unmet({"export", result, "--format", "json"}))["notes"][0] == note);
 }
 
 TEST_CASE("a G-code program of a nearly straight way is as near as it says", "[export]") {

@@ -62,7 +62,7 @@ TEST_CASE("fit bounds what it reads", "[program]") {
   // A child begins as large as the program that runs it, and sanitizers hold memory of their own.
   const double little = run({"--version"}).memory;
   for (const Case& bad : std::vector<Case>{
-           {"/dev/zero", "not a text"},
+           {"/dev/zero", "not text"},
            {written(folder, "header.csv", std::string(40'000'000, 'a') + "\n1,2\n"), "longer than"},
            {written(folder, "wide.csv",
                     [] {

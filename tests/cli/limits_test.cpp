@@ -230,7 +230,7 @@ TEST_CASE("memory that a problem would take is refused by name", "[program]") {
   const std::string path = written(folder, free_law(500, true));
   for (const char* command : {"optimize", "synthesize"}) {
     const std::string line = failed({command, path, "--memory", "20 MB"}, 2);
-    CHECK_THAT(line, Contains("500 knots") && Contains("20 MB may be taken"));
+    CHECK_THAT(line, Contains("500 knots") && Contains("may use 20 MB"));
   }
   const auto refused = [&](const char* size) {
     return failed({"optimize", path, "--memory", size}, 2);

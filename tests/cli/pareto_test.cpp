@@ -324,12 +324,12 @@ TEST_CASE("only its own study is resumed", "[program]") {
   CHECK_THAT(failed(pareto(other, {"--resume"}), 2), Contains("--resume") && Contains("--db"));
   const std::string text = written(folder, "text.db", "not a study\n");
   CHECK_THAT(failed(pareto(other, {"--db", text, "--resume"}), 2),
-             Contains(text) && Contains("not a study of camlaw"));
-  CHECK_THAT(failed({"front", text}, 2), Contains(text) && Contains("not a study of camlaw"));
+             Contains(text) && Contains("not a camlaw study"));
+  CHECK_THAT(failed({"front", text}, 2), Contains(text) && Contains("not a camlaw study"));
   CHECK(read(text) == "not a study\n");
   CHECK_THAT(failed({"front", folder / "none.db"}, 2), Contains("no such study"));
   CHECK_THAT(failed({"front", folder / ""}, 2), Contains("no such study"));
-  CHECK_THAT(failed({"front", shipped("front.toml")}, 2), Contains("not a study of camlaw"));
+  CHECK_THAT(failed({"front", shipped("front.toml")}, 2), Contains("not a camlaw study"));
 }
 
 TEST_CASE("a problem without designs has no front: status 3", "[program]") {

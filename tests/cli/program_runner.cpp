@@ -45,6 +45,16 @@ std::string done(const Words& words) {
   return outcome.out;
 }
 
+std::string done_unmet(const Words& words) {
+  const Outcome outcome = run(words);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK_FALSE(outcome.err.empty());
+  std::istringstream said(outcome.err);
+  for (std::string line; std::getline(said, line);) CHECK_THAT(line, Contains(": limit not met: "));
+  return outcome.out;
+}
+
 ParsedJson json_of(const Words& words) { return ParsedJson::parse(done(words)); }
 
 std::string failed(const Words& words, int status) {

@@ -52,6 +52,9 @@ Outcome run(Words words);
 
 /// What a run that is done prints.
 std::string done(const Words& words);
+/// The same of an export that says on the error stream, and nothing else there, which limits its
+/// design does not meet; words of the output.
+std::string done_unmet(const Words& words);
 
 ParsedJson json_of(const Words& words);
 

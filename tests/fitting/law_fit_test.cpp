@@ -88,7 +88,8 @@ TEST_CASE("tables that are none are refused with line and cell", "[samples]") {
   CHECK_THAT(complaint(""), Contains("t.csv") && Contains("empty"));
   CHECK_THAT(complaint("angle,lift\n"), Contains("0 rows"));
   CHECK_THAT(complaint("angle,lift\n1,2\n"), Contains("1 row of"));
-  CHECK_THAT(complaint("1,2\n2,3\n"), Contains("t.csv:1") && Contains("line of names"));
+  CHECK_THAT(complaint("1,2\n2,3\n"),
+             Contains("t.csv:1") && Contains("first line must hold names"));
   CHECK_THAT(complaint("angle\n1\n"), Contains("one column"));
   CHECK_THAT(complaint("a,b\n1,2\n3,four\n"), Contains("t.csv:3") && Contains("'four'"));
   CHECK_THAT(complaint("a,b\n1,2\n3,\n"), Contains("1 row of"));

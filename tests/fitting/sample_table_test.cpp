@@ -78,7 +78,7 @@ TEST_CASE("rows know the lines that they stand on", "[samples]") {
 }
 
 TEST_CASE("what is not a table says in one line what to change", "[samples]") {
-  CHECK_THAT(said(std::string(100, '\0')), Contains("t.csv:1") && Contains("not a text"));
+  CHECK_THAT(said(std::string(100, '\0')), Contains("t.csv:1") && Contains("not text"));
   CHECK_THAT(said("angle,lift\n1,2\n" + std::string(kMostLineBytes + 1, '3')),
              Contains("t.csv:3") && Contains("longer than"));
   CHECK_THAT(said("Protocol\nDate 1.2.2020\n0 1.5\n1 2.5\n2 4\n"),

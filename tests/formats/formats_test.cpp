@@ -84,7 +84,7 @@ TEST_CASE("a file states its format, and a newer one is refused in a sentence", 
        {"", "camlaw", "camlaw law", "camlaw law ", "camlaw law x", "camlaw law 0", "camlaw law -1",
         "camlaw law 1.5", "camlaw lawn 1", "camlaw result 1"}) {
     INFO(other);
-    CHECK_THROWS_WITH(kLawFormat.check(other), Contains("'camlaw law 1' is wanted"));
+    CHECK_THROWS_WITH(kLawFormat.check(other), Contains("it must be 'camlaw law 1'"));
   }
 }
 

@@ -355,8 +355,8 @@ TEST_CASE("a motion through many points is enclosed closely", "[program][joined]
 TEST_CASE("what cannot be of a segment is refused in words", "[program][joined]") {
   auto segments = through_points();
   segments[0].points[1].angle = 40;
-  CHECK_THAT(refusal(segments), Catch::Contains("point 2 of 'rise' is at 40 deg; accepted is what "
-                                                "lies between 50 and 160 deg"));
+  CHECK_THAT(refusal(segments), Catch::Contains("point 2 of 'rise' is at 40 deg; it must be "
+                                                "between 50 and 160 deg"));
   segments = through_points();
   segments[1].velocity = 1.0;
   CHECK_THAT(refusal(segments), Catch::Contains("'high' rests; points and a velocity"));

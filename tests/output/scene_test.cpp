@@ -267,7 +267,7 @@ TEST_CASE("a servo motor's working point runs along its way, below what the moto
     const Point point = picture.shape("working point", "roller", place).points[0];
     CHECK(point.x == Approx(wide * picture.value("motor_speed", place)).margin(1e-3));
     CHECK(point.y == Approx(high * picture.value("motor_torque", place)).margin(1e-3));
-    CHECK(distance_to_path(point, picture.shape("way of", "pitch", place).points) < 0.02);
+    CHECK(distance_to_path(point, picture.shape("path of", "pitch", place).points) < 0.02);
     // The motor's curve, at this speed, is what the machine says.
     const Point most{point.x, high * picture.value("available_torque", place)};
     const Shape curve = picture.shape("greatest torque", "cam", place);

@@ -190,7 +190,7 @@ TEST_CASE("No optimum is certified over a jump of the velocity", "[free][pulse]"
       "[variables.'coefficients[2]']\nlower = 0.2\nupper = 0.4\n[objective]\nminimize = 'C'\n");
   const optim::Assessment& a = jumping.optimum.found.assessment;
   CHECK(a.verdict == Verdict::Failed);
-  CHECK_THAT(a.reason, Contains("no number"));
+  CHECK_THAT(a.reason, Contains("undefined"));
 }
 
 TEST_CASE("Limits that push along whole stretches are looked at closely enough", "[free][long]") {
@@ -371,7 +371,7 @@ TEST_CASE("An infinite mean square is not a number, and the reason says so", "[f
                            "[objective]\nminimize = 'mean_square_jerk'\n"}) {
     const optim::Assessment a = solved(text + rest).optimum.found.assessment;
     CHECK(a.verdict == Verdict::Failed);
-    CHECK_THAT(a.reason, Contains("no number at the start (mean_square_jerk: it is infinite"));
+    CHECK_THAT(a.reason, Contains("undefined at the start (mean_square_jerk: it is infinite"));
   }
 }
 

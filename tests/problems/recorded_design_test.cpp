@@ -124,9 +124,9 @@ TEST_CASE("What is not a result is refused with what it should be", "[results]")
   CHECK_THAT(complaint("{\"verdict\": \"fea"), Contains("r.json: it is not JSON, or not all"));
   const std::string deep(100000, '[');
   CHECK_THAT(complaint("{\"verdict\": " + deep),
-             Contains("r.json: its brackets are nested deeper"));
+             Contains("r.json: its brackets are nested more than 64 deep"));
   CHECK_THAT(complaint("{}"),
-             Contains("r.json: it is not a result with a design in it; a problem"));
+             Contains("r.json: it is not a result with a design in it; give a problem"));
   CHECK_THAT(complaint("{\"verdict\": \"failed\", \"design\": null}"),
              Contains("r.json: it holds no design; its verdict is \"failed\""));
   const auto without = [&](const char* key) {

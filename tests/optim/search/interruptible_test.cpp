@@ -115,7 +115,7 @@ TEST_CASE("memory is refused by name before it is taken", "[optimise]") {
   CHECK(need.bytes > 8 * 2000 * 400);
   CHECK(need.of == "400 variables (400 places) and 2001 rows of limits");
   CHECK_THROWS_WITH(optimise(problem, {.memory = 1e6}),
-                    Catch::Contains("1 MB may be taken") && Catch::Contains("400 places"));
+                    Catch::Contains("may use 1 MB") && Catch::Contains("400 places"));
   Problem half = problem;
   half.constraints.resize(1000);
   CHECK(memory_need(half).bytes < 0.6 * need.bytes);

@@ -182,7 +182,7 @@ TEST_CASE("a search refuses options that a solver does not accept", "[solvers]")
   };
   CHECK_THROWS_WITH(run({{"ipopt", {{"max_iter", std::int64_t{3}}}}}),
                     Catch::Contains("ipopt: option max_iter cannot be set"));
-  CHECK_THROWS_WITH(run({{"ipot", {}}}), Catch::Contains("no solver is called 'ipot'"));
+  CHECK_THROWS_WITH(run({{"ipot", {}}}), Catch::Contains("'ipot' is not a solver"));
   CHECK_THROWS_AS(solved("slsqp", {{"population", std::int64_t{3}}}), std::invalid_argument);
 }
 

@@ -252,7 +252,7 @@ TEST_CASE("what is not a study is refused and left as it is", "[study]") {
   for (const std::string name : {"empty.db", "text.db", "short.db", "foreign.db", "wal.db"}) {
     INFO(name);
     const std::string bytes = read(folder / name);
-    CHECK_THAT(complaint(folder / name), Contains("not a study of camlaw"));
+    CHECK_THAT(complaint(folder / name), Contains("not a camlaw study"));
     CHECK(read(folder / name) == bytes);
   }
   CHECK(folder.content() == names);
