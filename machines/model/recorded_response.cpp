@@ -227,11 +227,13 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
       return std::unique_ptr<const CurveFormula>(
           std::make_unique<InterpretedCurve>(own, domain, u, possible));
     };
-    return std::make_shared<MechanismCurve>(
-        CurveParts{
-            cycle, {uses[0], uses[1], uses[2], uses[3]}, uses[4], recorded_kernel(record), formula,
-            [record] { return Jumps(record); }},
-        binding, shape);
+    return std::make_shared<MechanismCurve>(CurveParts{cycle,
+                                                       {uses[0], uses[1], uses[2], uses[3]},
+                                                       uses[4],
+                                                       recorded_kernel(record),
+                                                       formula,
+                                                       [record] { return Jumps(record); }},
+                                            binding, shape);
   };
   return response;
 }
