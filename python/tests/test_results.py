@@ -73,7 +73,7 @@ def test_a_result_that_was_changed_is_not_believed(roller, tmp_path):
     facts["design"]["variables"]["base_radius"] = 40.0
     path.write_text(json.dumps(facts))
     again = cl.Result.load(path)
-    assert any("not as it was written" in words for words in again.review)
+    assert any("was changed after it was written" in words for words in again.review)
     assert not again.verify().holds
 
 
