@@ -11,7 +11,6 @@
 #include "output/answers/judged_words.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
-#include "problems/statement/shaft_cams.h"
 
 namespace camlaw::cli {
 namespace {
@@ -22,17 +21,6 @@ namespace {
       fmt::format("{0}: a study has many designs; 'camlaw front {0} --knee --result FILE' writes "
                   "one of its designs as a result",
                   file));
-}
-
-/// Of several cams on one shaft the one that is asked for.
-void take_cam(const ExportOptions& options, problems::ProblemStatement& statement) {
-  if (options.cam) {
-    statement = problems::cam_alone(statement, problems::find_cam(statement, *options.cam));
-  } else if (!statement.cams.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{}: there are several cams on the shaft; say which to export, such as --cam {}",
-        options.file, statement.cams.front().name));
-  }
 }
 
 int run_export(const ExportOptions& options) {
@@ -54,10 +42,8 @@ int run_export(const ExportOptions& options) {
     // Nobody judged the design that the record has now.
     for (std::string& sentence : judged_words(design)) words.push_back(std::move(sentence));
   }
-  // The limits of a shaft are not those of one cam.
-  std::vector<std::string> unmet;
-  if (options.cam) unmet = unmet_words(design.statement);
-  take_cam(options, design.statement);
+  std::vector<std::string> unmet =
+      take_cam(options.cam, options.file, "--cam {}", design.statement);
   const ExportedText written =
       exported_text(options, format, std::move(design), words, std::move(unmet));
   if (!options.out || (is_quiet() && !options.json)) {

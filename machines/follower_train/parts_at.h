@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "machines/model/arguments.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recorded_kernel.h"
 #include "numerics/scalar/interval.h"
@@ -18,8 +19,7 @@ struct PartsAt {
 
 inline PartsAt parts_at(const std::vector<Recorded>& records, const Binding& binding,
                         optim::Design x) {
-  std::vector<double> u;
-  for (const std::size_t variable : binding.variables) u.push_back(x[variable]);
+  const std::vector<double> u = arguments_at(binding.variables, x);
   const std::vector<Interval> exact(u.begin(), u.end());
   PartsAt parts;
   for (const Recorded& record : records) {

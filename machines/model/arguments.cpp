@@ -99,4 +99,10 @@ optim::Function function_of(const std::vector<std::size_t>& variables,
   return {std::move(inputs), std::move(rearranged), shape};
 }
 
+std::vector<double> arguments_at(const std::vector<std::size_t>& variables, optim::Design x) {
+  std::vector<double> result;
+  for (const std::size_t variable : variables) result.push_back(x[variable]);
+  return result;
+}
+
 }  // namespace camlaw::problems

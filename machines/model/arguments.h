@@ -13,4 +13,7 @@ namespace camlaw::problems {
 optim::Function function_of(const std::vector<std::size_t>& variables,
                             std::shared_ptr<const optim::Kernel> kernel, optim::Shape shape);
 
+/// The arguments at a design.
+std::vector<double> arguments_at(const std::vector<std::size_t>& variables, optim::Design x);
+
 }  // namespace camlaw::problems

@@ -11,6 +11,7 @@
 #include "kinematics/expansion.h"
 #include "machines/model/curve_formula.h"
 #include "machines/model/enclosed.h"
+#include "machines/model/sign_brackets.h"
 #include "numerics/polynomial/gauss_legendre.h"
 
 namespace camlaw::problems {
@@ -71,8 +72,8 @@ T piece_integral(const Piece<T>& piece, const F& f) {
 /// makes it jump is a sign of its own.
 template <class G>
 std::vector<double> sign_changes(const G& g, double begin, double end) {
-  constexpr int kSamples = 256, kNearer = 10;     // even ones, and closer and closer to the ends
-  constexpr double kNoise = 1e-13, kJump = 1e-6;  // of the size
+  constexpr int kSamples = 256, kNearer = 10;  // even ones, and closer and closer to the ends
+  constexpr double kJump = 1e-6;               // of the size
   std::vector<double> shares;
   for (int i = 1; i < kSamples; ++i) shares.push_back(static_cast<double>(i) / kSamples);
   for (int k = 1; k <= kNearer; ++k) {
@@ -80,26 +81,19 @@ std::vector<double> sign_changes(const G& g, double begin, double end) {
     shares.insert(shares.begin(), near);
     shares.push_back(1 - near);
   }
-  std::vector<std::pair<double, double>> samples;
-  double size = 0;
+  std::vector<double> x, values;
   for (const double share : shares) {
-    const double x = std::lerp(begin, end, share);
-    samples.emplace_back(x, g(x));
-    size = std::max(size, std::abs(samples.back().second));
+    x.push_back(std::lerp(begin, end, share));
+    values.push_back(g(x.back()));
   }
+  const double size = largest_size(values);
   std::vector<double> places;
-  double before = begin, sign = 0;
-  for (const auto& [x, value] : samples) {
-    if (!(std::abs(value) > kNoise * size)) continue;
-    if (value * sign < 0) {
-      double low = before, high = x;
-      for (double middle = std::midpoint(low, high); low < middle && middle < high;
-           middle = std::midpoint(low, high)) {
-        (g(middle) * sign > 0 ? low : high) = middle;
-      }
-      if (std::abs(g(high) - g(low)) <= kJump * size) places.push_back(low);
+  for (auto [low, high, at_low, at_high] : sign_brackets(x, values, size)) {
+    for (double middle = std::midpoint(low, high); low < middle && middle < high;
+         middle = std::midpoint(low, high)) {
+      (g(middle) * at_low > 0 ? low : high) = middle;
     }
-    before = x, sign = value;
+    if (std::abs(g(high) - g(low)) <= kJump * size) places.push_back(low);
   }
   return places;
 }

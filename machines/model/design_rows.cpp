@@ -29,12 +29,11 @@ class RecordedRows final : public DesignRows {
         law_(law_of_cam(binding.law, response.cam)),
         formula_(motion_first(response, binding)),
         blocks_({&formula_, 1}, kOfPlace),
-        may_jump_(Jumps(recorded_for(binding, response.write, kOfPlace, {})).possible()) {}
+        may_jump_(may_jump(recorded_for(binding, response.write, kOfPlace, {}))) {}
 
   Motion motion_at(optim::Place place) const override {
     const Stretch& stretch = cycle_.stretch_at(place);
-    const LawPlace at = law_place(stretch, place);
-    const PlaceMotion motion(law_, cycle_, stretch, may_jump_ ? beside_jump(at) : at,
+    const PlaceMotion motion(law_, cycle_, stretch, law_place(stretch, place, may_jump_),
                              {true, true, true, true});
     const auto known = motion.at({}, 0).value;
     return {known[0], known[1], known[2], known[3], motion.place_at({}, 0).value[0]};

@@ -6,6 +6,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <set>
 
+#include "machines/model/sign_brackets.h"
 #include "numerics/formula/deciders.h"
 
 namespace camlaw::problems {
@@ -51,37 +52,19 @@ int steps_of_piece(std::size_t pieces) {
   return std::clamp(kOfLaw / static_cast<int>(pieces), kFewest, kMost);
 }
 
-struct Bracket {
-  double low, high, at_low, at_high;
-};
-
-/// Neighbouring x at which a number has other signs. What is noise has none.
-std::vector<Bracket> sign_changes(std::span<const double> x, std::span<const double> values) {
-  constexpr double kNoise = 1e-13;  // of the largest value
-  double size = 0;
-  for (const double value : values) size = std::max(size, std::abs(value));
-  std::vector<Bracket> found;
-  std::optional<std::size_t> before;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!(std::abs(values[i]) > kNoise * size)) continue;
-    if (before && values[*before] * values[i] < 0) {
-      found.push_back({x[*before], x[i], values[*before], values[i]});
-    }
-    before = i;
-  }
-  return found;
-}
-
 }  // namespace
 
-Jumps::Jumps(const Recorded& record) {
+bool may_jump(const Recorded& record) {
+  return !moving(jump_deciders(record.formula), record.arguments).empty();
+}
+
+Jumps::Jumps(const Recorded& record)
+    : deciders_(moving(jump_deciders(record.formula), record.arguments)) {
   std::set<std::size_t> moved_by;
-  for (Formula& decider : jump_deciders(record.formula)) {
-    const std::vector<std::size_t> uses = decider.uses();
-    const auto is_of_motion = [&](std::size_t input) { return input >= record.arguments; };
-    if (std::ranges::none_of(uses, is_of_motion)) continue;
-    std::ranges::remove_copy_if(uses, std::inserter(moved_by, moved_by.end()), is_of_motion);
-    deciders_.push_back(std::move(decider));
+  for (const Formula& decider : deciders_) {
+    for (const std::size_t input : decider.uses()) {
+      if (input < record.arguments) moved_by.insert(input);
+    }
   }
   moved_by_.assign(moved_by.begin(), moved_by.end());
   if (possible()) together_.emplace(deciders_, record.arguments);
@@ -104,7 +87,8 @@ void Jumps::add_places(const PieceInStretch& piece, int steps, std::span<const d
   const std::vector<std::span<double>> rows(values.begin(), values.end());
   (*together_)(arguments, inputs, rows);
   for (std::size_t k = 0; k < deciders_.size(); ++k) {
-    for (const auto& [low, high, at_low, at_high] : sign_changes(x, values[k])) {
+    for (const auto& [low, high, at_low, at_high] :
+         sign_brackets(x, values[k], largest_size(values[k]))) {
       const FormulaAlong<double> decider(deciders_[k], arguments);
       const auto f = [&](double at) { return decider(std::span<const double>(piece.at(at))); };
       const double root = root_between(f, low, high, at_low, at_high);
@@ -128,9 +112,10 @@ std::vector<double> Jumps::places(const Cycle& cycle, const Law<double>& law,
   return {places.begin(), places.end()};
 }
 
-LawPlace beside_jump(LawPlace place) {
-  if (place.side == Side::Left && place.x < 1) place.x = std::max(0.0, place.x - 2 * kBesideJump);
-  return place;
+LawPlace law_place(const Stretch& stretch, optim::Place place, bool may_jump) {
+  LawPlace at = law_place(stretch, place);
+  if (may_jump && at.side == Side::Left && at.x < 1) at.x = std::max(0.0, at.x - 2 * kBesideJump);
+  return at;
 }
 
 }  // namespace camlaw::problems

@@ -15,6 +15,9 @@ namespace camlaw::problems {
 
 class PieceInStretch;
 
+/// Whether a formula of a machine's arguments, s, v, a, j and the place may jump as these change.
+bool may_jump(const Recorded& record);
+
 /// Where a curve's formula jumps inside the stretches of its law: where it goes over to another
 /// number, as an index drive does to its next roller, or changes a sign, as friction does
 /// (docs/theory.md, "Where a formula jumps").
@@ -47,8 +50,8 @@ class Jumps {
 /// decides.
 inline constexpr double kBesideJump = 1e-12;
 
-/// The law's place of a curve that may jump: seen from the left, a place lies before the jump that
-/// it may stand at.
-LawPlace beside_jump(LawPlace place);
+/// The law's place; of a curve that may jump one that is seen from the left lies before the jump
+/// that it may stand at.
+LawPlace law_place(const Stretch& stretch, optim::Place place, bool may_jump);
 
 }  // namespace camlaw::problems

@@ -21,16 +21,6 @@ struct MeanFormulas {
   Recorded of_means;
 };
 
-/// What of its deciders changes with the motion, whose s, v, a, j are the last inputs.
-std::vector<Formula> moving_deciders(const Recorded& integrand) {
-  std::vector<Formula> all = deciders(integrand.formula);
-  std::erase_if(all, [&](const Formula& decider) {
-    return std::ranges::none_of(decider.uses(),
-                                [&](std::size_t input) { return input >= integrand.arguments; });
-  });
-  return all;
-}
-
 /// A formula of a motion at a place of a piece.
 template <class T>
 T at_place(const FormulaAlong<T>& formula, const Piece<T>& piece, const T& x) {
@@ -77,7 +67,7 @@ class MeanOfRecord {
   MeanOfRecord(MeanFormulas formulas, std::shared_ptr<const LawBinding> law)
       : formulas_(std::move(formulas)), law_(std::move(law)) {
     for (const Recorded& integrand : formulas_.integrands) {
-      deciders_.push_back(moving_deciders(integrand));
+      deciders_.push_back(moving(deciders(integrand.formula), integrand.arguments));
     }
   }
 
@@ -115,7 +105,7 @@ class MeanOfRecord {
 
   MeanFormulas formulas_;
   std::shared_ptr<const LawBinding> law_;
-  std::vector<std::vector<Formula>> deciders_;
+  std::vector<std::vector<Formula>> deciders_;  ///< that change with the motion
 };
 
 }  // namespace

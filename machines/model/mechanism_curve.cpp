@@ -59,17 +59,11 @@ std::optional<std::vector<double>> MechanismCurve::jump_places(optim::Design x) 
   const auto places = [&]() -> std::vector<double> {
     const auto law = law_->possible_law_at<double>(x);
     if (!law) return {};
-    return jumps().places(parts_->cycle, *law, arguments(x));
+    return jumps().places(parts_->cycle, *law, arguments_at(variables_, x));
   };
   if (jumps_move()) return places();
   std::call_once(places_asked_, [&] { still_places_ = places(); });
   return still_places_;
-}
-
-std::vector<double> MechanismCurve::arguments(optim::Design x) const {
-  std::vector<double> result;
-  for (const std::size_t variable : variables_) result.push_back(x[variable]);
-  return result;
 }
 
 std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {
@@ -81,8 +75,8 @@ std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) co
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
   if (place.joint < 0) {
     const Stretch& stretch = parts_->cycle.stretch_at(place);
-    const LawPlace at = law_place(stretch, place);
-    return {law_, parts_->cycle, stretch, jumps().possible() ? beside_jump(at) : at, parts_->uses};
+    return {law_, parts_->cycle, stretch, law_place(stretch, place, jumps().possible()),
+            parts_->uses};
   }
   const std::size_t joint = static_cast<std::size_t>(place.joint);
   return {law_, parts_->cycle, joint / kMostPieces, joint % kMostPieces,
@@ -131,8 +125,8 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
   const std::size_t machine = variables_.size();
   const std::size_t inner = machine + (parts_->uses_place ? 5 : 4);
-  std::vector<double> u, g(inner), h(optim::packed_size(inner));
-  for (const std::size_t variable : variables_) u.push_back(x[variable]);
+  std::vector<double> u = arguments_at(variables_, x);
+  std::vector<double> g(inner), h(optim::packed_size(inner));
   u.insert(u.end(), motion.value.begin(), motion.value.end());
   const Cycle::Part part = parts_->cycle.part_of(stretch);
   if (parts_->uses_place) u.push_back(part.at(at));
@@ -177,7 +171,7 @@ std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
     return known->trace(x,
                         [whole, law = law_, design] { return whole(law->member_at(design), {}); });
   }
-  return whole(law_->member_at(x), arguments(x), jump_places(x));
+  return whole(law_->member_at(x), arguments_at(variables_, x), jump_places(x));
 }
 
 }  // namespace camlaw::problems

@@ -56,7 +56,6 @@ class MechanismCurve final : public optim::Curve {
   const Jumps& jumps() const;
   bool jumps_move() const;
   std::optional<std::vector<double>> jump_places(optim::Design x) const;
-  std::vector<double> arguments(optim::Design x) const;
 
   std::shared_ptr<const CurveParts> parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments

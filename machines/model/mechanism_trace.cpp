@@ -47,11 +47,6 @@ void MechanismTrace::keep_jumps(const std::vector<double>& places) {
   }
 }
 
-LawPlace MechanismTrace::law_place_in(const Stretch& stretch, optim::Place place) const {
-  const LawPlace at = law_place(stretch, place);
-  return may_jump_ ? beside_jump(at) : at;
-}
-
 const std::vector<PieceExpander>& MechanismTrace::expanders() const {
   if (enclosing_) {
     const auto law = law_ ? enclosing_() : std::nullopt;
@@ -110,7 +105,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   if (const auto pulse = pulse_at(place)) return {*pulse, 0, 0};
   const Section& section = section_at(place);
   const Stretch& stretch = cycle_.stretches[section.stretch];
-  const double x = law_place_in(stretch, place).x;
+  const double x = law_place(stretch, place, may_jump_).x;
   const auto d = derivatives<6>(law_->pieces()[section.piece], x);
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
@@ -121,7 +116,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
 std::optional<double> MechanismTrace::place_inside(const Section& section,
                                                    optim::Place place) const {
   if (!(place.angle > section.begin && place.angle < section.end) || pulse_at(place)) return {};
-  const double x = law_place_in(cycle_.stretches[section.stretch], place).x;
+  const double x = law_place(cycle_.stretches[section.stretch], place, may_jump_).x;
   const auto& piece = law_->pieces()[section.piece];
   return x > piece.begin && x < piece.end ? std::optional(x) : std::nullopt;
 }

@@ -46,7 +46,6 @@ class MechanismTrace final : public optim::Trace {
   /// Infinite beside the pulse; elsewhere none.
   std::optional<double> pulse_at(optim::Place place) const;
   const Section& section_at(optim::Place place) const;
-  LawPlace law_place_in(const Stretch& stretch, optim::Place place) const;
   /// The law's x of a place inside a section; none elsewhere.
   std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;

@@ -121,8 +121,7 @@ struct CurveAt {
   }
 
   std::vector<double> arguments(const Motion<double>& motion) const {
-    std::vector<double> u;
-    for (const std::size_t variable : variables) u.push_back(x[variable]);
+    std::vector<double> u = arguments_at(variables, x);
     u.insert(u.end(), {motion.s, motion.v, motion.a, motion.j});
     return u;
   }

@@ -210,9 +210,7 @@ bool ShaftParts::phases_vary() const {
 }
 
 std::vector<double> ShaftParts::arguments_at(optim::Design x) const {
-  std::vector<double> result;
-  for (const std::size_t variable : arguments) result.push_back(x[variable]);
-  return result;
+  return problems::arguments_at(arguments, x);
 }
 
 std::shared_ptr<const ShaftParts::Traces> ShaftParts::traces_at(optim::Design x) const {

@@ -296,12 +296,6 @@ TurnCurve::TurnCurve(TurnParts parts, const Binding& binding, optim::Shape shape
       variables_(binding.variables),
       shape_(shape) {}
 
-std::vector<double> TurnCurve::arguments(optim::Design x) const {
-  std::vector<double> result;
-  for (const std::size_t variable : variables_) result.push_back(x[variable]);
-  return result;
-}
-
 bool TurnCurve::breaks_move() const {
   return std::any_of(parts_->joints.begin(), parts_->joints.end(),
                      [](const auto& joint) { return joint.left != nullptr; });
@@ -309,7 +303,7 @@ bool TurnCurve::breaks_move() const {
 
 optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
   if (!breaks_move()) return place;
-  const std::vector<double> breaks = parts_->breaks_at(arguments(x));
+  const std::vector<double> breaks = parts_->breaks_at(arguments_at(variables_, x));
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     const bool stands = parts_->joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
     if (stands) place.joint = static_cast<int>(k);
@@ -328,7 +322,7 @@ optim::Function TurnCurve::at(optim::Place place) const {
 /// d2f / (d angle d u): the mixed derivatives of the section's kernel, whose last argument is the
 /// angle.
 std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design x) const {
-  std::vector<double> u = arguments(x);
+  std::vector<double> u = arguments_at(variables_, x);
   const std::size_t section = section_in(*parts_, u, place);
   const std::size_t last = u.size();
   u.push_back(place.angle * kDegree);
@@ -342,7 +336,7 @@ std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design 
 }
 
 std::unique_ptr<optim::Trace> TurnCurve::trace(optim::Design x) const {
-  return std::make_unique<TurnTrace>(parts_, arguments(x));
+  return std::make_unique<TurnTrace>(parts_, arguments_at(variables_, x));
 }
 
 }  // namespace camlaw::problems

@@ -56,8 +56,6 @@ class TurnCurve final : public optim::Curve {
   optim::Shape shape() const override { return shape_; }
 
  private:
-  std::vector<double> arguments(optim::Design x) const;
-
   std::shared_ptr<const TurnParts> parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments
   optim::Shape shape_;

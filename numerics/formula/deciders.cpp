@@ -2,6 +2,7 @@
 #include "numerics/formula/deciders.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "numerics/formula/expression.h"
 #include "numerics/formula/steps.h"
@@ -21,24 +22,25 @@ Expression written_again(Step step, Numbers inputs, Numbers before) {
   return Expression::of(step);
 }
 
-using Decisions = std::vector<std::function<Expression(Numbers)>>;
+/// What a step decides by: the sign of a number that an earlier step gives, or of one less another.
+struct Decision {
+  std::uint32_t number;
+  std::optional<std::uint32_t> less = {};
+};
+using Decisions = std::vector<Decision>;
 
-/// What a step decides by.
 Decisions decisions(const Step& step) {
-  const auto one = [](std::uint32_t number) {
-    return [number](Numbers results) { return results[number]; };
-  };
   switch (step.operation) {
     case Operation::Absolute:
     case Operation::BySide:
     case Operation::WherePositive:
     case Operation::UnlessZero:
-      return {one(step.a)};
+      return {{step.a}};
     case Operation::Along:
-      return {one(step.a), one(step.b)};
+      return {{step.a}, {step.b}};
     case Operation::Greater:
     case Operation::Lesser:
-      return {[step](Numbers results) { return results[step.a] - results[step.b]; }};
+      return {{step.a, step.b}};
     default:
       return {};
   }
@@ -47,7 +49,22 @@ Decisions decisions(const Step& step) {
 /// The first number of a step that may jump where that one changes its sign.
 Decisions jumps(const Step& step) {
   if (step.operation != Operation::BySide && step.operation != Operation::Along) return {};
-  return {[number = step.a](Numbers results) { return results[number]; }};
+  return {{step.a}};
+}
+
+Formula decider_of(const Decision& decision, const Formula& formula) {
+  const std::vector<Step>& steps = formula.steps();
+  std::vector<std::uint32_t> values{decision.number};
+  if (decision.less) values.push_back(*decision.less);
+  const std::vector<bool> needed = needed_for(values, steps);
+  return Formula::record(formula.inputs(), [&](Numbers inputs) {
+    std::vector<Expression> results(needed.size(), Expression(0.0));
+    for (std::size_t k = 0; k < needed.size(); ++k) {
+      if (needed[k]) results[k] = written_again(steps[k], inputs, results);
+    }
+    const Expression& number = results[decision.number];
+    return decision.less ? number - results[*decision.less] : number;
+  });
 }
 
 std::vector<Formula> deciders_by(const Formula& formula, Decisions (*decisions)(const Step&)) {
@@ -55,15 +72,9 @@ std::vector<Formula> deciders_by(const Formula& formula, Decisions (*decisions)(
   const auto searches = [](const Step& step) { return step.operation == Operation::Root; };
   if (std::ranges::any_of(steps, searches)) return {};
   std::vector<Formula> result;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    for (const auto& decision : decisions(steps[i])) {
-      Formula decider = Formula::record(formula.inputs(), [&](Numbers inputs) {
-        std::vector<Expression> results;
-        for (std::size_t k = 0; k < i; ++k) {
-          results.push_back(written_again(steps[k], inputs, results));
-        }
-        return decision(results);
-      });
+  for (const Step& step : steps) {
+    for (const Decision& decision : decisions(step)) {
+      Formula decider = decider_of(decision, formula);
       const auto is_same = [&](const Formula& known) { return known.steps() == decider.steps(); };
       if (std::ranges::none_of(result, is_same)) result.push_back(std::move(decider));
     }
@@ -76,5 +87,12 @@ std::vector<Formula> deciders_by(const Formula& formula, Decisions (*decisions)(
 std::vector<Formula> deciders(const Formula& formula) { return deciders_by(formula, decisions); }
 
 std::vector<Formula> jump_deciders(const Formula& formula) { return deciders_by(formula, jumps); }
+
+std::vector<Formula> moving(std::vector<Formula> formulas, std::size_t first) {
+  std::erase_if(formulas, [&](const Formula& formula) {
+    return std::ranges::none_of(formula.uses(), [&](std::size_t input) { return input >= first; });
+  });
+  return formulas;
+}
 
 }  // namespace camlaw

@@ -15,4 +15,7 @@ std::vector<Formula> deciders(const Formula& formula);
 /// Those at which it may jump: what chooses between two numbers, or gives one a sign.
 std::vector<Formula> jump_deciders(const Formula& formula);
 
+/// Those formulas that use an input from `first` on.
+std::vector<Formula> moving(std::vector<Formula> formulas, std::size_t first);
+
 }  // namespace camlaw

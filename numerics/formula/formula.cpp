@@ -51,14 +51,7 @@ class Recording {
 
 /// The steps that the value needs, renumbered.
 std::vector<Step> needed(const Recorder& all, std::uint32_t value) {
-  std::vector<bool> is_needed(value + std::size_t{1});
-  is_needed[value] = true;
-  for (std::uint32_t i = value + 1; i-- > 0;) {
-    if (!is_needed[i]) continue;
-    const Step& step = all.at(i);
-    const std::uint32_t from[] = {step.a, step.b, step.c};
-    for (std::size_t k = 0; k < operands(step.operation); ++k) is_needed[from[k]] = true;
-  }
+  const std::vector<bool> is_needed = needed_for({value}, all.steps());
   std::vector<std::uint32_t> number(is_needed.size());
   std::vector<Step> steps;
   for (std::uint32_t i = 0; i <= value; ++i) {

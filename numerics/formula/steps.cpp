@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/formula/steps.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace camlaw {
@@ -38,6 +39,18 @@ std::size_t operands(Operation operation) {
     default:
       return 1;
   }
+}
+
+std::vector<bool> needed_for(const std::vector<std::uint32_t>& values,
+                             const std::vector<Step>& steps) {
+  std::vector<bool> needed(*std::max_element(values.begin(), values.end()) + std::size_t{1});
+  for (const std::uint32_t value : values) needed[value] = true;
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    const std::uint32_t from[] = {steps[i].a, steps[i].b, steps[i].c};
+    for (std::size_t k = 0; k < operands(steps[i].operation); ++k) needed[from[k]] = true;
+  }
+  return needed;
 }
 
 std::vector<bool> reached_from(std::size_t first, const std::vector<Step>& steps) {

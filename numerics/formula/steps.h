@@ -29,6 +29,10 @@ class Recorder {
 /// Returns how many earlier steps an operation uses.
 std::size_t operands(Operation operation);
 
+/// Which steps some of them need, these among them; as many as up to the last of these.
+std::vector<bool> needed_for(const std::vector<std::uint32_t>& values,
+                             const std::vector<Step>& steps);
+
 /// Which steps an input from `first` on reaches.
 std::vector<bool> reached_from(std::size_t first, const std::vector<Step>& steps);
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "output/document/formatting.h"
 #include "problems/results/judged_design.h"
+#include "problems/statement/shaft_cams.h"
 
 namespace camlaw::cli {
 
@@ -31,6 +33,19 @@ std::vector<std::string> unmet_words(const problems::ProblemStatement& design) {
                                 side, with_unit(in_digits(limit.bound), limit.unit)));
   }
   return words;
+}
+
+std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
+                                  const char* example, problems::ProblemStatement& statement) {
+  if (name) {
+    std::vector<std::string> unmet = unmet_words(statement);
+    statement = problems::cam_alone(statement, problems::find_cam(statement, *name));
+    return unmet;
+  }
+  if (statement.cams.empty()) return {};
+  throw std::invalid_argument(
+      fmt::format("{}: there are several cams on the shaft; say which to export, such as {}", file,
+                  fmt::format(fmt::runtime(example), statement.cams.front().name)));
 }
 
 }  // namespace camlaw::cli

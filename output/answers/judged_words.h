@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,12 @@ std::vector<std::string> judged_words(const problems::ReadDesign& read);
 /// Of each limit of its problem that a design does not meet its value and its bound, a sentence
 /// each: "limit not met: pressure_angle is 32.8 deg and must be at most 30 deg".
 std::vector<std::string> unmet_words(const problems::ProblemStatement& design);
+
+/// Of a file with several cams on one shaft the one of this name, in place of the statement;
+/// returns unmet_words of the shaft, whose limits are not those of one cam. Throws
+/// std::invalid_argument where there are several and none is named; `example` says how, {} being a
+/// name: "--cam {}".
+std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
+                                  const char* example, problems::ProblemStatement& statement);
 
 }  // namespace camlaw::cli

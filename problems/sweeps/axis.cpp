@@ -106,11 +106,11 @@ SweepAxis stepped(const std::string& name, const std::string& text) {
   const auto count = static_cast<std::size_t>(std::floor(steps + kRounding)) + 1;
   const auto whole = static_cast<double>(count - 1);
   if (steps - whole > kRounding) {
+    const double last = rounded(from + whole * step, kDigits);
     throw std::invalid_argument(fmt::format(
         "{}: steps of {:g} from {:g} end at {:g} and do not meet {:g}; write {:g}:{:g}:{:g}, or a "
         "step that divides the range",
-        name, step, from, rounded(from + whole * step, kDigits), to, from, step,
-        rounded(from + whole * step, kDigits)));
+        name, step, from, last, to, from, step, last));
   }
   for (std::size_t i = 0; i < count; ++i) {
     axis.numbers.push_back(rounded(from + static_cast<double>(i) * step, kDigits));

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <map>
 
 #include "output/answers/cam_export.h"
-#include "problems/statement/shaft_cams.h"
+#include "output/answers/judged_words.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
 #include "python/bindings/results.h"
@@ -54,17 +52,6 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
   return options;
 }
 
-/// Of several cams on one shaft the one that is asked for.
-void take_cam(const cli::ExportOptions& options, problems::ProblemStatement& statement) {
-  if (options.cam) {
-    statement = problems::cam_alone(statement, problems::find_cam(statement, *options.cam));
-  } else if (!statement.cams.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{}: there are several cams on the shaft; say which to export, such as cam=\"{}\"",
-        options.file, statement.cams.front().name));
-  }
-}
-
 std::string exported(const problems::ReadDesign& read, const std::string& file,
                      const std::map<std::string, std::string>& told) {
   return run_whole([&](const Work& work) {
@@ -72,12 +59,13 @@ std::string exported(const problems::ReadDesign& read, const std::string& file,
     design.problem.stop = design.statement.stop = work.stop();
     cli::ExportOptions options = options_of(told);
     options.file = file;
-    take_cam(options, design.statement);
+    std::vector<std::string> unmet =
+        cli::take_cam(options.cam, file, "cam=\"{}\"", design.statement);
     const cli::FormatRow& format = cli::format_of(options);
     cli::check_options(options, format);
     const std::vector<std::string> review =
         design.verdict ? cli::reviewed(design).words() : std::vector<std::string>{};
-    return cli::exported_text(options, format, std::move(design), review).text;
+    return cli::exported_text(options, format, std::move(design), review, std::move(unmet)).text;
   });
 }
 

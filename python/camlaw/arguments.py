@@ -26,6 +26,11 @@ def shown(value: Any) -> str:
     return said if len(said) <= _SHOWN else f"{said[:_SHOWN]}..."
 
 
+def is_pint(value: Any) -> bool:
+    """Whether a value is a quantity of pint, which need not be there."""
+    return hasattr(value, "magnitude") and hasattr(value, "units")
+
+
 def text(value: Any, what: str) -> str:
     if not isinstance(value, str):
         raise InputError(f"{what}: {shown(value)} is not a text")
@@ -124,7 +129,7 @@ def texts(value: Any, what: str) -> list[str]:
 def numbers(values: Any, what: str, most_dimensions: int = 1) -> np.ndarray:
     """An array of float64 of one dimension, or of so many at most, which is not copied if it is one; a
     number is an array of one. What a masked array masks is not a number."""
-    if hasattr(values, "magnitude") and hasattr(values, "units"):
+    if is_pint(values):
         if not getattr(values, "dimensionless", False):
             raise InputError(f"{what}: plain numbers are accepted here, not '{values.units}'")
         values = values.to("").magnitude

@@ -10,7 +10,7 @@ from typing import Any
 
 from . import plots, tables, units
 from .answers import Answer
-from .arguments import mapping, numbers, optional_text, optional_whole, text, texts
+from .arguments import is_pint, mapping, numbers, optional_text, optional_whole, text, texts
 from .arguments import path as checked_path
 from .arguments import shown as shown_value
 from .errors import InputError, Interrupted
@@ -40,9 +40,9 @@ def _sample_table(data: Any) -> Any:
     names, columns = [], []
     for title, values in data.items():
         name, unit = _name_and_unit(title)
-        if units.is_pint(values):
+        if is_pint(values):
             unit, values = units.pint_unit(values.units), values.magnitude
-        elif units.is_pint(getattr(values, "array", None)):
+        elif is_pint(getattr(values, "array", None)):
             unit, values = units.pint_unit(values.array.units), values.array.quantity.magnitude
         columns.append(numbers(values, str(title)))
         names.append((name, unit))

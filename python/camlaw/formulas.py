@@ -21,9 +21,9 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
-from .arguments import mapping, optional_text, shown, text
+from .arguments import is_pint, mapping, optional_text, shown, text
 from .errors import InputError
-from .units import is_pint, pint_unit
+from .units import pint_unit
 
 _SUM, _TERM, _SIGN, _POWER, _PRIMARY = range(1, 6)
 

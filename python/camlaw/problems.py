@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from . import plots, tables, units
-from .arguments import mapping, numbers, texts, whole
+from .arguments import is_pint, mapping, numbers, texts, whole
 from .arguments import path as checked_path
 from .arguments import text as _text
 from .errors import InputError
@@ -263,7 +263,7 @@ class Problem(Searches):
 
     def _numbers(self, name: str, values: Any) -> np.ndarray:
         """An array in the listed unit of a variable or a constant."""
-        if units.is_pint(values):
+        if is_pint(values):
             unit = self.units.get(name)
             if unit is None:
                 raise InputError(f"{name}: plain numbers are accepted; it is not a size of the machine")

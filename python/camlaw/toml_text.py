@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from .arguments import shown, text
+from .arguments import is_pint, shown, text
 from .errors import InputError
-from .units import is_pint, value_text
+from .units import value_text
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 

@@ -8,14 +8,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from .arguments import shown
+from .arguments import is_pint, shown
 from .errors import InputError
 from .native import native
-
-
-def is_pint(value: Any) -> bool:
-    """Whether a value is a quantity of pint, which need not be there."""
-    return hasattr(value, "magnitude") and hasattr(value, "units")
 
 
 def pint_unit(units: Any) -> str:
