@@ -8,6 +8,7 @@
 
 #include "machines/cams/arm_sight.h"
 #include "machines/model/inner_numbers.h"
+#include "machines/model/kernel_of.h"
 #include "numerics/linear/dense.h"
 
 namespace camlaw::problems {

@@ -53,18 +53,6 @@ MechanismResponse train_force(ResponseAbout about) {
                         });
 }
 
-template <template <class> class M>
-MechanismResponse swing_at_rest(ResponseAbout about) {
-  return law_number<M>(std::move(about), TrainPartsOf{TrainQuantity::Deviation},
-                       []<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
-                         const auto motion = TrainMotion<T>::periodic({part[0], part[1]}, law);
-                         if (!motion) return motion.reason();
-                         const auto swing = motion->swing_at_rest();
-                         if (!swing) return swing.reason();
-                         return T(part[2] * *swing);
-                       });
-}
-
 /// Of a machine M whose fields elastic_end() takes.
 template <template <class> class M>
 std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
@@ -82,8 +70,9 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
           {"train_frequency", "Hz", "Hz",
            "natural frequency of the train's end, without damping; undefined for a rigid follower"},
           [](const auto& cam) { return elastic_end(cam).natural_frequency(); }),
-      swing_at_rest<M>({"residual_amplitude", w.place, w.place_stored,
-                        "greatest amplitude with which the train's end swings in a dwell", convex}),
+      law_number<M>({"residual_amplitude", w.place, w.place_stored,
+                     "greatest amplitude with which the train's end swings in a dwell", convex},
+                    TrainPartsOf{Q::Deviation}, swing_at_rest()),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
       end_curve<M>(Q::Deviation,

@@ -4,7 +4,7 @@
 #include "machines/follower_train/machine.h"
 #include "machines/follower_train/speed_curve.h"
 #include "machines/follower_train/train_curve.h"
-#include "machines/model/law_number.h"
+#include "machines/model/law_formula.h"
 
 namespace camlaw::problems {
 
@@ -50,13 +50,13 @@ MechanismResponse residual(Residual which, ResponseAbout about) {
   };
   return law_number<ElasticFollower>(
       std::move(about), parts,
-      [which]<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
+      law_kernel([which]<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
         const FollowerTrain<T> train{part[0], part[1]};
         const auto state = train.after(law);
         if (!state) return state.reason();
         if (which == Residual::Displacement) return T(part[2] * state->z);
         return T(part[2] * (which == Residual::Velocity ? state->rate : train.amplitude(*state)));
-      });
+      }));
 }
 
 /// Of what the train makes of the cam's acceleration.

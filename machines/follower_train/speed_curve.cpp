@@ -6,6 +6,7 @@
 
 #include "kinematics/expansion.h"
 #include "machines/follower_train/parts_at.h"
+#include "machines/model/law_formula.h"
 
 namespace camlaw::problems {
 namespace {

@@ -7,6 +7,7 @@
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "machines/follower_train/parts_at.h"
+#include "machines/model/law_formula.h"
 #include "machines/model/law_looks.h"
 
 namespace camlaw::problems {
@@ -211,6 +212,16 @@ std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
   return std::make_unique<TrainTrace>(which_, run_, std::move(parts.plain),
                                       std::move(parts.enclosing), factor_.as<double>(),
                                       std::move(*law), std::move(*enclosing_law));
+}
+
+LawKernel swing_at_rest() {
+  return law_kernel([]<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
+    const auto motion = TrainMotion<T>::periodic({part[0], part[1]}, law);
+    if (!motion) return motion.reason();
+    const auto swing = motion->swing_at_rest();
+    if (!swing) return swing.reason();
+    return T(part[2] * *swing);
+  });
 }
 
 }  // namespace camlaw::problems

@@ -11,7 +11,6 @@
 #include "kinematics/expansion.h"
 #include "machines/model/curve_formula.h"
 #include "machines/model/enclosed.h"
-#include "machines/model/sign_brackets.h"
 #include "numerics/polynomial/gauss_legendre.h"
 
 namespace camlaw::problems {
@@ -34,68 +33,56 @@ int steps_over(const Piece<T>& piece, double whole) {
   return std::max(kLeastSteps, static_cast<int>(std::ceil(rate * length)));
 }
 
-/// Adds the terms of Gauss-Legendre of 10 points over a step of this middle to a sum that half the
-/// step's length is a factor of.
-template <class T, class F>
-void add_gauss(const Piece<T>& piece, const F& f, const T& middle, const T& half, T& sum) {
+/// Calls at(x, weight) for the places of Gauss-Legendre of 10 points on even steps between two
+/// places of a piece, as many by length as the whole piece has.
+template <class T, class At>
+void each_mean_place(const Piece<T>& piece, const T& begin, const T& end, const At& at) {
   const auto& [places, weights] = gauss_legendre(10);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    for (const double side : {-1.0, 1.0}) {
-      const T x = middle + number<T>(side * places[k]) * half;
-      const auto d = derivatives<4>(piece, x);
-      sum = sum + number<T>(weights[k]) * f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
-    }
-  }
-}
-
-/// On even steps, as many by length of the piece from one place to another.
-template <class T, class F>
-T stretch_integral(const Piece<T>& piece, const T& begin, const T& end, const F& f) {
   const T length = end - begin;
   const double whole = value_of(piece.end) - value_of(piece.begin);
   const double share = whole > 0 ? value_of(length) / whole : 0;
   const int steps = std::max(1, static_cast<int>(std::ceil(share * steps_over(piece, kMeanSteps))));
   const T half = length / number<T>(2.0 * steps);
-  T sum = number<T>(0);
   for (int i = 0; i < steps; ++i) {
-    add_gauss(piece, f, T(begin + number<T>(2 * i + 1) * half), half, sum);
+    const T middle = begin + number<T>(2 * i + 1) * half;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      for (const double side : {-1.0, 1.0}) {
+        at(T(middle + number<T>(side * places[k]) * half), T(number<T>(weights[k]) * half));
+      }
+    }
   }
-  return half * sum;
+}
+
+/// Calls at(piece, x, weight) for those of a law between the places that breaks(piece's number)
+/// names, increasing.
+template <class T, class Breaks, class At>
+void each_mean_place(const Law<T>& law, const Breaks& breaks, const At& at) {
+  for (std::size_t p = 0; p < law.pieces().size(); ++p) {
+    const Piece<T>& piece = law.pieces()[p];
+    const auto in_piece = [&](const T& x, const T& weight) { at(piece, x, weight); };
+    T begin = piece.begin;
+    for (const T& place : breaks(p)) {
+      each_mean_place(piece, begin, place, in_piece);
+      begin = place;
+    }
+    each_mean_place(piece, begin, piece.end, in_piece);
+  }
+}
+
+/// f(motion, x) at a place of a piece.
+template <class T, class F>
+T at_mean_place(const Piece<T>& piece, const T& x, const F& f) {
+  const auto d = derivatives<4>(piece, x);
+  return f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
 }
 
 template <class T, class F>
 T piece_integral(const Piece<T>& piece, const F& f) {
-  return stretch_integral(piece, piece.begin, piece.end, f);
-}
-
-/// Where a continuous g changes its sign between two places. Where it jumps it is not asked: what
-/// makes it jump is a sign of its own.
-template <class G>
-std::vector<double> sign_changes(const G& g, double begin, double end) {
-  constexpr int kSamples = 256, kNearer = 10;  // even ones, and closer and closer to the ends
-  constexpr double kJump = 1e-6;               // of the size
-  std::vector<double> shares;
-  for (int i = 1; i < kSamples; ++i) shares.push_back(static_cast<double>(i) / kSamples);
-  for (int k = 1; k <= kNearer; ++k) {
-    const double near = std::ldexp(1.0 / kSamples, -k);
-    shares.insert(shares.begin(), near);
-    shares.push_back(1 - near);
-  }
-  std::vector<double> x, values;
-  for (const double share : shares) {
-    x.push_back(std::lerp(begin, end, share));
-    values.push_back(g(x.back()));
-  }
-  const double size = largest_size(values);
-  std::vector<double> places;
-  for (auto [low, high, at_low, at_high] : sign_brackets(x, values, size)) {
-    for (double middle = std::midpoint(low, high); low < middle && middle < high;
-         middle = std::midpoint(low, high)) {
-      (g(middle) * at_low > 0 ? low : high) = middle;
-    }
-    if (std::abs(g(high) - g(low)) <= kJump * size) places.push_back(low);
-  }
-  return places;
+  T sum = number<T>(0);
+  each_mean_place(piece, piece.begin, piece.end, [&](const T& x, const T& weight) {
+    sum = sum + weight * at_mean_place(piece, x, f);
+  });
+  return sum;
 }
 
 /// Encloses the integral over steps. Where f may have a kink or a jump a step is halved, so that
@@ -168,25 +155,38 @@ Interval piece_integral(const Piece<Interval>& piece, const F& f) {
 
 }  // namespace detail
 
-/// The integral over x from 0 to 1 of f(motion, x) along a law: for intervals an enclosure, else by
-/// Gauss-Legendre quadrature, to the last places for what is smooth within the pieces but at the
-/// places that breaks(piece) names, increasing. With the derivatives by whatever the law depends
-/// on, its breaks included.
+/// The integral over x from 0 to 1 of f(motion, x) along a law by Gauss-Legendre quadrature, to the
+/// last places for what is smooth within the pieces but at the places that breaks(piece's number)
+/// names, increasing. With the derivatives by whatever the law depends on, its breaks included.
 template <class T, class F, class Breaks>
 T cycle_mean(const Law<T>& law, const F& f, const Breaks& breaks) {
   T sum = number<T>(0);
-  for (const Piece<T>& piece : law.pieces()) {
-    if constexpr (std::is_same_v<T, Interval>) {
-      sum = sum + detail::piece_integral(piece, f);
-    } else {
-      T begin = piece.begin;
-      for (const T& place : breaks(piece)) {
-        sum = sum + detail::stretch_integral(piece, begin, place, f);
-        begin = place;
-      }
-      sum = sum + detail::stretch_integral(piece, begin, piece.end, f);
-    }
-  }
+  detail::each_mean_place(law, breaks, [&](const Piece<T>& piece, const T& x, const T& weight) {
+    sum = sum + weight * detail::at_mean_place(piece, x, f);
+  });
+  return sum;
+}
+
+/// The places and weights of that quadrature, for an integrand that is evaluated at all together.
+struct MeanPlaces {
+  std::vector<double> x, weights;
+};
+
+template <class Breaks>
+MeanPlaces mean_places(const Law<double>& law, const Breaks& breaks) {
+  MeanPlaces all;
+  detail::each_mean_place(law, breaks, [&](const Piece<double>&, double x, double weight) {
+    all.x.push_back(x);
+    all.weights.push_back(weight);
+  });
+  return all;
+}
+
+/// An enclosure of the integral.
+template <class F>
+Interval enclosed_cycle_mean(const Law<Interval>& law, const F& f) {
+  Interval sum(0.0);
+  for (const Piece<Interval>& piece : law.pieces()) sum = sum + detail::piece_integral(piece, f);
   return sum;
 }
 

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <type_traits>
 
 #include "machines/model/arguments.h"
 #include "machines/model/cycle_mean.h"
-#include "machines/model/law_number.h"
+#include "machines/model/decisions.h"
+#include "machines/model/law_formula.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/pulse.h"
-#include "numerics/formula/deciders.h"
 
 namespace camlaw::problems {
 namespace {
@@ -28,37 +30,48 @@ T at_place(const FormulaAlong<T>& formula, const Piece<T>& piece, const T& x) {
   return formula(std::span<const T>(motion));
 }
 
-/// Adds where a decider changes its sign, with the derivatives of these places, unless another one
-/// has done so there: what is a product of that one may have a kink there itself.
+/// A decision's place with the derivatives of what it depends on.
 template <class T>
-void add_decisions(const Formula& decider, std::span<const T> machine, const Piece<T>& piece,
-                   std::vector<T>& places) {
-  constexpr double kBeside = 1e-5, kSame = 1e-9;  // of the piece's length
-  constexpr int kSteps = 4;  // the first has the first derivatives, the next the second
-  std::vector<double> plain;
-  for (const T& value : machine) plain.push_back(value_of(value));
+T exact_place(const Formula& decider, double place, std::span<const T> machine,
+              const Piece<T>& piece) {
+  constexpr double kBeside = 1e-5;  // of the piece's length
+  constexpr int kSteps = 4;         // the first has the first derivatives, the next the second
+  std::vector<Dual> fixed;
+  for (const T& value : machine) fixed.emplace_back(value_of(value));
   const Piece<double> same = piece_as<double>(piece);
-  const FormulaAlong<double> look(decider, plain);
+  const double slope =
+      at_place(FormulaAlong<Dual>(decider, fixed), piece_as<Dual>(same), Dual(place, 0)).v[0];
   const FormulaAlong<T> exact(decider, machine);
-  const std::vector<Dual> fixed(plain.begin(), plain.end());
-  const FormulaAlong<Dual> slopes(decider, fixed);
-  const Piece<Dual> along_x = piece_as<Dual>(same);
-  const auto value = [&](double x) { return at_place(look, same, x); };
-  const double beside = kBeside * (same.end - same.begin);
-  for (const double place : detail::sign_changes(value, same.begin, same.end)) {
-    const bool is_known = std::ranges::any_of(places, [&](const T& known) {
-      return std::abs(value_of(known) - place) <= kSame * (same.end - same.begin);
+  T root = number<T>(place);
+  for (int step = 0; slope != 0 && step < kSteps; ++step) {
+    root = root - at_place(exact, piece, root) / number<T>(slope);
+  }
+  // Where the slope all but vanishes, a step leads anywhere.
+  const bool is_near = std::abs(value_of(root) - place) <= kBeside * (same.end - same.begin);
+  return is_near ? root : number<T>(place);
+}
+
+/// The decisions of one piece as places, increasing; of several at one place the first: what is a
+/// product of that one may have a kink there itself.
+template <class T>
+std::vector<T> exact_places(const Decisions& decisions, std::span<const Decision> in_piece,
+                            std::span<const T> machine, const Piece<T>& piece) {
+  constexpr double kSame = 1e-9;  // of the piece's length
+  const double length = value_of(piece.end) - value_of(piece.begin);
+  std::vector<T> places;
+  for (const auto& [decider, place] : in_piece) {
+    const bool is_known = std::ranges::any_of(places, [&, place = place](const T& known) {
+      return std::abs(value_of(known) - place) <= kSame * length;
     });
     if (is_known) continue;
-    const double slope = at_place(slopes, along_x, Dual(place, 0)).v[0];
-    T root = number<T>(place);
-    for (int step = 0; slope != 0 && step < kSteps; ++step) {
-      root = root - at_place(exact, piece, root) / number<T>(slope);
+    if constexpr (std::is_same_v<T, double>) {
+      places.push_back(place);
+    } else {
+      places.push_back(exact_place(decisions.decider(decider), place, machine, piece));
     }
-    // Where the slope all but vanishes, a step leads anywhere.
-    const bool is_near = std::abs(value_of(root) - place) <= beside;
-    places.push_back(is_near ? root : number<T>(place));
   }
+  std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
+  return places;
 }
 
 /// The means as a formula generic in its scalar.
@@ -67,7 +80,8 @@ class MeanOfRecord {
   MeanOfRecord(MeanFormulas formulas, std::shared_ptr<const LawBinding> law)
       : formulas_(std::move(formulas)), law_(std::move(law)) {
     for (const Recorded& integrand : formulas_.integrands) {
-      deciders_.push_back(moving(deciders(integrand.formula), integrand.arguments));
+      decisions_.emplace_back(integrand);
+      blocks_.emplace_back(std::span(&integrand.formula, 1), integrand.arguments);
     }
   }
 
@@ -80,32 +94,47 @@ class MeanOfRecord {
     if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(detail::kNaN);
     std::vector<T> inputs(machine.begin(), machine.end());
     for (std::size_t i = 0; i < formulas_.integrands.size(); ++i) {
-      const FormulaAlong<T> integrand(formulas_.integrands[i].formula, machine);
-      const auto along = [&]<class X>(const Motion<X>& m, const X&) {
-        const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
-        return integrand(std::span<const X>(motion));
-      };
-      inputs.push_back(cycle_mean(*law, along, [&](const Piece<T>& piece) {
-        return decided(deciders_[i], machine, piece);
-      }));
+      inputs.push_back(mean(i, *law, machine));
     }
     return of_means.formula(std::span<const T>(inputs));
   }
 
  private:
-  /// Where an integrand decides otherwise inside a piece.
   template <class T>
-  static std::vector<T> decided(const std::vector<Formula>& deciders, std::span<const T> machine,
-                                const Piece<T>& piece) {
-    std::vector<T> places;
-    for (const Formula& decider : deciders) add_decisions(decider, machine, piece, places);
-    std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
-    return places;
+  T mean(std::size_t i, const Law<T>& law, std::span<const T> machine) const {
+    const FormulaAlong<T> integrand(formulas_.integrands[i].formula, machine);
+    const auto along = [&]<class X>(const Motion<X>& m, const X&) {
+      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
+      return integrand(std::span<const X>(motion));
+    };
+    std::vector<double> plain;
+    for (const T& value : machine) plain.push_back(value_of(value));
+    const auto in_pieces = decisions_[i].in_pieces(law.template as<double>(), plain);
+    return cycle_mean(law, along, [&](std::size_t piece) {
+      return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
+    });
+  }
+  Interval mean(std::size_t i, const Law<Interval>& law, std::span<const Interval> machine) const {
+    const FormulaAlong<Interval> integrand(formulas_.integrands[i].formula, machine);
+    return enclosed_cycle_mean(law, [&]<class X>(const Motion<X>& m, const X&) {
+      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
+      return integrand(std::span<const X>(motion));
+    });
+  }
+  /// Plain numbers at all places together.
+  double mean(std::size_t i, const Law<double>& law, std::span<const double> machine) const {
+    const auto in_pieces = decisions_[i].in_pieces(law, machine);
+    const MeanPlaces at = mean_places(law, [&](std::size_t piece) {
+      return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
+    });
+    const auto values = AlongLaw(law, at.x).values(blocks_[i], 1, machine);
+    return std::inner_product(at.weights.begin(), at.weights.end(), values[0].begin(), 0.0);
   }
 
   MeanFormulas formulas_;
   std::shared_ptr<const LawBinding> law_;
-  std::vector<std::vector<Formula>> deciders_;  ///< that change with the motion
+  std::vector<Decisions> decisions_;   ///< of each integrand
+  std::vector<FormulaBlocks> blocks_;  ///< each integrand
 };
 
 }  // namespace

@@ -121,8 +121,6 @@ struct ShaftTurn {
   Write sided;
 };
 
-struct ResponseName;
-
 /// Of a response in a load case: the case, and what the response is called in any.
 struct InCase {
   std::string name, response;
@@ -130,6 +128,23 @@ struct InCase {
 
 struct OverRanges;
 struct MechanismResponse;
+
+/// The part of the cycle that a limit or an objective is about.
+struct CycleWindow {
+  std::string segment;      ///< of the motion program; empty: the places follow
+  double from = 0, to = 0;  ///< in the curve's own unit
+};
+
+/// A response asked for by name: one of the mechanism's, a named peak, "peak X", "highest X" or
+/// "lowest X" of a curve X, or a parameter of the mechanism (a number that the design holds).
+struct ResponseName {
+  std::string name;                             ///< as asked for
+  const MechanismResponse* response = nullptr;  ///< null for a parameter
+  std::size_t parameter = 0;                    ///< where response is null
+  optim::Part part = optim::Part::Value;        ///< of a curve; Value: the curve itself, everywhere
+  std::string unit;                             ///< listed
+  std::optional<CycleWindow> window = {};       ///< of a curve; none: the whole cycle
+};
 
 /// A curve of one of the cams on a shaft that a curve over the shaft's turn holds, at the phase of
 /// its cam.
@@ -289,23 +304,6 @@ struct Mechanism {
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;
-};
-
-/// The part of the cycle that a limit or an objective is about.
-struct CycleWindow {
-  std::string segment;      ///< of the motion program; empty: the places follow
-  double from = 0, to = 0;  ///< in the curve's own unit
-};
-
-/// A response asked for by name: one of the mechanism's, a named peak, "peak X", "highest X" or
-/// "lowest X" of a curve X, or a parameter of the mechanism (a number that the design holds).
-struct ResponseName {
-  std::string name;                             ///< as asked for
-  const MechanismResponse* response = nullptr;  ///< null for a parameter
-  std::size_t parameter = 0;                    ///< where response is null
-  optim::Part part = optim::Part::Value;        ///< of a curve; Value: the curve itself, everywhere
-  std::string unit;                             ///< listed
-  std::optional<CycleWindow> window = {};       ///< of a curve; none: the whole cycle
 };
 
 /// "peak torque": a part of a curve as it is asked for.

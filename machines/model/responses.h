@@ -12,7 +12,6 @@
 #include "machines/model/machine.h"
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
-#include "optim/problem/automatic.h"
 
 /// Responses of a mechanism from formulas written once, generic in the scalar.
 namespace camlaw::problems {
@@ -89,11 +88,6 @@ class CurveFormulaOf final : public RecordedCurveFormula {
   double scale_;
   OfMotion of_motion_;
 };
-
-template <class F>
-std::shared_ptr<const optim::Kernel> kernel_of(F f) {
-  return std::make_shared<optim::AutomaticKernel<F, Interval>>(std::move(f));
-}
 
 /// What its describer says of a machine's response, and what decides whether it is a number.
 template <template <class> class M>

@@ -7,7 +7,7 @@
 
 #include "machines/follower_train/follower_train.h"
 #include "machines/model/enclosed.h"
-#include "machines/model/law_number.h"
+#include "machines/model/law_formula.h"
 #include "machines/model/mean_square.h"
 #include "machines/model/norm_kernel.h"
 
@@ -75,7 +75,7 @@ template <class Parts, class F, class Special>
 MechanismResponse convex_number(ResponseAbout about, Proof proof, Parts parts, F formula,
                                 Special special) {
   about.shapes = {{{"law"}, Shape::Convex, proof}};
-  MechanismResponse response = law_number<Followers>(about, parts, formula);
+  MechanismResponse response = law_number<Followers>(about, parts, law_kernel(formula));
   response.number = [=, general = response.number](const Binding& binding, Shape shape) {
     if (shape != Shape::Convex) return general(binding, shape);
     return function_of(detail::law_number_variables(binding),
@@ -169,7 +169,7 @@ MechanismResponse residual_part(const char* name, Part part, int which) {
        fmt::format("{} part of the residual vibration at {}",
                    part == Part::Cosine ? "cosine" : "sine", numbered("period_ratio", which)),
        {{{"law"}, Shape::Linear, "DS10"}}},
-      ratio_of(which), part_formula(part));
+      ratio_of(which), law_kernel(part_formula(part)));
 }
 
 /// The size of both parts; over a law that is linear in what varies the norm of two linear numbers.

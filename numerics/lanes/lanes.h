@@ -4,12 +4,21 @@
 #include <cstddef>
 #include <cstdint>
 
+// What is compiled for an instruction set has its name in the linker's names: it never takes a
+// function of another set for it.
+#if defined(__AVX512F__)
+#define CAMLAW_LANES avx512
+#elif defined(__AVX2__)
+#define CAMLAW_LANES avx2
+#else
+#define CAMLAW_LANES base
+#endif
+
 /// Numbers that a processor computes side by side. V stands for a vector of doubles; a file that is
-/// compiled for one instruction set uses one width alone, and what does not depend on the width is
-/// always inlined, so that the linker never takes a function of another set for it. Each lane sees
+/// compiled for one instruction set uses one width alone. Each lane sees
 /// the same operations in the same order whatever the width, and none is fused with another
 /// (-ffp-contract=off): the results are the same to the last bit.
-namespace camlaw::lanes {
+namespace camlaw::lanes::inline CAMLAW_LANES {
 
 /// A vector of N doubles.
 template <int N>
@@ -103,4 +112,4 @@ void transpose(V (&r)[kWidth<V>]) {
   }
 }
 
-}  // namespace camlaw::lanes
+}  // namespace camlaw::lanes::inline CAMLAW_LANES

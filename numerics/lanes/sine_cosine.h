@@ -3,7 +3,7 @@
 
 #include "numerics/lanes/lanes.h"
 
-namespace camlaw::lanes {
+namespace camlaw::lanes::inline CAMLAW_LANES {
 
 template <class V>
 struct SineCosine {
@@ -53,4 +53,4 @@ SineCosine<V> sine_cosine(const V& x) {
           bits_as<V>(bits_as<I>(odd ? sine : cosine) ^ sign_of_cosine)};
 }
 
-}  // namespace camlaw::lanes
+}  // namespace camlaw::lanes::inline CAMLAW_LANES

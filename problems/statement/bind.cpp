@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "kinematics/laws/build.h"
+#include "machines/model/kernel_of.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "optim/search/interruptible.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/laws/build.h"
+#include "machines/model/kernel_of.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "problems/statement/parameters.h"

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/decisions.h"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "kinematics/curve.h"
+#include "machines/model/sign_brackets.h"
+#include "numerics/formula/deciders.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Of a piece's length, increasing: even ones, and closer and closer to the ends.
+const std::vector<double>& sampled_shares() {
+  constexpr int kSamples = 256, kNearer = 10;
+  static const std::vector<double> all = [] {
+    std::vector<double> shares;
+    for (int k = kNearer; k >= 1; --k) shares.push_back(std::ldexp(1.0 / kSamples, -k));
+    for (int i = 1; i < kSamples; ++i) shares.push_back(static_cast<double>(i) / kSamples);
+    for (int k = 1; k <= kNearer; ++k) shares.push_back(1 - std::ldexp(1.0 / kSamples, -k));
+    return shares;
+  }();
+  return all;
+}
+
+/// Where g changes its sign in a bracket, to the last place; none where it jumps.
+template <class G>
+std::optional<double> root_in(SignBracket bracket, const G& g, double size) {
+  constexpr double kJump = 1e-6;  // of the size
+  auto& [low, high, at_low, at_high] = bracket;
+  for (double middle = std::midpoint(low, high); low < middle && middle < high;
+       middle = std::midpoint(low, high)) {
+    (g(middle) * at_low > 0 ? low : high) = middle;
+  }
+  if (!(std::abs(g(high) - g(low)) <= kJump * size)) return std::nullopt;
+  return low;
+}
+
+}  // namespace
+
+AlongLaw::AlongLaw(const Law<double>& law, std::span<const double> x)
+    : s_(x.size()), v_(x.size()), a_(x.size()), j_(x.size()) {
+  evaluate(law, x, {s_, v_, a_, j_});
+}
+
+std::vector<std::vector<double>> AlongLaw::values(const FormulaBlocks& formulas, std::size_t count,
+                                                  std::span<const double> machine) const {
+  std::vector<std::vector<double>> result(count, std::vector<double>(s_.size()));
+  const std::array<std::span<const double>, 4> motion{s_, v_, a_, j_};
+  const std::vector<std::span<double>> rows(result.begin(), result.end());
+  formulas(machine, motion, rows);
+  return result;
+}
+
+Decisions::Decisions(const Recorded& record)
+    : deciders_(moving(deciders(record.formula), record.arguments)) {
+  if (!deciders_.empty()) together_.emplace(deciders_, record.arguments);
+}
+
+std::vector<std::vector<Decision>> Decisions::in_pieces(const Law<double>& law,
+                                                        std::span<const double> machine) const {
+  std::vector<std::vector<Decision>> found(law.pieces().size());
+  if (!together_) return found;
+  const std::vector<double>& shares = sampled_shares();
+  std::vector<double> x;
+  for (const Piece<double>& piece : law.pieces()) {
+    for (const double share : shares) x.push_back(std::lerp(piece.begin, piece.end, share));
+  }
+  const auto values = AlongLaw(law, x).values(*together_, deciders_.size(), machine);
+  for (std::size_t p = 0; p < found.size(); ++p) {
+    const Piece<double>& piece = law.pieces()[p];
+    const auto of_piece = [&](const std::vector<double>& row) {
+      return std::span(row).subspan(p * shares.size(), shares.size());
+    };
+    for (std::size_t k = 0; k < deciders_.size(); ++k) {
+      const double size = largest_size(of_piece(values[k]));
+      for (const SignBracket& bracket : sign_brackets(of_piece(x), of_piece(values[k]), size)) {
+        const FormulaAlong<double> decider(deciders_[k], machine);
+        const auto root = root_in(
+            bracket,
+            [&](double place) {
+              return decider(std::span<const double>(derivatives<4>(piece, place)));
+            },
+            size);
+        if (root) found[p].push_back({k, *root});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace camlaw::problems
