@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .formulas import Expression, Machine, Response
     from .fronts import Front
     from .machines import mechanism, mechanisms
-    from .motion_laws import Law, Motion, Peaks, law, law_file, laws
+    from .motion_laws import Law, Motion, Peaks, law, law_file, law_table, laws
     from .problems import Problem, examples
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
@@ -44,6 +44,7 @@ _HOMES = {
     "Peaks": "motion_laws",
     "law": "motion_laws",
     "law_file": "motion_laws",
+    "law_table": "motion_laws",
     "laws": "motion_laws",
     "mechanism": "machines",
     "mechanisms": "machines",

@@ -257,3 +257,26 @@ def law_file(path: str | Path) -> Law:
 def laws() -> list[str]:
     """The names of all laws: the catalogue's, and those of the folder that CAMLAW_LAWS names."""
     return native.law_names()
+
+
+def law_table() -> Any:
+    """The constants of all laws with the default values of their parameters, as 'camlaw laws' lists
+    them: one row for each name. continuity is infinite where the motion is smooth; lambda is not a
+    number unless the law goes from rest to rest."""
+    columns = (
+        "name",
+        "ends",
+        "continuity",
+        "C_v",
+        "C_a_max",
+        "C_a_min",
+        "C_j_max",
+        "C_j_min",
+        "C_Mdyn",
+        "lambda",
+    )
+    facts = [law(name).facts() for name in laws()]
+    rows = [{column: fact[column] for column in columns} for fact in facts]
+    for row in rows:
+        row["continuity"] = "inf" if row["continuity"] == "smooth" else row["continuity"]
+    return tables.of_rows(rows, index="name")

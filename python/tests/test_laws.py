@@ -101,3 +101,12 @@ def test_it_shows_itself():
     assert repr(law) == "camlaw.law('modified-sine')"
     pytest.importorskip("matplotlib").use("Agg")
     assert len(law.plot()) == 4
+
+
+def test_the_table_of_laws_has_the_constants_of_each() -> None:
+    table = cl.law_table()
+    assert list(table["C_v"].index if hasattr(table["C_v"], "index") else table["name"]) == cl.laws()
+    for k in range(0, len(cl.laws()), 5):
+        law = cl.law(cl.laws()[k])
+        assert np.asarray(table["C_v"])[k] == law.C_v
+        assert max(np.asarray(table["C_a_max"])[k], -np.asarray(table["C_a_min"])[k]) == law.C_a

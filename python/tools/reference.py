@@ -41,6 +41,7 @@ CLASSES = [
 FUNCTIONS = [
     "law",
     "law_file",
+    "law_table",
     "laws",
     "mechanism",
     "mechanisms",
