@@ -126,7 +126,7 @@ int run_sweep(const SweepCommand& options) {
   const auto path = study_file(options.db, options.out, options.resume);
   if (options.resume && !fs::exists(*path)) {
     throw std::invalid_argument(
-        fmt::format("--resume: there is no study '{}'; without --resume it is begun", *path));
+        fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", *path));
   }
   keep_input(options.file);
   problems::SweepStudy study(problems::problem_text(options.file), options.file,

@@ -43,8 +43,8 @@ struct Yield {
   double error = 0;    ///< its standard error, from independent repetitions
   /// Above `failing` where the room is not known exactly: the share that may break a limit.
   double failing_at_most = 0;
-  /// At a confidence of 95 %, however few samples fail (TV8): `failing` of all parts, what the room
-  /// leaves open included.
+  /// However few samples fail (TV8): `failing` of all parts, what the room leaves open included. At
+  /// a confidence of 95 %, or by importance of 80 % or more.
   Bounds failing_between{0, 1};
   std::vector<double> by_limit;                ///< the share that breaks each
   std::vector<Bounds> by_limit_between;        ///< the same of each

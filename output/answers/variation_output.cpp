@@ -206,8 +206,9 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
                     share_text(1 - y.failing_at_most)));
   }
   document.say(
-      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
-                  100 * y.failing_between.lower, 100 * y.failing_between.upper));
+      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of {}\n",
+                  100 * y.failing_between.lower, 100 * y.failing_between.upper,
+                  y.by_importance ? "80 % or more (weighted samples)" : "95 %"));
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
         "  {} of the limits {} searched anew for each part; --samples takes more parts\n",

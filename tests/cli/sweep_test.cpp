@@ -100,6 +100,15 @@ TEST_CASE("what a sweep cannot run through is refused in a line", "[program][swe
   CHECK_THAT(failed({"sweep", kProblem, "--sample", "sobol 8"}, 2), Contains("--over"));
   CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:2:40 mm", "--resume"}, 2),
              Contains("--db"));
+  CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:7:40 mm"}, 2),
+             Contains("steps of 7 from 20 end at 34"));
+}
+
+TEST_CASE("a sweep does not begin a study that it is to go on with", "[program][sweep]") {
+  const Folder folder;
+  const std::string study = folder / "study.db";
+  CHECK_THAT(failed(sweep({"--resume", "--db", study}), 2), Contains("there is no study"));
+  CHECK(!fs::exists(study));
 }
 
 }  // namespace camlaw::cli::sweep_test
