@@ -10,7 +10,8 @@
 /// Square root, arctangent, arcsine and logarithm of the numbers of a vector. Each is the same list
 /// of operations in every width, without branches; NaN gives NaN. The polynomials are those of
 /// FreeBSD's msun (s_atan.c, e_asin.c, e_log.c; Copyright 1993 Sun Microsystems, freely granted).
-namespace camlaw::lanes::inline CAMLAW_LANES {
+namespace camlaw::lanes {
+inline namespace CAMLAW_LANES {
 
 /// Rounded correctly; NaN below 0, and -0 of -0.
 template <class V>
@@ -136,4 +137,5 @@ V logarithm(const V& x) {
   return x > 0.0 ? (x < kInfinity ? result : x) : outside;
 }
 
-}  // namespace camlaw::lanes::inline CAMLAW_LANES
+}  // namespace CAMLAW_LANES
+}  // namespace camlaw::lanes

@@ -18,7 +18,8 @@
 /// compiled for one instruction set uses one width alone. Each lane sees
 /// the same operations in the same order whatever the width, and none is fused with another
 /// (-ffp-contract=off): the results are the same to the last bit.
-namespace camlaw::lanes::inline CAMLAW_LANES {
+namespace camlaw::lanes {
+inline namespace CAMLAW_LANES {
 
 /// A vector of N doubles.
 template <int N>
@@ -112,4 +113,5 @@ void transpose(V (&r)[kWidth<V>]) {
   }
 }
 
-}  // namespace camlaw::lanes::inline CAMLAW_LANES
+}  // namespace CAMLAW_LANES
+}  // namespace camlaw::lanes

@@ -3,7 +3,8 @@
 
 #include "numerics/lanes/lanes.h"
 
-namespace camlaw::lanes::inline CAMLAW_LANES {
+namespace camlaw::lanes {
+inline namespace CAMLAW_LANES {
 
 template <class V>
 struct SineCosine {
@@ -53,4 +54,5 @@ SineCosine<V> sine_cosine(const V& x) {
           bits_as<V>(bits_as<I>(odd ? sine : cosine) ^ sign_of_cosine)};
 }
 
-}  // namespace camlaw::lanes::inline CAMLAW_LANES
+}  // namespace CAMLAW_LANES
+}  // namespace camlaw::lanes

@@ -19,7 +19,7 @@ using testing::flipped, testing::write;
 const std::string kProblems = testing::source("problems/");
 const std::string kCam = kProblems + "cams/roller_least_base.toml";
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef CAMLAW_SANITIZED
 constexpr int kFlips = 100;
 #else
 constexpr int kFlips = 1000;

@@ -12,7 +12,7 @@
 #include "tests/cli/shell.h"
 #include "tests/paths.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CAMLAW_SANITIZED
 /// The C library keeps the words of LOCPATH for ever.
 extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
 #endif
