@@ -77,8 +77,8 @@ class TrainCurve final : public optim::Curve {
   optim::Shape shape_;
 };
 
-/// (U6) The greatest amplitude of the free vibration in a dwell of the turn, from the first three of
-/// kTrainParts.
+/// (U6) The greatest amplitude of the free vibration in a dwell of the turn, from the first three
+/// of kTrainParts.
 LawKernel swing_at_rest();
 
 /// The response of a machine M<T> that such a curve is, from
