@@ -64,7 +64,7 @@ class SpeedTrace final : public optim::Trace {
     speed.v[0] = Dual(1.0);
     const auto train = train_at(std::span<const Dual2>(part), Dual2(speed * by_minute<Dual2>()));
     const auto state = train.after(law_);
-    if (!state) return {detail::kNaN, detail::kNaN, detail::kNaN};
+    if (!state) return {kNaN, kNaN, kNaN};
     const Dual2 left = number<Dual2>(factor_ * parts_[Stroke]) * train.amplitude(*state);
     return {left.a.a, left.a.v[0], left.v[0].v[0]};
   }
@@ -137,9 +137,7 @@ class SpeedTrace final : public optim::Trace {
 class NoSpeeds final : public optim::Trace {
  public:
   std::vector<double> breaks() const override { return {0, 1}; }
-  std::array<double, 3> at(optim::Place) const override {
-    return {detail::kNaN, detail::kNaN, detail::kNaN};
-  }
+  std::array<double, 3> at(optim::Place) const override { return {kNaN, kNaN, kNaN}; }
   optim::Bounds enclose(double, double) const override { return {}; }
   std::string why_unbounded() const override {
     return "slowest_speed must be below fastest_speed, and the law one that a train can follow";

@@ -49,7 +49,7 @@ std::array<T, 5> joint_motion(const Law<T>& law, std::size_t joint, bool from_le
     return derivatives<5>(pieces[from_left ? joint : joint + 1], pieces[joint].end);
   }
   std::array<T, 5> none;
-  none.fill(number<T>(detail::kNaN));
+  none.fill(number<T>(kNaN));
   return none;
 }
 
@@ -98,7 +98,7 @@ class TrainTrace final : public optim::Trace {
   }
 
   std::array<double, 3> at(optim::Place place) const override {
-    if (expanders_.empty()) return {detail::kNaN, detail::kNaN, detail::kNaN};
+    if (expanders_.empty()) return {kNaN, kNaN, kNaN};
     const double x = at_break(law_, place.angle / length_);
     auto f = train_quantity(which_, motion_->train(), motion_at(law_, x, place.from_left),
                             motion_->at(x), load_);
@@ -150,9 +150,7 @@ class NoTrace final : public optim::Trace {
  public:
   explicit NoTrace(double length) : length_(length) {}
   std::vector<double> breaks() const override { return {0, length_}; }
-  std::array<double, 3> at(optim::Place) const override {
-    return {detail::kNaN, detail::kNaN, detail::kNaN};
-  }
+  std::array<double, 3> at(optim::Place) const override { return {kNaN, kNaN, kNaN}; }
   optim::Bounds enclose(double, double) const override { return {}; }
 
  private:

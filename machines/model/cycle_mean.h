@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "kinematics/expansion.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/decisions.h"
 
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -40,18 +39,21 @@ std::optional<double> root_in(SignBracket bracket, const G& g, double size) {
 
 }  // namespace
 
-AlongLaw::AlongLaw(const Law<double>& law, std::span<const double> x)
-    : s_(x.size()), v_(x.size()), a_(x.size()), j_(x.size()) {
-  evaluate(law, x, {s_, v_, a_, j_});
+std::array<std::vector<double>, 4> motion_rows(const Law<double>& law, std::span<const double> x) {
+  std::array<std::vector<double>, 4> rows;
+  for (std::vector<double>& row : rows) row.resize(x.size());
+  evaluate(law, x, {rows[0], rows[1], rows[2], rows[3]});
+  return rows;
 }
 
-std::vector<std::vector<double>> AlongLaw::values(const FormulaBlocks& formulas, std::size_t count,
-                                                  std::span<const double> machine) const {
-  std::vector<std::vector<double>> result(count, std::vector<double>(s_.size()));
-  const std::array<std::span<const double>, 4> motion{s_, v_, a_, j_};
-  const std::vector<std::span<double>> rows(result.begin(), result.end());
-  formulas(machine, motion, rows);
-  return result;
+std::vector<std::vector<double>> value_rows(const FormulaBlocks& formulas, std::size_t count,
+                                            std::span<const double> machine,
+                                            std::span<const std::vector<double>> inputs) {
+  std::vector<std::vector<double>> values(count, std::vector<double>(inputs.front().size()));
+  const std::vector<std::span<const double>> others(inputs.begin(), inputs.end());
+  const std::vector<std::span<double>> rows(values.begin(), values.end());
+  formulas(machine, others, rows);
+  return values;
 }
 
 Decisions::Decisions(const Recorded& record)
@@ -68,7 +70,7 @@ std::vector<std::vector<Decision>> Decisions::in_pieces(const Law<double>& law,
   for (const Piece<double>& piece : law.pieces()) {
     for (const double share : shares) x.push_back(std::lerp(piece.begin, piece.end, share));
   }
-  const auto values = AlongLaw(law, x).values(*together_, deciders_.size(), machine);
+  const auto values = value_rows(*together_, deciders_.size(), machine, motion_rows(law, x));
   for (std::size_t p = 0; p < found.size(); ++p) {
     const Piece<double>& piece = law.pieces()[p];
     const auto of_piece = [&](const std::vector<double>& row) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,17 +35,12 @@ class Decisions {
   std::optional<FormulaBlocks> together_;  ///< the same
 };
 
-/// A formula of s, v, a and j along a law.
-class AlongLaw {
- public:
-  /// s, v, a and j at increasing places.
-  AlongLaw(const Law<double>& law, std::span<const double> x);
-  /// Rows of values of formulas whose first inputs are the machine's arguments.
-  std::vector<std::vector<double>> values(const FormulaBlocks& formulas, std::size_t count,
-                                          std::span<const double> machine) const;
+/// Rows of s, v, a and j at places of a law.
+std::array<std::vector<double>, 4> motion_rows(const Law<double>& law, std::span<const double> x);
 
- private:
-  std::vector<double> s_, v_, a_, j_;
-};
+/// A row of values for each of `count` formulas of a machine's arguments and of rows of inputs.
+std::vector<std::vector<double>> value_rows(const FormulaBlocks& formulas, std::size_t count,
+                                            std::span<const double> machine,
+                                            std::span<const std::vector<double>> inputs);
 
 }  // namespace camlaw::problems

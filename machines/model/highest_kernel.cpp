@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "machines/model/inner_numbers.h"
+#include "machines/model/not_a_number.h"
 
 namespace camlaw::problems {
 
 using optim::Bounds, optim::Design, optim::Function;
-
-namespace {
-
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 Bounds times(double sign, const Bounds& b) { return sign > 0 ? b : Bounds{-b.upper, -b.lower}; }
 
@@ -134,7 +128,7 @@ double HighestKernel::gradient(std::span<const double> u, std::span<double> g) c
   const Point p = worst(u);
   const double value = settled(u, p, f_.gradient(design(u, p), all));
   for (std::size_t k = 0; k < own_.behind.size(); ++k)
-    g[k] = std::isnan(value) ? kNotANumber : all[own_.behind[k]];
+    g[k] = std::isnan(value) ? kNaN : all[own_.behind[k]];
   return value;
 }
 
@@ -145,8 +139,8 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
   const Point p = worst(u);
   const double value = settled(u, p, f_.hessian(design(u, p), all, second));
   if (std::isnan(value)) {
-    std::fill(g.begin(), g.end(), kNotANumber);
-    std::fill(h.begin(), h.end(), kNotANumber);
+    std::fill(g.begin(), g.end(), kNaN);
+    std::fill(h.begin(), h.end(), kNaN);
     return value;
   }
   const auto at = [&](std::size_t i, std::size_t k) -> double& {
@@ -243,7 +237,7 @@ double HighestKernel::settled(std::span<const double> u, const Point& p, double 
   for (const Bounds& b : box_at(u)) corner.push_back(b.lower);
   const double other = std::abs(f_.value(design(u, corner)));
   if (std::abs(value) <= kSteep * other) return value;
-  return is_beside_pole(u, p) ? kNotANumber : value;
+  return is_beside_pole(u, p) ? kNaN : value;
 }
 
 Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
@@ -293,7 +287,7 @@ Point told(const Function& f, const Widened& wide, Design x, const Point& p) {
       other[i] = end;
       is_same &= std::abs(f.value(wide.design(x, other)) - value) <= kSame * std::abs(value);
     }
-    if (is_same) result[i] = kNotANumber;
+    if (is_same) result[i] = kNaN;
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <set>
 
+#include "machines/model/decisions.h"
 #include "machines/model/sign_brackets.h"
 #include "numerics/formula/deciders.h"
 
@@ -82,10 +83,7 @@ void Jumps::add_places(const PieceInStretch& piece, int steps, std::span<const d
     const auto at = piece.at(x.back());
     for (std::size_t k = 0; k < at.size(); ++k) motion[k].push_back(at[k]);
   }
-  std::vector<std::vector<double>> values(deciders_.size(), std::vector<double>(x.size()));
-  const std::vector<std::span<const double>> inputs(motion.begin(), motion.end());
-  const std::vector<std::span<double>> rows(values.begin(), values.end());
-  (*together_)(arguments, inputs, rows);
+  const auto values = value_rows(*together_, deciders_.size(), arguments, motion);
   for (std::size_t k = 0; k < deciders_.size(); ++k) {
     for (const auto& [low, high, at_low, at_high] :
          sign_brackets(x, values[k], largest_size(values[k]))) {

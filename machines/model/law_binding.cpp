@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <mutex>
 #include <ranges>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "kinematics/laws/side_by_side.h"
 #include "machines/model/law_looks.h"
 #include "machines/model/linear_law.h"
+#include "machines/model/not_a_number.h"
 #include "machines/model/recent.h"
 #include "optim/problem/function.h"
 
@@ -19,7 +19,6 @@ namespace camlaw::problems {
 namespace {
 
 constexpr std::size_t kWidth = kDualWidth;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t blocks(std::size_t variables) { return (variables + kWidth - 1) / kWidth; }
 /// The parameters of a block, as far as there are any.

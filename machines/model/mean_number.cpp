@@ -89,9 +89,9 @@ class MeanOfRecord {
   T operator()(std::span<const T> u) const {
     const Recorded& of_means = formulas_.of_means;
     const auto machine = u.first(of_means.arguments);
-    if (!is_possible_at(of_means.is_possible, machine)) return number<T>(detail::kNaN);
+    if (!is_possible_at(of_means.is_possible, machine)) return number<T>(kNaN);
     const auto law = law_->template possible_law_of<T>(u.subspan(of_means.arguments));
-    if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(detail::kNaN);
+    if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(kNaN);
     std::vector<T> inputs(machine.begin(), machine.end());
     for (std::size_t i = 0; i < formulas_.integrands.size(); ++i) {
       inputs.push_back(mean(i, *law, machine));
@@ -100,26 +100,26 @@ class MeanOfRecord {
   }
 
  private:
+  /// Of one machine, at a motion.
+  template <class T>
+  auto integrand(std::size_t i, std::span<const T> machine) const {
+    return [formula = FormulaAlong<T>(formulas_.integrands[i].formula, machine)]<class X>(
+               const Motion<X>& m, const X&) {
+      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
+      return formula(std::span<const X>(motion));
+    };
+  }
   template <class T>
   T mean(std::size_t i, const Law<T>& law, std::span<const T> machine) const {
-    const FormulaAlong<T> integrand(formulas_.integrands[i].formula, machine);
-    const auto along = [&]<class X>(const Motion<X>& m, const X&) {
-      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
-      return integrand(std::span<const X>(motion));
-    };
     std::vector<double> plain;
     for (const T& value : machine) plain.push_back(value_of(value));
     const auto in_pieces = decisions_[i].in_pieces(law.template as<double>(), plain);
-    return cycle_mean(law, along, [&](std::size_t piece) {
+    return cycle_mean(law, integrand(i, machine), [&](std::size_t piece) {
       return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
     });
   }
   Interval mean(std::size_t i, const Law<Interval>& law, std::span<const Interval> machine) const {
-    const FormulaAlong<Interval> integrand(formulas_.integrands[i].formula, machine);
-    return enclosed_cycle_mean(law, [&]<class X>(const Motion<X>& m, const X&) {
-      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
-      return integrand(std::span<const X>(motion));
-    });
+    return enclosed_cycle_mean(law, integrand(i, machine));
   }
   /// Plain numbers at all places together.
   double mean(std::size_t i, const Law<double>& law, std::span<const double> machine) const {
@@ -127,7 +127,7 @@ class MeanOfRecord {
     const MeanPlaces at = mean_places(law, [&](std::size_t piece) {
       return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
     });
-    const auto values = AlongLaw(law, at.x).values(blocks_[i], 1, machine);
+    const auto values = value_rows(blocks_[i], 1, machine, motion_rows(law, at.x));
     return std::inner_product(at.weights.begin(), at.weights.end(), values[0].begin(), 0.0);
   }
 

@@ -8,12 +8,12 @@
 
 #include "machines/model/enclosed.h"
 #include "machines/model/jumps.h"
+#include "machines/model/not_a_number.h"
 #include "machines/model/pulse.h"
 
 namespace camlaw::problems {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "machines/model/arguments.h"
 #include "machines/model/machine.h"
+#include "machines/model/not_a_number.h"
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
 
@@ -42,8 +42,6 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
-
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// From s, v, a, j, and x if it is there.
 template <class T>

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "machines/model/arguments.h"
 #include "machines/model/enclosed.h"
+#include "machines/model/not_a_number.h"
 #include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
@@ -131,7 +131,6 @@ class TurnTrace final : public optim::Trace {
   }
 
   std::array<double, 3> at(optim::Place place) const override {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     if (!is_possible_) return {kNaN, kNaN, kNaN};
     const auto angle = Series<double, 3>::variable(place.angle * kDegree, kDegree);
     const std::size_t section = section_of(breaks_, place);

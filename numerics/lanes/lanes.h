@@ -15,9 +15,9 @@
 #endif
 
 /// Numbers that a processor computes side by side. V stands for a vector of doubles; a file that is
-/// compiled for one instruction set uses one width alone. Each lane sees
-/// the same operations in the same order whatever the width, and none is fused with another
-/// (-ffp-contract=off): the results are the same to the last bit.
+/// compiled for one instruction set uses one width alone. Each lane sees the same operations in the
+/// same order whatever the width, and none is fused with another (-ffp-contract=off): the results
+/// are the same to the last bit.
 namespace camlaw::lanes {
 inline namespace CAMLAW_LANES {
 

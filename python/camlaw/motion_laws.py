@@ -276,7 +276,8 @@ def law_table() -> Any:
         "lambda",
     )
     facts = [law(name).facts() for name in laws()]
-    rows = [{column: fact[column] for column in columns} for fact in facts]
-    for row in rows:
-        row["continuity"] = "inf" if row["continuity"] == "smooth" else row["continuity"]
+    rows = [
+        {column: "inf" if fact[column] == "smooth" else fact[column] for column in columns}
+        for fact in facts
+    ]
     return tables.of_rows(rows, index="name")
