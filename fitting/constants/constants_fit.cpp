@@ -30,9 +30,9 @@ bool is_better(const ConstantsFit& a, const ConstantsFit& b) {
 }
 
 /// What a law makes of the prints with some of the constants left out.
-class Candidate {
+class PrintedLaw {
  public:
-  Candidate(const ConstantsQuestion& question, const Member& law)
+  PrintedLaw(const ConstantsQuestion& question, const Member& law)
       : model_(std::make_unique<PrintedModel>(question, law)) {}
 
   std::size_t unknowns() const { return model_->unknowns().size(); }
@@ -109,7 +109,7 @@ std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
 }  // namespace
 
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law) {
-  Candidate candidate(question, law);
+  PrintedLaw candidate(question, law);
   if (candidate.unknowns() == 0) return {candidate.as_it_is()};
   std::vector<ConstantsFit> result;
   for (std::size_t out = 0; out < question.constants.size() && result.empty(); ++out) {
@@ -120,7 +120,7 @@ std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const
 
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws) {
-  std::vector<Candidate> candidates;
+  std::vector<PrintedLaw> candidates;
   for (const Member& law : laws) {
     if (unknowns_of(question, law).size() > question.constants.size()) continue;
     candidates.emplace_back(question, law);
@@ -135,7 +135,7 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
   double best = optim::kInfinity;
   for (std::size_t out = 0; out < question.constants.size(); ++out) {
     if (out == 1) best = std::min(best, cost_of(question.constants));
-    for (Candidate& candidate : candidates) {
+    for (PrintedLaw& candidate : candidates) {
       for (ConstantsFit& fit : candidate.explanations(out, best + kMargin)) {
         best = std::min(best, fit.cost);
         result.push_back(std::move(fit));

@@ -153,7 +153,7 @@ bool is_enough(const Window& window, const Shape& shape, double place) {
 }
 
 /// One way in which the lift may leave its level, in one window.
-struct Candidate {
+struct CornerCandidate {
   double place, error;  ///< mean and deviation of the place, were this the way
   double level;
   double cost;  ///< (I11)
@@ -224,8 +224,8 @@ bool goes_one_way(const Window& window, const Shape& shape, const VectorXd& coef
 constexpr double kPenalty = 1.2;
 
 /// None where samples are too few.
-std::optional<Candidate> candidate_of(const Window& window, const Shape& shape, double low,
-                                      double high) {
+std::optional<CornerCandidate> candidate_of(const Window& window, const Shape& shape, double low,
+                                            double high) {
   if (!is_enough(window, shape, 0.5 * (low + high))) return {};
   const int sides = (window.scale.before > 0) + (window.scale.after > 0);
   const double parameters = 2 + sides * shape.terms;
@@ -245,10 +245,11 @@ std::optional<Candidate> candidate_of(const Window& window, const Shape& shape, 
   const double cost = chi + window.others +
                       kPenalty * std::log(window.samples) * (parameters + window.freedom) +
                       prior_cost(shape.order);
-  return Candidate{place, error, coefficients[0], cost};
+  return CornerCandidate{place, error, coefficients[0], cost};
 }
 
-void add_candidates(const Window& window, double low, double high, std::vector<Candidate>& all) {
+void add_candidates(const Window& window, double low, double high,
+                    std::vector<CornerCandidate>& all) {
   for (const int order : {3, 2, 4}) {
     for (const int stride : {1, 2}) {
       for (int terms = 2; terms <= 4; ++terms) {
@@ -261,21 +262,21 @@ void add_candidates(const Window& window, double low, double high, std::vector<C
 
 /// (I12) The candidates' mean, each as likely as its cost says. Its error is the deviation from
 /// there of candidates whose costs count a quarter less: none of them is quite the law.
-Corner mean_of(const std::vector<Candidate>& all) {
+Corner mean_of(const std::vector<CornerCandidate>& all) {
   const auto best = std::min_element(all.begin(), all.end(),
                                      [](const auto& a, const auto& b) { return a.cost < b.cost; });
   const auto mean = [&](double temper, const auto& of) {
     double sum = 0, weighted = 0;
-    for (const Candidate& c : all) {
+    for (const CornerCandidate& c : all) {
       const double likely = std::exp(-0.5 * (c.cost - best->cost) / temper);
       sum += likely, weighted += likely * of(c);
     }
     return weighted / sum;
   };
   constexpr double kDoubt = 1.25;
-  const double away = mean(1, [&](const Candidate& c) { return c.place - best->place; });
+  const double away = mean(1, [&](const CornerCandidate& c) { return c.place - best->place; });
   const double place = best->place + away;
-  const double squares = mean(kDoubt, [&](const Candidate& c) {
+  const double squares = mean(kDoubt, [&](const CornerCandidate& c) {
     return (c.place - place) * (c.place - place) + c.error * c.error;
   });
   return {place, best->level, std::sqrt(squares)};
@@ -289,7 +290,7 @@ Corner find_corner(const CornerSamples& samples, const CornerSides& sides, doubl
   const CornerSamples few = in_few(samples);
   const double group = static_cast<double>(samples.x.size()) /
                        std::max<double>(1, static_cast<double>(few.x.size()));
-  std::vector<Candidate> all;
+  std::vector<CornerCandidate> all;
   double from = low, to = high;
   for (const double share : {0.5, 0.25, 0.125, 0.0625}) {
     const Window window =

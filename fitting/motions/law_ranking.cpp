@@ -29,21 +29,21 @@ LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options
 constexpr std::size_t kEnds = 4;  ///< numbers of a motion: begin, end, stroke, zero
 
 /// One law to try.
-struct Candidate {
+struct RankedLaw {
   Member law;
   Skew skew;
   std::size_t coefficients;
 };
 
 /// Each law as it is and, where it can be, skewed; those of few coefficients first.
-std::vector<Candidate> candidates_of(const std::vector<Member>& laws) {
-  std::vector<Candidate> result;
+std::vector<RankedLaw> candidates_of(const std::vector<Member>& laws) {
+  std::vector<RankedLaw> result;
   for (const Member& law : laws) {
     result.push_back({law, Skew::Held, coefficients_of(law).size()});
     if (!can_be_skewed(law)) continue;
     result.push_back({law, Skew::Free, coefficients_of(law, 0, Skew::Free).size()});
   }
-  std::stable_sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+  std::stable_sort(result.begin(), result.end(), [](const RankedLaw& a, const RankedLaw& b) {
     return a.coefficients < b.coefficients;
   });
   return result;
@@ -52,7 +52,7 @@ std::vector<Candidate> candidates_of(const std::vector<Member>& laws) {
 MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
 
 /// "cycloidal"; where that was tried as it is, "skewed cycloidal".
-void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
+void add_untried(const RankedLaw& candidate, std::vector<std::string>& names) {
   const std::string& name = candidate.law.family->name;
   const bool is_untried = std::find(names.begin(), names.end(), name) != names.end();
   if (!is_untried) add_names({candidate.skew == Skew::Free ? "skewed " + name : name}, names);
@@ -62,7 +62,7 @@ void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
 /// law of the steps before has led, whatever came of the others of its own.
 class LawFits final : public optim::Errands {
  public:
-  LawFits(const MotionSamples& samples, const std::vector<Candidate>& candidates,
+  LawFits(const MotionSamples& samples, const std::vector<RankedLaw>& candidates,
           const MotionGuess& guess, const LawFitOptions& options)
       : samples_(samples),
         candidates_(candidates),
@@ -72,7 +72,7 @@ class LawFits final : public optim::Errands {
 
   std::optional<std::size_t> next() override {
     if (next_ == candidates_.size()) return {};
-    const Candidate& candidate = candidates_[next_];
+    const RankedLaw& candidate = candidates_[next_];
     if (candidate.coefficients > step_) {
       if (under_way_ > 0) return {};
       step_ = candidate.coefficients;
@@ -84,7 +84,7 @@ class LawFits final : public optim::Errands {
     return next_++;
   }
   std::optional<std::string> order(std::size_t number) override {
-    const Candidate& candidate = candidates_[number];
+    const RankedLaw& candidate = candidates_[number];
     LawFitOptions own = options_;
     own.skew = candidate.skew;
     own.like = like_;
@@ -100,7 +100,7 @@ class LawFits final : public optim::Errands {
   }
   const std::atomic<bool>* stop() const override { return options_.stop; }
   std::string confined() const override {
-    for (const Candidate& candidate : candidates_) {
+    for (const RankedLaw& candidate : candidates_) {
       if (is_of_catalogue(candidate.law)) continue;
       return "other processes do not know the law " + candidate.law.family->name;
     }
@@ -133,7 +133,7 @@ class LawFits final : public optim::Errands {
   }
 
   const MotionSamples& samples_;
-  const std::vector<Candidate>& candidates_;
+  const std::vector<RankedLaw>& candidates_;
   const MotionGuess& guess_;
   const LawFitOptions& options_;
   std::vector<std::optional<LawFit>> fits_;
@@ -159,7 +159,7 @@ Possible<Ranking> possible_ranking(const MotionSamples& samples, const std::vect
                                    const MotionGuess& guess, const LawFitOptions& options) {
   if (auto fault = bad_motion(samples, guess)) return std::move(*fault);
   const LawFitOptions alike = with_one_scale(samples, options);
-  const std::vector<Candidate> candidates = candidates_of(laws);
+  const std::vector<RankedLaw> candidates = candidates_of(laws);
   LawFits fits(samples, candidates, guess, alike);
   optim::Crew here({.workers = 1});
   optim::Crew& crew = alike.crew != nullptr ? *alike.crew : here;

@@ -74,13 +74,13 @@ const T& deflection(const DiscSprings<T>& springs, At at) {
 }
 
 template <class F>
-MechanismResponse plain(ResponseAbout about, F formula) {
+MechanismResponse disc_number(ResponseAbout about, F formula) {
   return number_response<DiscSprings>(std::move(about), formula);
 }
 
 template <class F>
 MechanismResponse loaded(At at, ResponseAbout about, F value) {
-  return plain(std::move(about), [at, value](const auto& springs) {
+  return disc_number(std::move(about), [at, value](const auto& springs) {
     return value(springs.stack(), deflection(springs, at));
   });
 }
@@ -88,13 +88,13 @@ MechanismResponse loaded(At at, ResponseAbout about, F value) {
 /// The value at the working deflection less that at the preload.
 template <class F>
 MechanismResponse between(ResponseAbout about, F value) {
-  return plain(std::move(about), [value](const auto& springs) {
+  return disc_number(std::move(about), [value](const auto& springs) {
     const auto stack = springs.stack();
     return value(stack, springs.working_deflection) - value(stack, springs.preload_deflection);
   });
 }
 
-std::vector<MechanismResponse> forces() {
+std::vector<MechanismResponse> disc_forces() {
   const auto force = [](const auto& stack, const auto& s) { return stack.force(s); };
   const auto rate = [](const auto& stack, const auto& s) { return stack.rate(s); };
   return {
@@ -123,7 +123,7 @@ T stress_lower_outer(const DiscSpringStack<T>& stack, const T& s) {
 }
 
 /// Stresses at the working deflection.
-std::vector<MechanismResponse> stresses() {
+std::vector<MechanismResponse> disc_stresses() {
   const auto about = [](const char* name, const char* meaning) {
     return ResponseAbout{name, "MPa", "Pa", meaning};
   };
@@ -152,38 +152,39 @@ std::vector<MechanismResponse> stresses() {
 }
 
 MechanismResponse flattening(At at, const char* name, const char* meaning) {
-  return plain({name, "1", "1", meaning}, [at](const auto& springs) {
+  return disc_number({name, "1", "1", meaning}, [at](const auto& springs) {
     return springs.stack().flattening(deflection(springs, at));
   });
 }
 
-std::vector<MechanismResponse> sizes() {
-  return {flattening(At::Preload, "preload_flattening", "preload deflection over that to flat"),
-          flattening(At::Working, "flattening",
-                     "working deflection over that to flat; plates stop the discs at 1"),
-          plain({"stroke", "mm", "m", "working deflection minus preload deflection"},
-                [](const auto& springs) {
-                  return springs.working_deflection - springs.preload_deflection;
-                }),
-          plain({"springs", "1", "1", "discs in all"},
-                [](const auto& springs) { return springs.stack().springs(); }),
-          plain({"free_length", "mm", "m", "length of the stack without load"},
-                [](const auto& springs) { return springs.stack().free_length(); }),
-          plain({"working_length", "mm", "m", "length of the stack at the working deflection"},
-                [](const auto& springs) {
-                  return springs.stack().free_length() - springs.working_deflection;
-                }),
-          plain({"flat_length", "mm", "m", "length of the stack pressed flat"},
-                [](const auto& springs) { return springs.stack().flat_length(); }),
-          plain({"mass", "kg", "kg", "mass of the stack"},
-                [](const auto& springs) { return springs.stack().mass(springs.density); })};
+std::vector<MechanismResponse> disc_sizes() {
+  return {
+      flattening(At::Preload, "preload_flattening", "preload deflection over that to flat"),
+      flattening(At::Working, "flattening",
+                 "working deflection over that to flat; plates stop the discs at 1"),
+      disc_number({"stroke", "mm", "m", "working deflection minus preload deflection"},
+                  [](const auto& springs) {
+                    return springs.working_deflection - springs.preload_deflection;
+                  }),
+      disc_number({"springs", "1", "1", "discs in all"},
+                  [](const auto& springs) { return springs.stack().springs(); }),
+      disc_number({"free_length", "mm", "m", "length of the stack without load"},
+                  [](const auto& springs) { return springs.stack().free_length(); }),
+      disc_number({"working_length", "mm", "m", "length of the stack at the working deflection"},
+                  [](const auto& springs) {
+                    return springs.stack().free_length() - springs.working_deflection;
+                  }),
+      disc_number({"flat_length", "mm", "m", "length of the stack pressed flat"},
+                  [](const auto& springs) { return springs.stack().flat_length(); }),
+      disc_number({"mass", "kg", "kg", "mass of the stack"},
+                  [](const auto& springs) { return springs.stack().mass(springs.density); })};
 }
 
 }  // namespace
 
 Mechanism disc_springs_mechanism() {
-  std::vector<MechanismResponse> responses = forces();
-  for (auto make : {&stresses, &sizes}) append(responses, make());
+  std::vector<MechanismResponse> responses = disc_forces();
+  for (auto make : {&disc_stresses, &disc_sizes}) append(responses, make());
   return {.name = "disc-springs",
           .title = "stack of disc springs between two deflections",
           .source =

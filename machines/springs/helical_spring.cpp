@@ -62,7 +62,7 @@ namespace {
 using S = optim::Shape;
 
 template <class F>
-MechanismResponse plain(ResponseAbout about, F formula) {
+MechanismResponse coil_number(ResponseAbout about, F formula) {
   return number_response<WorkingSpring>(std::move(about), formula);
 }
 
@@ -79,85 +79,89 @@ std::vector<ShapeStatement> linear_in_wire() {
   return {convex_in_coils(), {{"wire_diameter"}, S::Linear, "DS6"}};
 }
 
-std::vector<MechanismResponse> forces() {
+std::vector<MechanismResponse> coil_forces() {
   return {
-      plain({"rate", "N/mm", "N/m", "rate", of_rate()},
-            [](const auto& spring) { return spring.rate(); }),
-      plain({"preload_force", "N", "N", "force at the preload deflection", of_rate()},
-            [](const auto& spring) { return spring.force(spring.preload_deflection); }),
-      plain({"working_force", "N", "N", "force at the working deflection", of_rate()},
-            [](const auto& spring) { return spring.force(spring.working_deflection); }),
-      plain(
+      coil_number({"rate", "N/mm", "N/m", "rate", of_rate()},
+                  [](const auto& spring) { return spring.rate(); }),
+      coil_number({"preload_force", "N", "N", "force at the preload deflection", of_rate()},
+                  [](const auto& spring) { return spring.force(spring.preload_deflection); }),
+      coil_number({"working_force", "N", "N", "force at the working deflection", of_rate()},
+                  [](const auto& spring) { return spring.force(spring.working_deflection); }),
+      coil_number(
           {"stroke", "mm", "m", "working deflection minus preload deflection"},
           [](const auto& spring) { return spring.working_deflection - spring.preload_deflection; }),
-      plain({"work", "J", "J", "energy stored between the deflections"}, [](const auto& spring) {
-        return spring.work(spring.working_deflection) - spring.work(spring.preload_deflection);
-      })};
+      coil_number(
+          {"work", "J", "J", "energy stored between the deflections"}, [](const auto& spring) {
+            return spring.work(spring.working_deflection) - spring.work(spring.preload_deflection);
+          })};
 }
 
-std::vector<MechanismResponse> stresses() {
+std::vector<MechanismResponse> coil_stresses() {
   const auto corrected = [](const auto& spring, const auto& deflection) {
     return spring.shear_stress(spring.force(deflection));
   };
   const auto uncorrected = [](const auto& spring, const auto& deflection) {
     return spring.uncorrected_stress(spring.force(deflection));
   };
-  return {plain({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection"},
-                [=](const auto& spring) { return corrected(spring, spring.preload_deflection); }),
-          plain({"working_stress", "MPa", "Pa", "corrected stress at the working deflection"},
-                [=](const auto& spring) { return corrected(spring, spring.working_deflection); }),
-          plain({"stress_range", "MPa", "Pa", "working stress minus preload stress"},
-                [=](const auto& spring) {
-                  return corrected(spring, spring.working_deflection - spring.preload_deflection);
-                }),
-          plain({"static_stress", "MPa", "Pa", "stress at the working deflection, not corrected",
-                 linear_in_wire()},
-                [=](const auto& spring) { return uncorrected(spring, spring.working_deflection); }),
-          plain({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected"},
-                [=](const auto& spring) {
-                  return uncorrected(spring, spring.working_deflection + spring.gaps());
-                })};
+  return {
+      coil_number({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection"},
+                  [=](const auto& spring) { return corrected(spring, spring.preload_deflection); }),
+      coil_number({"working_stress", "MPa", "Pa", "corrected stress at the working deflection"},
+                  [=](const auto& spring) { return corrected(spring, spring.working_deflection); }),
+      coil_number({"stress_range", "MPa", "Pa", "working stress minus preload stress"},
+                  [=](const auto& spring) {
+                    return corrected(spring, spring.working_deflection - spring.preload_deflection);
+                  }),
+      coil_number(
+          {"static_stress", "MPa", "Pa", "stress at the working deflection, not corrected",
+           linear_in_wire()},
+          [=](const auto& spring) { return uncorrected(spring, spring.working_deflection); }),
+      coil_number({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected"},
+                  [=](const auto& spring) {
+                    return uncorrected(spring, spring.working_deflection + spring.gaps());
+                  })};
 }
 
-std::vector<MechanismResponse> sizes() {
+std::vector<MechanismResponse> coil_sizes() {
   return {
-      plain({"index", "1", "1", "mean diameter over wire diameter"},
-            [](const auto& spring) { return spring.index(); }),
-      plain({"outer_diameter", "mm", "m", "outer diameter without load"},
-            [](const auto& spring) { return spring.outer_diameter(); }),
-      plain({"inner_diameter", "mm", "m", "inner diameter without load"},
-            [](const auto& spring) { return spring.inner_diameter(); }),
-      plain({"solid_length", "mm", "m", "length with all coils touching"},
-            [](const auto& spring) { return spring.solid_length(); }),
-      plain({"working_length", "mm", "m", "length at the working deflection"},
-            [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
-      plain({"preload_length", "mm", "m", "length at the preload deflection"},
-            [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
-      plain({"free_length", "mm", "m", "free length that leaves the gaps"},
-            [](const auto& spring) { return spring.free_length(); }),
-      plain({"buckling", "1", "1",
-             "nearness of the working deflection to buckling; above 1 the spring buckles"},
-            [](const auto& spring) {
-              return spring.buckling_fraction(spring.working_deflection, spring.free_length(),
-                                              spring.seating);
-            })};
+      coil_number({"index", "1", "1", "mean diameter over wire diameter"},
+                  [](const auto& spring) { return spring.index(); }),
+      coil_number({"outer_diameter", "mm", "m", "outer diameter without load"},
+                  [](const auto& spring) { return spring.outer_diameter(); }),
+      coil_number({"inner_diameter", "mm", "m", "inner diameter without load"},
+                  [](const auto& spring) { return spring.inner_diameter(); }),
+      coil_number({"solid_length", "mm", "m", "length with all coils touching"},
+                  [](const auto& spring) { return spring.solid_length(); }),
+      coil_number({"working_length", "mm", "m", "length at the working deflection"},
+                  [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
+      coil_number(
+          {"preload_length", "mm", "m", "length at the preload deflection"},
+          [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
+      coil_number({"free_length", "mm", "m", "free length that leaves the gaps"},
+                  [](const auto& spring) { return spring.free_length(); }),
+      coil_number({"buckling", "1", "1",
+                   "nearness of the working deflection to buckling; above 1 the spring buckles"},
+                  [](const auto& spring) {
+                    return spring.buckling_fraction(spring.working_deflection, spring.free_length(),
+                                                    spring.seating);
+                  })};
 }
 
 std::vector<MechanismResponse> masses() {
-  return {plain({"mass", "kg", "kg", "mass of the spring"},
-                [](const auto& spring) { return spring.mass(); }),
-          plain({"active_mass", "kg", "kg", "mass of the active coils"},
-                [](const auto& spring) { return spring.active_mass(); }),
-          plain({"surge_frequency", "Hz", "Hz", "lowest natural frequency, both ends held",
-                 linear_in_wire()},
-                [](const auto& spring) { return spring.surge_frequency(); })};
+  return {coil_number({"mass", "kg", "kg", "mass of the spring"},
+                      [](const auto& spring) { return spring.mass(); }),
+          coil_number({"active_mass", "kg", "kg", "mass of the active coils"},
+                      [](const auto& spring) { return spring.active_mass(); }),
+          coil_number({"surge_frequency", "Hz", "Hz", "lowest natural frequency, both ends held",
+                       linear_in_wire()},
+                      [](const auto& spring) { return spring.surge_frequency(); })};
 }
 
 }  // namespace
 
 Mechanism helical_spring_mechanism() {
-  std::vector<MechanismResponse> responses = forces();
-  for (auto make : {&stresses, &sizes, &masses}) append(responses, make());
+  std::vector<MechanismResponse> responses = coil_forces();
+  for (auto make : {&coil_stresses, &coil_sizes, &masses}) append(responses, make());
   return {.name = "helical-spring",
           .title = "helical compression spring of round wire between two deflections",
           .source =

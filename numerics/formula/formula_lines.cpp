@@ -56,9 +56,9 @@ const char* function_name(Operation operation) {
   }
 }
 
-class Writer {
+class LineWriter {
  public:
-  Writer(const Formula& formula, const NameOfStep& name_of)
+  LineWriter(const Formula& formula, const NameOfStep& name_of)
       : steps_(formula.steps()), roots_(formula.roots()), name_of_(name_of), uses_(steps_.size()) {}
 
   FormulaLines operator()(std::uint32_t value) {
@@ -175,7 +175,7 @@ class Writer {
 }  // namespace
 
 FormulaLines lines_of(const Formula& formula, std::uint32_t value, const NameOfStep& name_of) {
-  return Writer(formula, name_of)(value);
+  return LineWriter(formula, name_of)(value);
 }
 
 }  // namespace camlaw

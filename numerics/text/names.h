@@ -24,4 +24,8 @@ std::vector<std::string> near_names(std::string_view typed, const std::vector<st
 /// The text without these characters at its ends.
 std::string_view trimmed(std::string_view text, std::string_view characters = " ");
 
+/// What stands between the marks, trimmed: "a, b" parted at ',' is "a" and "b". The parts are views
+/// of the text.
+std::vector<std::string_view> parted(std::string_view text, char mark);
+
 }  // namespace camlaw

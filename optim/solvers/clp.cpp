@@ -116,21 +116,20 @@ bool begin_at_vertex(const Program& program, const QuadraticProgram& linear,
   return true;
 }
 
-NativeRule reserved(const char* name, const char* why) { return {.name = name, .reserved = why}; }
-
 /// Options by the names of Clp's own functions.
 std::vector<NativeRule> clp_rules() {
   using Kind = NativeRule::Kind;
   const char* own = "it follows from the tolerances of the problem's limits and objective";
-  return {{.name = "dual_bound", .lower = 0, .above_lower = true},
-          {.name = "factorization_frequency", .kind = Kind::Integer, .lower = 1, .upper = 10000},
-          {.name = "perturbation", .kind = Kind::Integer, .lower = 50, .upper = 102},
-          {.name = "scaling", .kind = Kind::Integer, .lower = 0, .upper = 4},
-          reserved("dual_tolerance", own),
-          reserved("log_level", "standard output is reserved for the answer"),
-          reserved("maximum_iterations", "the limit of iterations is common to all solvers"),
-          reserved("maximum_seconds", "the time limit is common to all solvers (time_limit)"),
-          reserved("primal_tolerance", own)};
+  return {
+      {.name = "dual_bound", .lower = 0, .above_lower = true},
+      {.name = "factorization_frequency", .kind = Kind::Integer, .lower = 1, .upper = 10000},
+      {.name = "perturbation", .kind = Kind::Integer, .lower = 50, .upper = 102},
+      {.name = "scaling", .kind = Kind::Integer, .lower = 0, .upper = 4},
+      reserved_option("dual_tolerance", own),
+      reserved_option("log_level", "standard output is reserved for the answer"),
+      reserved_option("maximum_iterations", "the limit of iterations is common to all solvers"),
+      reserved_option("maximum_seconds", "the time limit is common to all solvers (time_limit)"),
+      reserved_option("primal_tolerance", own)};
 }
 
 void set_native_options(const NativeOptions& native, ClpSimplex& model) {

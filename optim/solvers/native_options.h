@@ -29,6 +29,11 @@ struct NativeRule {
   std::string reserved = {};  ///< why nobody but camlaw may set it; empty where anybody may
 };
 
+/// Of an option that camlaw keeps to itself, and why.
+inline NativeRule reserved_option(const char* name, const char* why) {
+  return {.name = name, .reserved = why};
+}
+
 /// Throws std::invalid_argument where `solver`, whose options are `rules`, has no such option, does
 /// not accept the value, or keeps the option to itself. The message names the solver, the option
 /// and what is accepted.

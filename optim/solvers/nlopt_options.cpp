@@ -15,8 +15,6 @@ NativeRule count(const char* name, double most) {
 
 NativeRule above_zero(const char* name) { return {.name = name, .lower = 0, .above_lower = true}; }
 
-NativeRule reserved(const char* name, const char* why) { return {.name = name, .reserved = why}; }
-
 bool has_population(nlopt_algorithm algorithm) {
   return algorithm == NLOPT_GN_CRS2_LM || algorithm == NLOPT_GN_ISRES ||
          algorithm == NLOPT_GN_ESCH || algorithm == NLOPT_G_MLSL_LDS;
@@ -40,8 +38,8 @@ void add_dual_problems(std::vector<NativeRule>& rules) {
   for (const char* name : {"dual_ftol_rel", "dual_ftol_abs", "dual_xtol_rel", "dual_xtol_abs"}) {
     rules.push_back(above_zero(name));
   }
-  rules.push_back(reserved("dual_algorithm", "camlaw has measured which is best"));
-  rules.push_back(reserved("verbosity", "standard output is the answer's"));
+  rules.push_back(reserved_option("dual_algorithm", "camlaw has measured which is best"));
+  rules.push_back(reserved_option("verbosity", "standard output is the answer's"));
 }
 
 /// Local methods may end earlier than their tolerances make them; global ones use up their
@@ -50,16 +48,17 @@ void add_ends(const NloptMethod& method, std::vector<NativeRule>& rules) {
   const char* own = "it follows from the tolerances of the problem's limits and objective";
   const char* global = "a global method searches until its evaluations are used up";
   for (const char* name : {"ftol_rel", "xtol_rel"}) {
-    rules.push_back(reserved(name, method.is_global ? global : own));
+    rules.push_back(reserved_option(name, method.is_global ? global : own));
   }
   for (const char* name : {"ftol_abs", "xtol_abs"}) {
-    rules.push_back(method.is_global ? reserved(name, global) : above_zero(name));
+    rules.push_back(method.is_global ? reserved_option(name, global) : above_zero(name));
   }
-  rules.push_back(reserved("maxeval",
-                           "the limits of iterations and evaluations are common to all "
-                           "solvers"));
-  rules.push_back(reserved("maxtime", "the time limit is common to all solvers (time_limit)"));
-  rules.push_back(reserved("stopval", "no objective is known beforehand to be good enough"));
+  rules.push_back(reserved_option("maxeval",
+                                  "the limits of iterations and evaluations are common to all "
+                                  "solvers"));
+  rules.push_back(
+      reserved_option("maxtime", "the time limit is common to all solvers (time_limit)"));
+  rules.push_back(reserved_option("stopval", "no objective is known beforehand to be good enough"));
 }
 
 /// No more than a quarter of a variable's range: NLopt refuses a step that leaves the box.

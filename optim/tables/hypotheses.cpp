@@ -52,7 +52,8 @@ void check(const Table& table) {
 
 /// The smallest part of the winner's departures that fits the row as well as the whole does; of
 /// equally small ones the lowest sum of ranks.
-std::vector<std::pair<std::size_t, int>> causes(Row& row, const std::vector<std::size_t>& depends,
+std::vector<std::pair<std::size_t, int>> causes(HypothesisRow& row,
+                                                const std::vector<std::size_t>& depends,
                                                 const Assignment& winner) {
   std::vector<std::size_t> departed;
   std::copy_if(depends.begin(), depends.end(), std::back_inserter(departed),
@@ -77,7 +78,8 @@ std::vector<std::pair<std::size_t, int>> causes(Row& row, const std::vector<std:
   return result;
 }
 
-Explanation explain(Row& row, const std::vector<std::size_t>& depends, const Assignment& winner) {
+Explanation explain(HypothesisRow& row, const std::vector<std::size_t>& depends,
+                    const Assignment& winner) {
   const Assignment stated(winner.size(), 0);
   const Fit as_stated = row.fit(stated);
   const Fit fit = row.fit(winner);
@@ -112,14 +114,14 @@ void count(Reproduction& result) {
 Reproduction reproduce(const Table& table) {
   check(table);
   Search search(table);
-  const std::vector<Candidate>& kept = search.run();
+  const std::vector<JudgedChoice>& kept = search.run();
   Reproduction result;
   result.departures = kept.front().choice;
   const std::size_t listed = std::min(kept.size(), kMaxEquals + 1);
   for (std::size_t i = 1; i < listed; ++i) result.equals.push_back(kept[i].choice);
   result.more_equals = kept.size() > listed;
   for (std::size_t row = 0; row < table.printed.size(); ++row) {
-    Row& memo = search.rows()[row];
+    HypothesisRow& memo = search.rows()[row];
     result.rows.push_back(explain(memo, table.depends[row], result.departures));
     result.evaluations += memo.evaluations();
   }

@@ -33,9 +33,9 @@ struct Outlook {
 /// One row: the tree of the choices it depends on, taken in search order, with everything computed
 /// about it memoised. A node is (level, index): `level` choices are made, and `index` is their
 /// mixed-radix number.
-class Row {
+class HypothesisRow {
  public:
-  Row(const Table& table, std::size_t row, const std::vector<std::size_t>& order)
+  HypothesisRow(const Table& table, std::size_t row, const std::vector<std::size_t>& order)
       : table_(table), row_(row), scratch_(table.hypotheses.size(), 0) {
     for (const std::size_t h : order) {
       const auto& depends = table.depends[row];

@@ -22,10 +22,10 @@ struct Score {
   auto operator<=>(const Score&) const = default;
 };
 
-struct Candidate {
+struct JudgedChoice {
   Score score;
   Assignment choice;
-  auto operator<=>(const Candidate&) const = default;
+  auto operator<=>(const JudgedChoice&) const = default;
 };
 
 inline bool equals(const Score& a, const Score& b) {
@@ -56,11 +56,11 @@ class Search {
 
   /// The best assignment and its equals, best first; one more than are listed, to tell whether
   /// there are more.
-  const std::vector<Candidate>& run() {
+  const std::vector<JudgedChoice>& run() {
     descend(0, 0, 0);
     return kept_;
   }
-  std::vector<Row>& rows() { return rows_; }
+  std::vector<HypothesisRow>& rows() { return rows_; }
   std::size_t tried() const { return tried_; }
 
  private:
@@ -114,7 +114,7 @@ class Search {
     return kept_.size() == kKept && bound > kept_.back().score;
   }
 
-  void keep(Candidate candidate) {
+  void keep(JudgedChoice candidate) {
     if (!kept_.empty() && !equals(candidate.score, kept_.front().score)) kept_.clear();
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate), std::move(candidate));
     if (kept_.size() > kKept) kept_.pop_back();
@@ -126,10 +126,10 @@ class Search {
   Assignment choice_;
   std::vector<std::vector<std::size_t>> dependents_;  // rows, per hypothesis
   std::vector<std::size_t> order_;                    // hypotheses
-  std::vector<Row> rows_;
+  std::vector<HypothesisRow> rows_;
   std::vector<Node> nodes_;               // where the partial choice stands in each row's tree
   std::vector<std::size_t> cheap_first_;  // rows
-  std::vector<Candidate> kept_;
+  std::vector<JudgedChoice> kept_;
   std::size_t tried_ = 0;
 };
 

@@ -20,7 +20,7 @@ using Box = std::vector<Bounds>;
 
 /// sign * function <= level for every design within the limits, or a little beyond; of the
 /// objective's rows sign * function <= objective.
-struct Row {
+struct BoxRow {
   Function function;
   double sign;
   double level;
@@ -82,7 +82,7 @@ class Division {
   bool is_known() const {
     Box point;
     for (const double value : x_) point.push_back({value, value});
-    return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    return std::any_of(rows_.begin(), rows_.end(), [&](const BoxRow& row) {
       return row.of_objective && std::isfinite(width(row.function.range(point).value));
     });
   }
@@ -128,7 +128,7 @@ class Division {
     }
     // The shares of the objective's peaks add up to one; else there is no Lagrangian.
     const bool weighs = objective.part == Part::Value || peaks > 0;
-    for (Row& row : rows_) {
+    for (BoxRow& row : rows_) {
       if (!weighs) row.weight = 0;
       if (row.of_objective && objective.part != Part::Value && weighs) row.weight /= peaks;
     }
@@ -151,7 +151,7 @@ class Division {
     double terms;                ///< how large what `least` is summed from is
   };
 
-  OverBox over(const Row& row, const Box& box, const Box& centre) const {
+  OverBox over(const BoxRow& row, const Box& box, const Box& centre) const {
     const BoxRange range = row.function.range(box);
     const Bounds value = turned(range.value, row.sign);
     OverBox result{value.lower, turned(row.function.range(centre).value, row.sign).lower, {}, 0};
@@ -168,7 +168,7 @@ class Division {
     return result;
   }
 
-  static void add_to(LinearSum& sum, const Row& row, const OverBox& part) {
+  static void add_to(LinearSum& sum, const BoxRow& row, const OverBox& part) {
     if (row.weight == 0) return;
     const double level = row.of_objective ? 0 : row.level;
     sum.centre += row.weight * (part.at_middle - level);
@@ -189,7 +189,7 @@ class Division {
     double lower = parent;
     LinearSum lagrangian{0, Box(box.size(), Bounds{0, 0})};
     bool promising = true;
-    for (const Row& row : rows_) {
+    for (const BoxRow& row : rows_) {
       const OverBox part = over(row, box, centre);
       const double level = row.of_objective ? goal() : row.level;
       if (part.least > level) return;  // no design here meets the limit, or none is better
@@ -241,7 +241,7 @@ class Division {
   /// The side along which what is not decided yet changes most, over the limits' sizes.
   std::size_t longest(const Box& box) const {
     std::vector<double> changes(box.size(), 0.0);
-    for (const Row& row : rows_) {
+    for (const BoxRow& row : rows_) {
       const BoxRange range = row.function.range(box);
       const double greatest = row.sign > 0 ? range.value.upper : -range.value.lower;
       if (!row.of_objective && greatest <= row.level) continue;
@@ -304,7 +304,7 @@ class Division {
 
   /// Whether the place was not among the rows.
   bool add_place(const Curve& curve, Place place, double sign, double level, bool of_objective) {
-    const bool known = std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+    const bool known = std::any_of(rows_.begin(), rows_.end(), [&](const BoxRow& row) {
       return row.curve == &curve && row.place == place && row.sign == sign;
     });
     if (known || rows_.size() >= kMostRows) return false;
@@ -320,7 +320,7 @@ class Division {
   double sense_;
   double best_;  ///< the objective of x, less being better
   double tolerance_;
-  std::vector<Row> rows_;
+  std::vector<BoxRow> rows_;
   std::priority_queue<Waiting> waiting_;
   bool has_lagrangian_ = false;
   double left_ = kInfinity;  ///< the least bound of what is too small to be divided

@@ -110,8 +110,8 @@ std::string read_unit(const Entry& table) {
   return located(*entry, [&] { return written_unit(text).spelled; });
 }
 
-double read_number(const Entry& table, const char* key, const std::string& unit,
-                   double default_value) {
+double number_or(const Entry& table, const char* key, const std::string& unit,
+                 double default_value) {
   const Entry* entry = find(table, key);
   return entry == nullptr ? default_value : quantity_of(*entry, unit);
 }
@@ -135,8 +135,8 @@ MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) 
   const Entry* value = find(table, "default");
   if (value == nullptr) refuse(table, "default is missing; give its usual value");
   parameter.default_value = quantity_of(*value, parameter.unit);
-  parameter.low = read_number(table, "lower", parameter.unit, -kWidest);
-  parameter.high = read_number(table, "upper", parameter.unit, kWidest);
+  parameter.low = number_or(table, "lower", parameter.unit, -kWidest);
+  parameter.high = number_or(table, "upper", parameter.unit, kWidest);
   parameter.integer = reads_integer(table);
   if (parameter.low > parameter.high) {
     refuse(table, fmt::format("lower {} exceeds upper {}", with_unit(parameter.low, parameter.unit),

@@ -96,8 +96,8 @@ void check_turn(const TurnTable& turn) {
 TableSmoothing read_smoothing(const Entry& program, const std::string& unit, double range) {
   const Entry* entry = find(program, "smoothing");
   if (entry == nullptr || (entry->kind == Entry::Kind::Text && entry->text == "auto")) return {};
-  using Kind = TableSmoothing::Kind;
-  if (entry->kind == Entry::Kind::Text && entry->text == "none") return {Kind::None};
+  using Smoothing = TableSmoothing::Kind;
+  if (entry->kind == Entry::Kind::Text && entry->text == "none") return {Smoothing::None};
   const double deviation = located(*entry, [&] {
     try {
       return positive_of(*entry, unit);
@@ -108,7 +108,7 @@ TableSmoothing read_smoothing(const Entry& program, const std::string& unit, dou
                       unit == "1" ? "0.0001" : fmt::format("\"0.002 {}\"", unit)));
     }
   });
-  return {Kind::Deviation, deviation / range};
+  return {Smoothing::Deviation, deviation / range};
 }
 
 std::string words_of(const std::string& name, std::size_t rows, const TableMotion& motion,

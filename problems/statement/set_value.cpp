@@ -10,6 +10,7 @@
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/advancing_cycle.h"
+#include "problems/statement/assignment.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/cases.h"
 #include "problems/statement/choices.h"
@@ -23,19 +24,11 @@
 namespace camlaw::problems {
 namespace {
 
-std::vector<std::string_view> parted(std::string_view text, char mark) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(mark);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
+constexpr std::string_view kExample = "stroke=30 mm";
 
 /// A number that the parameter accepts.
-double read_number(std::string_view text, const NamedParameter& parameter,
-                   const std::string& name) {
+double accepted_number(std::string_view text, const NamedParameter& parameter,
+                       const std::string& name) {
   const double value = onto_range(parse_quantity(text, parameter.unit, parameter.unit, name),
                                   parameter.low, parameter.high);
   if (const auto why = refusal(parameter, value)) {
@@ -57,7 +50,7 @@ void set_number(ProblemStatement& problem, const NamedParameter& parameter, std:
     throw std::invalid_argument(fmt::format("{}: it comes with {}, from {}; set {}", name,
                                             part->name, part->catalogue, part->name));
   }
-  double value = read_number(text, parameter, name);
+  double value = accepted_number(text, parameter, name);
   if (const auto i = find_variable(problem, parameter, index)) {
     VariableStatement& variable = problem.variables[*i];
     if (const auto why = why_not(variable, value)) {
@@ -109,7 +102,7 @@ void set_parameter_in_case(ProblemStatement& problem, const LoadCase& load, std:
       throw std::invalid_argument(
           fmt::format("{}: the cases of this file do not set {}", name, parameter.name));
     }
-    set->second = read_number(text, parameter, std::string(name));
+    set->second = accepted_number(text, parameter, std::string(name));
   }
   const auto index = &load - problem.cases.data();
   problem.cases[static_cast<std::size_t>(index)] = std::move(changed);
@@ -157,7 +150,7 @@ bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view n
     const NamedParameter parameter = find_parameter(problem, p.name, Owner::Machine);
     ParameterRange changed = range;
     (bound.is_upper ? changed.upper : changed.lower) =
-        read_number(text, parameter, std::string(name));
+        accepted_number(text, parameter, std::string(name));
     if (!(changed.lower < changed.upper)) {
       throw std::invalid_argument(fmt::format("{}: lower {} would not be below upper {}", name,
                                               with_unit(changed.lower, p.unit),
@@ -217,23 +210,9 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
   if (!is_set) refuse_name("no limit is called", name, known);
 }
 
-struct Assignment {
-  std::string_view name, text;
-};
-
-Assignment taken_apart(std::string_view assignment) {
-  const std::size_t equals = assignment.find('=');
-  const std::string_view name = trimmed(assignment.substr(0, equals));
-  if (equals == std::string_view::npos || name.empty()) {
-    throw std::invalid_argument(
-        fmt::format("'{}' sets nothing; write name=value, such as stroke=30 mm", assignment));
-  }
-  return {name, trimmed(assignment.substr(equals + 1))};
-}
-
 /// "blades=21", without a look at whether the laws are possible.
 void assign(ProblemStatement& problem, std::string_view assignment) {
-  const auto [name, text] = taken_apart(assignment);
+  const auto [name, text] = parse_assignment(assignment, kExample);
   if (const BuildableInput* input = find_input(*problem.mechanism, name)) {
     const std::string& stated = input->name;
     problem.buildable.inputs[stated] =
@@ -295,7 +274,7 @@ void read_anew(ProblemStatement& problem, std::span<const std::string> assignmen
   const auto restated = [&](std::span<const std::string> all) {
     std::vector<std::string> left;
     for (const std::string& assignment : all) {
-      const auto [name, text] = taken_apart(assignment);
+      const auto [name, text] = parse_assignment(assignment, kExample);
       if (is_of_file(plain, name)) {
         restate(file, plain, name, text, assignment);
       } else {
@@ -318,9 +297,10 @@ void read_anew(ProblemStatement& problem, std::span<const std::string> assignmen
 
 void set_values(ProblemStatement& problem, std::span<const std::string> assignments) {
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
-  const bool is_restated = std::any_of(
-      assignments.begin(), assignments.end(),
-      [&](const std::string& one) { return is_of_file(problem, taken_apart(one).name); });
+  const bool is_restated =
+      std::any_of(assignments.begin(), assignments.end(), [&](const std::string& one) {
+        return is_of_file(problem, parse_assignment(one, kExample).name);
+      });
   if (is_restated) {
     read_anew(changed, assignments);
   } else {

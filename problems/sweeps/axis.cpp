@@ -13,6 +13,7 @@
 #include "numerics/sampling/sobol_points.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "problems/statement/assignment.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/restated.h"
 #include "problems/statement/solver_settings.h"
@@ -20,28 +21,11 @@
 namespace camlaw::problems {
 namespace {
 
-struct Assignment {
-  std::string name, text;
-};
+constexpr std::string_view kSweepExample = "speed=60:15:120 rpm";
 
-Assignment taken_apart(const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  const std::string name(trimmed(std::string_view(assignment).substr(0, equals)));
-  if (equals == std::string::npos || name.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "'{}' sets nothing; write name=value, such as speed=60:15:120 rpm", assignment));
-  }
-  return {name, std::string(trimmed(std::string_view(assignment).substr(equals + 1)))};
-}
-
-std::vector<std::string> parted(std::string_view text, char mark) {
-  std::vector<std::string> parts;
-  while (true) {
-    const std::size_t end = text.find(mark);
-    parts.emplace_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
+std::vector<std::string> texts(std::string_view text, char mark) {
+  const auto parts = parted(text, mark);
+  return {parts.begin(), parts.end()};
 }
 
 struct Quantity {
@@ -84,7 +68,7 @@ double rounded(double number, int digits) {
 }
 
 SweepAxis stepped(const std::string& name, const std::string& text) {
-  const auto parts = in_one_unit(parted(text, ':'));
+  const auto parts = in_one_unit(texts(text, ':'));
   if (!parts || parts->size() != 3) {
     throw std::invalid_argument(fmt::format(
         "{}: '{}' is not a range; write from:step:to with one unit, such as 60:15:120 rpm", name,
@@ -160,7 +144,7 @@ std::optional<std::vector<Quantity>> in_units_of_the_last(const std::vector<std:
 }
 
 SweepAxis listed(const std::string& name, const std::string& text) {
-  SweepAxis axis{.name = name, .values = parted(text, ',')};
+  SweepAxis axis{.name = name, .values = texts(text, ',')};
   auto numbers = in_one_unit(axis.values);
   if (!numbers) numbers = in_units_of_the_last(axis.values);
   if (!numbers) return axis;
@@ -211,7 +195,8 @@ std::string swept_value(double number, const std::string& unit) {
 }
 
 std::optional<SweepAxis> parse_axis(const std::string& assignment) {
-  const auto [name, text] = taken_apart(assignment);
+  const auto [written_name, written_text] = parse_assignment(assignment, kSweepExample);
+  const std::string name(written_name), text(written_text);
   if (text.empty()) throw std::invalid_argument(fmt::format("{}: a value is wanted", name));
   const bool is_law = is_law_setting(name);
   SweepAxis axis = is_law                                ? laws_of(name, text)
@@ -223,8 +208,9 @@ std::optional<SweepAxis> parse_axis(const std::string& assignment) {
 }
 
 SampledRange parse_sampled_range(const std::string& assignment) {
-  const auto [name, text] = taken_apart(assignment);
-  const auto parts = in_one_unit(parted(text, ':'));
+  const auto [written_name, written_text] = parse_assignment(assignment, kSweepExample);
+  const std::string name(written_name), text(written_text);
+  const auto parts = in_one_unit(texts(text, ':'));
   if (!parts || parts->size() != 2) {
     throw std::invalid_argument(
         fmt::format("--over: '{}' is not a range; write name=low:high with one unit, such as "

@@ -19,7 +19,7 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr int kAngles = 3600;
 
 /// Rise in 150 deg, rest, return in 130 deg, rest.
-inline const Law<double>& program() {
+inline const Law<double>& drawn_program() {
   static const Law<double> law = motion_program({{"rise", 150, 1, false, find_law("modified-sine")},
                                                  {"high", 30, 1, true, {}},
                                                  {"back", 130, 0, false, find_law("cycloidal")},
@@ -34,7 +34,7 @@ inline double angle_of(int i) { return 2 * kPi * i / kAngles; }
 template <class Cam>
 FollowerMotion<double> motion_at(const Cam& cam, double angle) {
   const double turns = angle / (2 * kPi);
-  return cam.over_angle(program()(turns - std::floor(turns)));
+  return cam.over_angle(drawn_program()(turns - std::floor(turns)));
 }
 
 /// A point seen from the frame, as the cam at `angle` carries it: turned back.

@@ -17,6 +17,10 @@
 namespace camlaw::optim::extremes_test {
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::cos;
+using std::sin;
+
 constexpr double kPi = std::numbers::pi;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 

@@ -20,6 +20,13 @@
 namespace camlaw::optim::least_squares_test {
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::exp;
+using std::log;
+using std::pow;
+using std::sin;
+using std::sqrt;
+
 using Values = std::vector<double>;
 using Indexes = std::vector<std::size_t>;
 

@@ -16,6 +16,11 @@
 namespace camlaw::optim::nlopt_test {
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::cos;
+using std::log;
+using std::sqrt;
+
 using Names = std::vector<std::string>;
 
 const Names kLocal{"slsqp",        "mma",    "ccsaq",  "lbfgs",
