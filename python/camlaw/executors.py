@@ -51,6 +51,18 @@ def labour(executor: Any, workers: int | None) -> Iterator[Carrier | None]:
         yield carrier
 
 
+def _end(executor: Any) -> None:
+    """Shuts an executor down that was made here, which may be broken.
+
+    A pool of processes that broke while it started one more process never ends that one, and waits
+    for it when Python ends (seen in 3.11): the processes that it still has are killed.
+    """
+    processes = list((getattr(executor, "_processes", None) or {}).values())
+    executor.shutdown(wait=False, cancel_futures=True)
+    for process in processes:
+        process.kill()
+
+
 class Carrier:
     """What the library calls: sends parcels through an executor and puts down what arrives.
 
@@ -105,17 +117,27 @@ class Carrier:
             raise Error(f"the scheduler of Dask does not answer: {error}") from error
 
     def send(self, parcel: int, orders: list[bytes]) -> None:
-        options = {"pure": False, "retries": 0} if _is_dask(self._executor) else {}
         try:
-            future = self._executor.submit(carry_out, self._problem, parcel, orders, **options)
-        except BrokenExecutor:
-            if self._make is None:
-                raise
-            self._executor = self._make()
-            future = self._executor.submit(carry_out, self._problem, parcel, orders)
+            future = self._submitted(parcel, orders)
+        except Exception as error:  # whatever an engine raises
+            return self._failed(parcel, error)
         with self._lock:
             self._futures[parcel] = future
         future.add_done_callback(lambda done: self._arrived(parcel, done))
+
+    def _submitted(self, parcel: int, orders: list[bytes]) -> Any:
+        options = {"pure": False, "retries": 0} if _is_dask(self._executor) else {}
+        work = (carry_out, self._problem, parcel, orders)
+        try:
+            return self._executor.submit(*work, **options)
+        except (BrokenExecutor, OSError):
+            # A pool of processes that is just breaking says OSError: its pipe is closed already when
+            # it starts one more process.
+            if self._make is None:
+                raise
+            _end(self._executor)
+            self._executor = self._make()
+            return self._executor.submit(*work)
 
     def _arrived(self, parcel: int, future: Any) -> None:
         with self._lock:
@@ -166,4 +188,4 @@ class Carrier:
         """Drops what is under way, and ends an executor that was made here."""
         self.cancel()
         if self._make is not None:
-            self._executor.shutdown(wait=False, cancel_futures=True)
+            _end(self._executor)

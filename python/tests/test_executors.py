@@ -65,14 +65,18 @@ def test_a_pool_of_processes_and_dasks_own_executor(dask, facts):
 
 
 class Killing(ProcessPoolExecutor):
-    """A pool, one worker of which is killed with its first parcel."""
+    """A pool, one worker of which is killed when all have been started.
+
+    Of one that is killed earlier Python 3.11 itself may start another while the pool breaks, and then
+    waits for it for ever.
+    """
 
     made = 0
     has_killed = False
 
     def submit(self, work, *rest):
         future = super().submit(work, *rest)
-        if Killing.made <= 2 and not self.has_killed:
+        if Killing.made <= 2 and not self.has_killed and len(self._processes) == 2:
             self.has_killed = True
             os.kill(next(iter(self._processes)), signal.SIGKILL)
         return future
@@ -90,6 +94,32 @@ def test_a_pool_that_breaks_is_made_anew(facts):
     assert Killing.made >= 3
     # What workers that were killed had looked at is not counted; the front is the same.
     assert same(front.facts, facts)
+
+
+class Closing(Executor):
+    """A pool of processes that breaks while it starts one: submit() says OSError."""
+
+    made = 0
+
+    def __init__(self):
+        Closing.made += 1
+        self.threads = ThreadPoolExecutor(1)
+
+    def submit(self, work, *rest):
+        if Closing.made <= 2:
+            raise OSError("handle is closed")
+        return self.threads.submit(work, *rest)
+
+    def shutdown(self, wait=True, *, cancel_futures=False):
+        self.threads.shutdown(wait, cancel_futures=cancel_futures)
+
+
+def test_a_pool_that_breaks_while_it_starts_a_process_is_made_anew(facts):
+    Closing.made = 1  # the first that is made then works
+    assert same(found(Closing).facts, facts)
+    Closing.made = 0
+    with pytest.raises(cl.Error, match="OSError: handle is closed"):
+        found(Closing)  # twice in a row is no accident
 
 
 @pytest.mark.full
