@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fronts that are known, and problems that are odd.
 #include <atomic>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -17,6 +18,11 @@ using Catch::Contains;
 using study_tests::bits;
 
 namespace {
+
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::exp;
+using std::sin;
+using std::sqrt;
 
 /// What every front is: of designs that meet the limits and do not dominate each other, in order.
 void check_front(const ProblemSpace& space, const Front& front) {
@@ -303,10 +309,8 @@ TEST_CASE("what is to be great is a negative cost, the same front", "[front]") {
 TEST_CASE("parts of curves as objectives, by boxes and along directions", "[front][long]") {
   // x sin(angle) over a turn: magnitude |x|, lowest value -|x|.
   const auto wave =
-      curve<Interval>({0}, 0, 6.283185307179586, [](const auto& u, const auto& angle) {
-        using std::sin;
-        return u[0] * sin(angle);
-      });
+      curve<Interval>({0}, 0, 6.283185307179586,
+                      [](const auto& u, const auto& angle) { return u[0] * sin(angle); });
   Problem problem{
       "waves",
       {variable("x", -1, 3, 2.5), variable("y", 0, 2, 1)},
@@ -613,10 +617,8 @@ TEST_CASE("at the end of one cost of three the others are least", "[front]") {
 }
 
 TEST_CASE("where the front falls steeply at its end the end is worth having", "[front]") {
-  const Problem problem = of_one(0, 1, 0.5, [](const auto& u) {
-    using std::exp;
-    return exp(-1e4 * u[0]) + 1.0 - u[0];
-  });
+  const Problem problem =
+      of_one(0, 1, 0.5, [](const auto& u) { return exp(-1e4 * u[0]) + 1.0 - u[0]; });
   const Front front = pareto(problem, options_of(30, ParetoMethod::Sweep));
   check_front(problem, front);
   CHECK(front.points.size() >= 30);

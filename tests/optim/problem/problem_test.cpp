@@ -22,6 +22,12 @@
 namespace camlaw::optim::problem_test {
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::exp;
+using std::log;
+using std::sin;
+using std::sqrt;
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 using Point = std::vector<double>;
 

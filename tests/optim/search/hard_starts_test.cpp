@@ -16,6 +16,13 @@ using namespace search_tests;
 
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::cos;
+using std::exp;
+using std::log;
+using std::sin;
+using std::sqrt;
+
 /// The least of f over [low, high] by golden section, for functions with one valley.
 template <class F>
 double least_of(const F& f, double low, double high) {

@@ -54,6 +54,10 @@ TEST_CASE("integer and continuous variables together", "[optimise]") {
 
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::log;
+using std::sin;
+
 /// A convex problem in three integer variables of 0 to 20, 9261 combinations: too many to try.
 Problem many_combinations(double most_in_all) {
   Problem problem;

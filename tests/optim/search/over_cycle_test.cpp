@@ -11,6 +11,10 @@ using namespace search_tests;
 
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::cos;
+using std::sin;
+
 /// x (1 + cos(angle) / 10) + a spike of height 1 and half width 0.002 deg at `place`, which no
 /// sample meets: those of the search are 1.4 deg apart. Its tail slopes by 2 w^2 / d^3, 1e-4 at a
 /// distance of 0.4 deg, less than the wave does: no sample there looks like a peak.

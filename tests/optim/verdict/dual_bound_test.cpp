@@ -10,6 +10,10 @@
 namespace camlaw::optim::dual_bound_test {
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::exp;
+using std::sin;
+
 using namespace verdict_tests;
 
 /// Least a x + b y where three straight limits leave a triangle about the origin.

@@ -14,6 +14,10 @@ using namespace verdict_tests;
 
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::cos;
+using std::sin;
+
 /// A problem as a function of one bound, and the multiplier of that bound.
 struct Moved {
   const char* what;

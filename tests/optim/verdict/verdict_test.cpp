@@ -107,6 +107,10 @@ TEST_CASE("a design outside a variable's bounds fails, and the reason names the 
 
 namespace {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::log;
+using std::sqrt;
+
 /// x, proved to lie within `room` of itself.
 class Vague final : public Kernel {
  public:
