@@ -53,7 +53,7 @@ std::vector<std::size_t> free_coefficients(const FreeLaw& shape) {
 }
 
 void check_knots(const FreeLaw& shape) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kKnotRounding = 1e-12;
   const auto& knots = shape.knots;
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!(knots[i] > 0 && knots[i] < 1)) {
@@ -63,7 +63,7 @@ void check_knots(const FreeLaw& shape) {
       refuse(fmt::format("knots: {:.6g} does not come after {:.6g}", knots[i], knots[i - 1]));
     }
     const double mirrored = 1 - knots[knots.size() - 1 - i];
-    if (shape.symmetric && std::abs(knots[i] - mirrored) > kRounding) {
+    if (shape.symmetric && std::abs(knots[i] - mirrored) > kKnotRounding) {
       refuse(fmt::format("knots: a symmetric law has one at {:.6g} too", 1 - knots[i]));
     }
   }

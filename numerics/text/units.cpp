@@ -66,12 +66,12 @@ std::string kind_of(const Unit& unit) {
     const char* unit;
     const char* name;
   };
-  constexpr std::array kKinds{
+  constexpr std::array kNamedKinds{
       Kind{"1", "a plain number"}, Kind{"rad", "an angle"}, Kind{"m", "a length"},
       Kind{"m/s", "a velocity"},   Kind{"kg", "a mass"},    Kind{"N", "a force"},
       Kind{"s", "a time"},         Kind{"Pa", "a stress"},  Kind{"rad/s", "an angular velocity"},
       Kind{"N m", "a torque"}};
-  for (const Kind& kind : kKinds) {
+  for (const Kind& kind : kNamedKinds) {
     if (same_kind(unit, find_unit(kind.unit))) return kind.name;
   }
   return "a quantity of another kind";

@@ -168,8 +168,8 @@ void sum_up(std::vector<Spread>& spreads, const std::vector<Numbers>& samples) {
       if (std::isfinite(sample[i])) values.push_back(sample[i]);
     }
     if (values.empty()) {
-      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-      spreads[i].mean = spreads[i].deviation = spreads[i].low = spreads[i].high = kNone;
+      constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+      spreads[i].mean = spreads[i].deviation = spreads[i].low = spreads[i].high = kNoNumber;
       continue;
     }
     const auto count = static_cast<double>(values.size());

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
+#include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/parts.h"
 
@@ -47,7 +51,64 @@ double accepted(const VariableStatement& variable, double value) {
   return variable.integer ? std::round(within) : within;
 }
 
+/// Names of laws by where they stand: "" for the law itself, "rise" for a program's segment,
+/// "infeed" or "infeed.rise" for a cam of several.
+std::map<std::string, std::string> laws_by_place(const Family& family) {
+  std::map<std::string, std::string> laws;
+  for (const LawPart& part : family.parts) {
+    for (const auto& [place, law] : laws_by_place(*part.law->family)) {
+      laws[place.empty() ? part.name : part.name + "." + place] = law;
+    }
+  }
+  if (!family.parts.empty()) return laws;
+  const std::vector<std::string_view> words = parted(family.name, ' ');
+  if (words.front() != "program") return {{"", family.name}};
+  for (const std::string_view word : words) {  // "rise=cycloidal"
+    const std::size_t equals = word.find('=');
+    if (equals == std::string_view::npos) continue;
+    laws[std::string(word.substr(0, equals))] = word.substr(equals + 1);
+  }
+  return laws;
+}
+
+/// What is fixed in the design's law and is another number there: of two laws of one family that
+/// the problem lists, "polynomial-5 alpha=-3" and "polynomial-5 alpha=0.9", the name says too
+/// little.
+void add_fixed_arguments(const ProblemStatement& settled, const Member& law,
+                         std::vector<std::string>& settings) {
+  const Member& own = settled.laws.front();
+  const auto& parameters = law.family->parameters;
+  if (own.family->name != law.family->name) return;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    const bool is_varied =
+        std::any_of(settled.variables.begin(), settled.variables.end(),
+                    [&](const auto& v) { return v.of_law && v.name == parameter.name; });
+    const auto& there = law.arguments.list(i);
+    if (is_varied || there.size() != 1 || there == own.arguments.list(i)) continue;
+    settings.push_back(fmt::format("{}={}", parameter.name, there.front()));
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> law_settings(const ProblemStatement& problem,
+                                      const ProblemStatement& design) {
+  if (!problem.chooses_law() || design.chooses_law()) return {};
+  std::map<std::string, std::set<std::string>> choices;
+  for (const Member& law : problem.laws) {
+    for (const auto& [place, name] : laws_by_place(*law.family)) choices[place].insert(name);
+  }
+  std::vector<std::string> settings;
+  for (const auto& [place, name] : laws_by_place(*design.laws.front().family)) {
+    if (choices[place].size() < 2) continue;
+    settings.push_back(fmt::format("{}law={}", place.empty() ? "" : place + ".", name));
+  }
+  ProblemStatement settled = problem;
+  set_values(settled, settings);
+  add_fixed_arguments(settled, design.laws.front(), settings);
+  return settings;
+}
 
 std::vector<std::string> start_settings(const ProblemStatement& problem, const ReadDesign& design) {
   std::vector<std::string> settings;

@@ -17,4 +17,10 @@ std::vector<std::string> start_settings(const ProblemStatement& problem, const R
 /// The same with the result of a file.
 std::vector<std::string> start_settings(const ProblemStatement& problem, const std::string& path);
 
+/// What set_values takes so that the problem, where it chooses among laws, has those of a design
+/// that was found for it: "law=cycloidal", "rise.law=modified-sine",
+/// "infeed.rise.law=modified-sine".
+std::vector<std::string> law_settings(const ProblemStatement& problem,
+                                      const ProblemStatement& design);
+
 }  // namespace camlaw::problems

@@ -26,11 +26,11 @@ void add_of_ends(const ProblemStatement& design, std::vector<Caution>& found) {
                     std::any_of(limits.begin(), limits.end(),
                                 [](const auto& c) { return speaks_of_jerk(c.response); });
   if (!jerk || design.mechanism->moved_by != MovedBy::Law || design.laws.empty()) return;
-  constexpr double kNone = 1e-6;  // beside s'' of 4, the least peak that there is
+  constexpr double kNoJump = 1e-6;  // beside s'' of 4, the least peak that there is
   const Law<double> law = design.laws.front().law<double>();
   const double begin = law.derivatives<3>(0.0, Side::Right)[2];
   const double end = law.derivatives<3>(1.0, Side::Left)[2];
-  if (std::abs(begin) <= kNone && std::abs(end) <= kNone) return;
+  if (std::abs(begin) <= kNoJump && std::abs(end) <= kNoJump) return;
   found.push_back({"the acceleration jumps at an end of the law",
                    fmt::format("s'' begins with {:.4g} and ends with {:.4g}; beside a dwell the "
                                "jerk is infinite there, and the jerk that is limited or sought is "

@@ -78,9 +78,9 @@ std::optional<double> read_level(const Entry& table, const ProgramUnits& units, 
   if (to != nullptr) return units.level(*to);
   if (by == nullptr) return {};
   // Steps that add up to nothing leave rounding.
-  constexpr double kRounding = 1e-12;
+  constexpr double kLevelRounding = 1e-12;
   const double level = from + units.level(*by);
-  return std::abs(level) < kRounding ? 0 : level;
+  return std::abs(level) < kLevelRounding ? 0 : level;
 }
 
 std::optional<double> read_rate(const Entry& table, const char* key, const ProgramUnits& units,

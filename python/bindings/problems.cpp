@@ -346,15 +346,14 @@ std::vector<std::string> settings_of(const ProblemStatement& statement) {
   ProblemStatement plain =
       problems::read_problem(statement.text, statement.source, statement.files);
   problems::set_values(plain, settings);
+  const std::vector<std::string> laws = problems::law_settings(plain, statement);
+  if (!laws.empty()) problems::set_values(plain, laws);
+  settings.insert(settings.end(), laws.begin(), laws.end());
   const bool is_chosen = !statement.parts.empty() && !problems::chooses_part(statement) &&
                          problems::chooses_part(plain);
   const bool stands_elsewhere = !std::equal(
       plain.variables.begin(), plain.variables.end(), statement.variables.begin(),
       statement.variables.end(), [](const auto& a, const auto& b) { return a.start == b.start; });
-  if (statement.mechanism->moved_by == problems::MovedBy::Law && plain.chooses_law() &&
-      !statement.chooses_law()) {
-    settings.push_back("law=" + statement.laws.front().family->name);
-  }
   if (!is_chosen && !stands_elsewhere) return settings;
   for (std::string& found : problems::start_settings(plain, problems::ReadDesign{statement})) {
     settings.push_back(std::move(found));

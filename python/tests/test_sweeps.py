@@ -112,3 +112,14 @@ def test_a_sensitivity_is_the_programs():
     )
     assert same(ours.facts["sensitivity"], theirs["sensitivity"])
     assert len(ours.derivatives) > 0 and len(ours.indices) > 0
+
+
+def test_a_front_and_a_sweep_of_a_design_have_the_laws_of_its_segments():
+    front = cl.Problem.load(PROBLEMS / "cams/roller_front.toml").pareto(points=3, workers=1)
+    design = front[len(front) - 1].design
+    law = next(w for w in str(front.facts["points"][-1]["law"]).split() if w.startswith("rise="))
+    assert law.replace("=", ".law=") in design._native.found_settings()
+    again = design.pareto(points=3, workers=1)
+    assert all(law in point["law"].split() for point in again.facts["points"])
+    swept = design.sweep({"stroke": ["30 mm", "31 mm"]}, evaluate=True)
+    assert all(f"{law} " in one._native.laws()[0] for one in swept)

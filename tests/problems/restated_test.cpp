@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "numerics/text/file_text.h"
 #include "optim/search/optimise.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/design_json.h"
 #include "problems/results/recorded_design.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/bind.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
 namespace camlaw::problems::restated_test {
@@ -173,6 +175,33 @@ upper = 10
 minimize = "C_a"
 )");
   CHECK_THAT(complaint([&] { start_settings(other, design); }), Contains("none of what varies"));
+}
+
+TEST_CASE("a problem that chooses among laws has those of a design", "[statement][restated]") {
+  const std::string both = R"(["cycloidal", "modified-sine"])";
+  const auto listed = [&](std::string text, const std::string& law) {
+    const std::string one = '"' + law + '"';
+    return text.replace(text.find(one), one.size(), both);
+  };
+  const std::string shaft = testing::source("problems/shaft/two_cams.toml");
+  for (const ProblemStatement& open :
+       {read(listed(cam("cosine", "cycloidal"), "cosine")), read(R"(
+mechanism = "law"
+law.name = ["polynomial-5 alpha=-3", "polynomial-5 alpha=0.9", "cycloidal"]
+variables.crossover = {lower = 0.4, upper = 0.6}
+objective.minimize = "C_a"
+)"),
+        read_problem(listed(file_text(shaft, "problem file"), "modified-sine"), shaft)}) {
+    REQUIRE(open.laws.size() > 1);
+    CHECK(law_settings(open, open).empty());
+    for (const Member& law : open.laws) {
+      ProblemStatement design = open;
+      design.laws = {law};
+      const ProblemStatement settled = set(open, law_settings(open, design));
+      REQUIRE(settled.laws.size() == 1);
+      CHECK(settled.laws.front().name() == law.name());
+    }
+  }
 }
 
 }  // namespace camlaw::problems::restated_test
