@@ -13,6 +13,10 @@
 
 namespace camlaw::optim::failures_test {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::log;
+using std::sqrt;
+
 using namespace search_tests;
 
 TEST_CASE("an optimum near a region without numbers is found", "[optimise]") {

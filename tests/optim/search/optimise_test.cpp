@@ -13,6 +13,9 @@
 
 namespace camlaw::optim::optimise_test {
 
+// Of plain numbers; those of other scalars are found by their arguments.
+using std::sin;
+
 using namespace search_tests;
 
 TEST_CASE("an optimum is certified, and found by the method that auto names", "[optimise]") {
