@@ -20,7 +20,7 @@ class Answer:
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        return self._said() == other._said()  # type: ignore[attr-defined]
+        return self._said() == other._said()
 
     def __hash__(self) -> int:
         return hash(self._said())

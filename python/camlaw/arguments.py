@@ -135,7 +135,7 @@ def numbers(values: Any, what: str, most_dimensions: int = 1) -> np.ndarray:
         values = values.to("").magnitude
     try:
         if isinstance(values, np.ma.MaskedArray):
-            values = values.astype(np.float64).filled(np.nan)
+            values = np.ma.filled(values.astype(np.float64), np.nan)
         array = np.asarray(values)
         if array.dtype.kind not in "iufO" or values is None:
             raise TypeError

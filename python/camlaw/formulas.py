@@ -96,7 +96,7 @@ class Expression:
     def _refuse(self, other: Any) -> bool:
         return self.__bool__()
 
-    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refuse  # type: ignore[assignment]
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refuse
     __hash__ = object.__hash__
     __array_priority__ = 1000
 

@@ -60,7 +60,7 @@ class Front(Answer):
         return [*self._native.notes, *filter(None, [self._native.remark])]
 
     @property
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> dict[str, Any]:  # type: ignore[override]  # nobody assigns it
         """All that 'camlaw pareto --json' prints."""
         return self._native.facts()
 

@@ -79,8 +79,10 @@ _CONSTRAINTS = "[{'response': 'pressure_angle', 'upper': '30 deg'}]"
 
 def program_table(program: Any, held: Held) -> dict[str, Any] | None:
     """The segments one after the other, or the table."""
-    if program is None or isinstance(program, Mapping):
-        return program
+    if program is None:
+        return None
+    if isinstance(program, Mapping):
+        return dict(program)
     segments = sequence(program, "program", _SEGMENTS)
     return {"segments": [segment_table(segment, held) for segment in segments]}
 
