@@ -99,9 +99,12 @@ std::vector<std::string> law_settings(const ProblemStatement& problem,
   for (const Member& law : problem.laws) {
     for (const auto& [place, name] : laws_by_place(*law.family)) choices[place].insert(name);
   }
+  // Laws of one family alone differ in their numbers: then each is named.
+  const bool is_one_family = std::none_of(choices.begin(), choices.end(),
+                                          [](const auto& each) { return each.second.size() > 1; });
   std::vector<std::string> settings;
   for (const auto& [place, name] : laws_by_place(*design.laws.front().family)) {
-    if (choices[place].size() < 2) continue;
+    if (choices[place].size() < 2 && !is_one_family) continue;
     settings.push_back(fmt::format("{}law={}", place.empty() ? "" : place + ".", name));
   }
   ProblemStatement settled = problem;

@@ -136,19 +136,14 @@ bool read_condition(const Entry& name, std::string_view text, LawClass& found) {
 std::optional<std::vector<Member>> read_law_class(const Entry& name) {
   if (name.kind != Entry::Kind::Text) return {};
   LawClass wanted;
-  std::string_view text = name.text;
   bool is_first = true;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    const std::string_view condition = trimmed(text.substr(0, comma));
+  for (const std::string_view condition : parted(name.text, ',')) {
     if (!read_condition(name, condition, wanted)) {
       if (is_first) return {};  // the name of a law
       refuse(name, "'" + std::string(condition) +
                        "' is not a condition on laws; write all, ends R-R or continuity >= 2");
     }
     is_first = false;
-    if (comma == std::string_view::npos) break;
-    text.remove_prefix(comma + 1);
   }
   std::vector<Member> laws;
   for (const Family& family : catalogue()) {

@@ -261,9 +261,7 @@ std::vector<std::string> law_list(std::string_view text) {
     if (text.starts_with(word)) return {std::string(text)};
   }
   std::vector<std::string> names;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    const std::string_view part = trimmed(text.substr(0, comma));
+  for (const std::string_view part : parted(text, ',')) {
     // "legendre c=1,2": what begins with a number goes on with the law before it.
     const bool goes_on = is_one_number(part);
     if (goes_on && !names.empty()) {
@@ -271,9 +269,8 @@ std::vector<std::string> law_list(std::string_view text) {
     } else {
       names.emplace_back(part);
     }
-    if (comma == std::string_view::npos) return names;
-    text.remove_prefix(comma + 1);
   }
+  return names;
 }
 
 bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }

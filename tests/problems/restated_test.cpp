@@ -191,6 +191,12 @@ law.name = ["polynomial-5 alpha=-3", "polynomial-5 alpha=0.9", "cycloidal"]
 variables.crossover = {lower = 0.4, upper = 0.6}
 objective.minimize = "C_a"
 )"),
+        read(R"(
+mechanism = "law"
+law.name = ["polynomial-5 alpha=-3", "polynomial-5 alpha=0.9"]
+variables.crossover = {lower = 0.4, upper = 0.6}
+objective.minimize = "C_a"
+)"),
         read_problem(listed(file_text(shaft, "problem file"), "modified-sine"), shaft)}) {
     REQUIRE(open.laws.size() > 1);
     CHECK(law_settings(open, open).empty());
