@@ -9,6 +9,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <new>
 #include <optional>
 #include <tuple>
 
@@ -35,18 +36,31 @@ using Places = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::
 using Out = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 /// s, v, a, j at some places. Each array is made when it is asked for, and shares the numbers.
+///
+/// The rows begin at cache lines, and none at the same place of a page as another: processors take
+/// a load for one that depends on a store to the same place of another page, and wait.
 class MotionArrays {
  public:
-  explicit MotionArrays(std::size_t count) : count_(count) {
-    for (auto& row : rows_) row = std::make_unique_for_overwrite<double[]>(count);
-  }
+  explicit MotionArrays(std::size_t count)
+      : count_(count),
+        stride_((count / kLine + 1) * kLine + kApart),
+        numbers_(static_cast<double*>(::operator new (sizeof(double) * 4 * stride_,
+                                                      std::align_val_t{sizeof(double) * kLine}))) {}
 
-  std::span<double> row(std::size_t i) { return {rows_[i].get(), count_}; }
+  std::span<double> row(std::size_t i) { return {numbers_.get() + i * stride_, count_}; }
   MotionSpans spans() { return {row(0), row(1), row(2), row(3)}; }
 
  private:
-  std::size_t count_;
-  std::array<std::unique_ptr<double[]>, 4> rows_;
+  static constexpr std::size_t kLine = 8;            // numbers in a line of 64 bytes
+  static constexpr std::size_t kApart = 13 * kLine;  // a fifth of a page of 4096 bytes
+  struct Free {
+    void operator()(double* numbers) const {
+      ::operator delete (numbers, std::align_val_t{sizeof(double) * kLine});
+    }
+  };
+
+  std::size_t count_, stride_;
+  std::unique_ptr<double, Free> numbers_;
 };
 
 Array array_in(nb::handle self, std::size_t i) {
