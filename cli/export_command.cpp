@@ -37,11 +37,7 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_values(design.statement, options.settings);
-  std::vector<std::string> words = review.words();
-  if (!review.is_believed()) {
-    // Nobody judged the design that the record has now.
-    for (std::string& sentence : judged_words(design)) words.push_back(std::move(sentence));
-  }
+  const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", design.statement);
   const ExportedText written =

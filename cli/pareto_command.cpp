@@ -16,6 +16,7 @@
 #include "cli/study_file.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
+#include "optim/search/free_memory.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
@@ -128,8 +129,8 @@ int run_pareto(const ParetoCommand& options) {
   if (path && options.out) keep_apart(*path, possible);
   if (options.out) check_writable(possible);
   const optim::ProblemSpace& space = study.space();
-  const int workers = workers_with_room(wanted, space.problem(space.options(0)).alone(0),
-                                        memory_of(options.limits));
+  const int workers = optim::workers_with_room(wanted, space.problem(space.options(0)).alone(0),
+                                               memory_of(options.limits));
   const Interruptible interruptible;
   study.options().solve.stop = interruptible.flag();
   const auto work = [&](const Teller* teller) {

@@ -13,9 +13,8 @@
 namespace camlaw::cli {
 
 Option executor_option(std::optional<std::string>& executor) {
-  return {
-      "--executor", &executor, "{processes,mpi}",
-      "what runs the searches: processes of this machine, or the ranks that mpirun has started"};
+  return {"--executor", &executor, "{processes,mpi}",
+          "what does the work: processes of this machine, or the ranks that mpirun has started"};
 }
 
 std::unique_ptr<optim::MpiRanks> ranks_of(const std::optional<std::string>& executor,
@@ -46,6 +45,19 @@ std::unique_ptr<optim::Executor> executor_of(optim::Service service,
   }
   ranks->give(program.problem);
   return std::make_unique<optim::ParcelExecutor>(options, *ranks);
+}
+
+optim::Hands hands_of(const optim::WorkerProgram& program, int count, optim::MpiRanks* ranks) {
+  if (ranks != nullptr) {
+    ranks->give(program.problem);
+    const auto force = std::make_shared<optim::ParcelForce>(*ranks);
+    return [force](optim::Errands& errands, const optim::Service&) { force->run(errands); };
+  }
+  const auto crew =
+      std::make_shared<optim::Crew>(optim::CrewRules{.workers = count, .program = program});
+  return [crew](optim::Errands& errands, const optim::Service& service) {
+    crew->run(errands, service);
+  };
 }
 
 }  // namespace camlaw::cli

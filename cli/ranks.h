@@ -20,7 +20,7 @@ Option executor_option(std::optional<std::string>& executor);
 std::unique_ptr<optim::MpiRanks> ranks_of(const std::optional<std::string>& executor,
                                           const std::optional<std::string>& workers);
 
-/// Whether this process is a rank that searches for another one; then it has done so.
+/// Whether this process is a rank that works for another one; then it has done so.
 bool has_served(optim::MpiRanks* ranks);
 
 /// Who carries a study's tasks out: the ranks, which are told of the program's problem; where there
@@ -29,5 +29,9 @@ std::unique_ptr<optim::Executor> executor_of(optim::Service service,
                                              const optim::WorkerProgram& program,
                                              const optim::OptimiseOptions& options, int count,
                                              optim::MpiRanks* ranks);
+
+/// Who carries out errands that are no searches of a study: the ranks, or `count` processes where
+/// the work is seen to be long.
+optim::Hands hands_of(const optim::WorkerProgram& program, int count, optim::MpiRanks* ranks);
 
 }  // namespace camlaw::cli

@@ -32,8 +32,4 @@ double memory_of(const RunLimits& limits);
 /// Bytes of "4 GB", "500 MB", "2 GiB"; `what` names it in errors. Throws std::invalid_argument.
 double parse_memory(const std::string& text, const std::string& what);
 
-/// Bytes that this process may still take: of the machine, of its control groups and of its limit
-/// of address space the least. Infinite where nothing is known.
-double free_memory();
-
 }  // namespace camlaw::cli

@@ -16,6 +16,7 @@
 #include "cli/watched_run.h"
 #include "cli/workers.h"
 #include "optim/crew/crew.h"
+#include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/next_step.h"
@@ -199,7 +200,8 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);
   search.spent = clock.spent();
-  const int workers = workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
+  const int workers =
+      optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
   const auto give = [&](const optim::Optimum& optimum) {
     Answer answer{bound, space, optimum, search.solver, search.seed};
     // The doubts of a large problem take time of their own.

@@ -8,7 +8,9 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
+#include "cli/ranks.h"
 #include "cli/run_limits.h"
+#include "cli/workers.h"
 #include "optim/study/record.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
@@ -16,6 +18,7 @@
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/tolerance/tolerance.h"
+#include "problems/tolerance/tolerance_worker.h"
 
 namespace camlaw::cli {
 namespace {
@@ -24,7 +27,7 @@ using problems::ProblemStatement;
 
 struct ToleranceCommand {
   std::string file;
-  std::optional<std::string> point, samples, seed;
+  std::optional<std::string> point, samples, seed, workers, executor;
   std::vector<std::string> settings, tolerances;
   RunLimits limits;
   bool json = false;
@@ -54,6 +57,9 @@ ProblemStatement design_of(const ToleranceCommand& options) {
 
 int run_tolerance(const ToleranceCommand& options) {
   constexpr std::int64_t kMostSamples = 100'000'000;
+  const auto ranks = ranks_of(options.executor, options.workers);
+  if (has_served(ranks.get())) return kDone;
+  const int workers = workers_of(options.workers);
   problems::ToleranceOptions wanted;
   if (options.samples) {
     wanted.samples = static_cast<std::size_t>(
@@ -68,10 +74,10 @@ int run_tolerance(const ToleranceCommand& options) {
   problems::set_values(design, options.settings);
   const Interruptible interruptible;
   const optim::Deadline deadline(limit, interruptible.flag());
-  const auto variations = options.tolerances.empty()
-                              ? problems::variations_of(design)
-                              : stated_variations(design, options.tolerances);
-  const problems::VariedDesign varied = problems::varied_design(design, variations, deadline);
+  const problems::VariedDesign varied = problems::varied_design(
+      design, problems::asked_variations(design, options.tolerances), deadline);
+  wanted.hands =
+      hands_of(problems::tolerance_program(design, options.tolerances), workers, ranks.get());
   const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
   print(variation_document(varied, answer), options.json);
   return answer.cut_short.empty() ? kDone : kNotSolved;
@@ -101,6 +107,8 @@ Command tolerance_command() {
             "parts that the yield is estimated from; unless stated 100000, and fewer where a limit "
             "must be searched anew for each part"},
            {"--seed", &options->seed, takes::kNumber, "of the samples; unless stated 1"},
+           workers_option(options->workers),
+           executor_option(options->executor),
            time_limit_option(options->limits),
            json_switch(options->json)},
       .examples = {{"camlaw tolerance problems/cams/tolerances.toml",

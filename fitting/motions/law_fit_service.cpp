@@ -11,6 +11,7 @@
 #include "problems/fronts/problem_settings.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/sweeps/sweep_worker.h"
+#include "problems/tolerance/tolerance_worker.h"
 
 namespace camlaw::optim {
 
@@ -170,6 +171,7 @@ optim::WorkerProgram law_fit_program() { return {worker_path(), fits_of(problem_
 optim::Service service_of_worker_or_fits(const std::string& problem) {
   if (problem == fits_of(problem_versions())) return law_fit_service({});
   if (auto sweep = service_of_sweep(problem)) return *sweep;
+  if (auto tolerance = service_of_tolerance(problem)) return *tolerance;
   return service_of_worker(problem);
 }
 

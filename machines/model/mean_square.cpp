@@ -1,30 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/mean_square.h"
 
+#include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <span>
+#include <vector>
+
+#include "numerics/linear/dense.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// x^T A x + b^T x + c with few entries of A.
-struct Quadratic {
-  struct Entry {
-    std::size_t row, column;  ///< column <= row
-    double value;             ///< of A; off the diagonal it stands for both
-  };
-  std::vector<Entry> entries;
-  std::vector<double> linear;
-  double constant = 0;
-};
-
-/// s^(order) at a place as a function of the law's variables: constant + slopes.
+/// A linear function of the law's variables: constant + slopes.
 struct Affine {
   double constant;
   std::vector<std::pair<std::size_t, double>> slopes;
 };
 
+/// s^(order) at a place.
 Affine derivative_at(const LawBinding& law, std::span<const double> zeros, double x, int order) {
   const MotionDerivatives motion = law.motion(x, Side::Right, zeros, 1);
   const auto m = static_cast<std::size_t>(order);
@@ -35,48 +30,69 @@ Affine derivative_at(const LawBinding& law, std::span<const double> zeros, doubl
   return result;
 }
 
-/// Adds weight * f^2.
-void add_square(const Affine& f, double weight, std::vector<double>& packed, Quadratic& sum) {
-  sum.constant += weight * f.constant * f.constant;
-  for (std::size_t i = 0; i < f.slopes.size(); ++i) {
-    const auto& [row, slope] = f.slopes[i];
-    sum.linear[row] += 2 * weight * f.constant * slope;
-    for (std::size_t k = 0; k <= i; ++k) {
-      packed[optim::packed(row, f.slopes[k].first)] += weight * slope * f.slopes[k].second;
-    }
+/// As few linear functions whose squares have the same sum: R of the QR factors of all of them, as
+/// rows. Numbers stay those of the functions, of which the expanded squares would be differences.
+std::vector<Affine> condensed(const std::vector<Affine>& all) {
+  std::map<std::size_t, Eigen::Index> columns;
+  for (const Affine& f : all) {
+    for (const auto& [variable, slope] : f.slopes) columns.emplace(variable, 0);
   }
+  Eigen::Index size = 0;
+  std::vector<std::size_t> variables;
+  for (auto& [variable, column] : columns) {
+    column = size++;
+    variables.push_back(variable);
+  }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(all.size()), size + 1);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (const auto& [variable, slope] : all[i].slopes) matrix(row, columns.at(variable)) = slope;
+    matrix(row, size) = all[i].constant;
+  }
+  const optim::PivotedQr qr = optim::pivoted_qr(matrix);
+  std::vector<Affine> rows;
+  for (Eigen::Index row = 0; row < qr.rank; ++row) {
+    Affine f{0, {}};
+    for (Eigen::Index place = row; place <= size; ++place) {
+      const Eigen::Index column = qr.columns[static_cast<std::size_t>(place)];
+      const double entry = qr.factors.packed(row, place);
+      if (column == size) {
+        f.constant = entry;
+      } else if (entry != 0) {
+        f.slopes.emplace_back(variables[static_cast<std::size_t>(column)], entry);
+      }
+    }
+    rows.push_back(std::move(f));
+  }
+  return rows;
 }
 
-/// Gauss-Legendre of 10 points on even steps of each piece, at least two, sixteen over the law: to
-/// rounding for what laws are made of.
-Quadratic assembled(const LawBinding& law, int order) {
+/// The mean square as a sum of squares. Gauss-Legendre of 10 points on even steps of each piece, at
+/// least two, sixteen over the law: to rounding for what laws are made of.
+std::vector<Affine> squares_of(const LawBinding& law, int order) {
   const auto& [places, weights] = gauss_legendre(10);
   const std::vector<double> zeros(law.variables().size(), 0.0);
-  std::vector<double> packed(optim::packed_size(zeros.size()), 0.0);
-  Quadratic sum;
-  sum.linear.resize(zeros.size());
+  std::vector<Affine> squares;
   const Law<double> own = law.member().law();
   for (const auto& piece : own.pieces()) {
-    const double length = piece.end - piece.begin;
     const int steps = detail::steps_over(piece, detail::kMeanSteps);
-    const double half = length / (2 * steps);
+    const double half = (piece.end - piece.begin) / (2 * steps);
+    std::vector<Affine> here;
     for (int i = 0; i < steps; ++i) {
       const double middle = piece.begin + (2 * i + 1) * half;
       for (std::size_t k = 0; k < places.size(); ++k) {
         for (const double side : {-1.0, 1.0}) {
-          const double x = middle + side * places[k] * half;
-          add_square(derivative_at(law, zeros, x, order), half * weights[k], packed, sum);
+          Affine f = derivative_at(law, zeros, middle + side * places[k] * half, order);
+          const double root = std::sqrt(half * weights[k]);
+          f.constant *= root;
+          for (auto& [variable, slope] : f.slopes) slope *= root;
+          here.push_back(std::move(f));
         }
       }
     }
+    for (Affine& f : condensed(here)) squares.push_back(std::move(f));
   }
-  for (std::size_t row = 0; row < zeros.size(); ++row) {
-    for (std::size_t column = 0; column <= row; ++column) {
-      const double value = packed[optim::packed(row, column)];
-      if (value != 0) sum.entries.push_back({row, column, value});
-    }
-  }
-  return sum;
+  return squares;
 }
 
 /// Whether a derivative jumps where two pieces meet, at the member's own values or with others.
@@ -117,24 +133,26 @@ class MeanSquareKernel final : public optim::Kernel {
   }
 
   double gradient(std::span<const double> u, std::span<double> g) const override {
-    const Quadratic& form = quadratic();
-    std::copy(form.linear.begin(), form.linear.end(), g.begin());
-    double sum = form.constant;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += form.linear[i] * u[i];
-    for (const auto& [row, column, value] : form.entries) {
-      const double both = row == column ? 1 : 2;
-      sum += both * value * u[row] * u[column];
-      g[row] += 2 * value * u[column];
-      if (row != column) g[column] += 2 * value * u[row];
+    std::fill(g.begin(), g.end(), 0.0);
+    double sum = 0;
+    for (const Affine& f : squares()) {
+      double value = f.constant;
+      for (const auto& [variable, slope] : f.slopes) value += slope * u[variable];
+      sum += value * value;
+      for (const auto& [variable, slope] : f.slopes) g[variable] += 2 * value * slope;
     }
-    return sum;
+    return is_finite_ ? sum : std::numeric_limits<double>::quiet_NaN();
   }
 
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
     std::fill_n(h.begin(), optim::packed_size(u.size()), 0.0);
-    for (const auto& [row, column, value] : quadratic().entries) {
-      h[optim::packed(row, column)] = 2 * value;
+    for (const Affine& f : squares()) {
+      for (const auto& [row, slope] : f.slopes) {
+        for (const auto& [column, other] : f.slopes) {
+          if (column <= row) h[optim::packed(row, column)] += 2 * slope * other;
+        }
+      }
     }
     return gradient(u, g);
   }
@@ -142,27 +160,25 @@ class MeanSquareKernel final : public optim::Kernel {
   optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
   bool is_enclosed() const override { return exact_->is_enclosed(); }
   std::string why_undefined(std::span<const double>) const override {
-    return std::isnan(quadratic().constant) ? detail::kJumps : "";
+    squares();
+    return is_finite_ ? "" : detail::kJumps;
   }
 
  private:
-  const Quadratic& quadratic() const {
+  const std::vector<Affine>& squares() const {
     std::call_once(made_, [&] {
-      if (is_finite(*law_, order_)) {
-        form_ = assembled(*law_, order_);
-      } else {
-        form_.linear.assign(law_->variables().size(), 0.0);
-        form_.constant = std::numeric_limits<double>::quiet_NaN();
-      }
+      is_finite_ = is_finite(*law_, order_);
+      if (is_finite_) squares_ = squares_of(*law_, order_);
     });
-    return form_;
+    return squares_;
   }
 
   std::shared_ptr<const LawBinding> law_;
   int order_;
   std::shared_ptr<const optim::Kernel> exact_;
   mutable std::once_flag made_;
-  mutable Quadratic form_;
+  mutable bool is_finite_ = true;
+  mutable std::vector<Affine> squares_;
 };
 
 }  // namespace

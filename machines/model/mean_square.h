@@ -22,10 +22,12 @@ namespace camlaw::problems {
 template <class T>
 Possible<T> mean_square(const Law<T>& law, int order);
 
-/// The same over the variables of a law that is linear in them: a quadratic form, put together once
-/// from the pieces that each variable moves. Value, slopes and second derivatives cost as much as
-/// the matrix has entries that are not 0. Encloses as `exact` does. No number where s^(order - 1)
-/// jumps with any values of the variables: then it is infinite but for single laws.
+/// The same over the variables of a law that is linear in them: a sum of squares of linear
+/// functions, put together once from the pieces that each variable moves; no more for each piece
+/// than variables that move it. Expanded, the squares of a law of many knots would be differences
+/// of numbers that are some 10^15 times as large as the mean. Encloses as `exact` does. Not a
+/// number where s^(order - 1) jumps with any values of the variables: then it is infinite but for
+/// single laws.
 std::shared_ptr<const optim::Kernel> mean_square_kernel(std::shared_ptr<const LawBinding> law,
                                                         int order,
                                                         std::shared_ptr<const optim::Kernel> exact);

@@ -36,6 +36,8 @@ void SobolPoints::next(std::span<double> points) {
   }
 }
 
+void SobolPoints::skip(std::size_t count) { sequence_->engine.discard(count * shift_.size()); }
+
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t place) {
   std::uint64_t z = seed * 0xd1342543de82ef95U + (place + 1) * 0x9e3779b97f4a7c15U;
   for (int round = 0; round < 2; ++round) {

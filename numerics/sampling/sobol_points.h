@@ -25,6 +25,8 @@ class SobolPoints {
 
   /// The next points, one behind the other; the span holds a whole number of them.
   void next(std::span<double> points);
+  /// Leaves the next so many points out, in a time that does not depend on their number.
+  void skip(std::size_t count);
 
  private:
   struct Sequence;

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "numerics/library_mutex.h"
+#include "numerics/own_files.h"
 #include "numerics/text/dimension.h"
 #include "numerics/text/names.h"
 #include "numerics/text/unit_spelling.h"
@@ -27,7 +28,9 @@ using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
 ut_system* unit_system() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
-    ut_system* loaded = ut_read_xml(nullptr);
+    // A package that brings udunits along brings its database too; else udunits knows where it is.
+    const auto own = own_file("udunits2.xml");
+    ut_system* loaded = ut_read_xml(own ? own->c_str() : nullptr);
     if (loaded == nullptr) throw std::runtime_error("units: the udunits database cannot be read");
     for (const auto& [name, meaning] : {std::pair{"deg", "arc_degree"},
                                         {"rpm", "revolution/minute"},

@@ -114,4 +114,8 @@ class Crew {
   double spent_here_ = 0;               ///< s
 };
 
+/// Carries errands out, whoever that is: a crew, or workers on other machines (parcels.h), which
+/// have a service of their own.
+using Hands = std::function<void(Errands&, const Service&)>;
+
 }  // namespace camlaw::optim

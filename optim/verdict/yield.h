@@ -3,39 +3,21 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "optim/verdict/design_point.h"
+#include "optim/verdict/drawn_parts.h"
 
 /// The share of all parts that meet every limit, by sampling (docs/theory.md, "What manufacture
 /// does").
 namespace camlaw::optim {
 
-/// How much room each limit leaves at many designs.
-class RoomRows {
- public:
-  virtual ~RoomRows() = default;
-  virtual std::size_t limits() const = 0;
-  /// Of design k, designs[k * n ..), its variables one behind the other, at room[limit * count +
-  /// k]: margin and tolerance together, below 0 where the limit is broken, not a number where the
-  /// model gives none.
-  virtual void room(std::span<const double> designs, std::size_t count,
-                    std::span<double> room) const = 0;
-  /// By how much the room may be less than what is told, for each limit; 0 where that is searched
-  /// for at each design.
-  virtual std::vector<double> slack() const = 0;
-};
-
-/// Room by a search at each design, whatever the problem. Tolerances are those about x.
-std::unique_ptr<RoomRows> searched_rooms(const Problem& problem, Design x);
-
 struct YieldOptions {
   std::size_t samples = 100000;
   std::uint64_t seed = 1;
   std::function<bool()> stopped = [] { return false; };
+  CountParts count = {};  ///< who counts; nobody: the calling thread
 };
 
 struct Yield {
@@ -57,10 +39,10 @@ struct Yield {
 };
 
 /// Sobol points with random shifts, so many for each of 32 repetitions (TV2); where few of the
-/// first break a limit, drawn about the limits' design points (TV3). `slopes` are of each limit, or
-/// none where no design points are to be looked for. Throws std::invalid_argument where there are
-/// not as many variations as variables, or none varies.
-Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design x,
+/// first break a limit, drawn about the limits' design points (TV3). The drawer is of the same x
+/// and variations. `slopes` are of each limit, or none where no design points are to be looked for.
+/// Throws std::invalid_argument for no samples.
+Yield yield(const PartsDrawer& drawer, const std::vector<RoomSlopes>& slopes, Design x,
             const std::vector<Variation>& variations, const YieldOptions& options = {});
 
 }  // namespace camlaw::optim

@@ -22,6 +22,14 @@ std::vector<std::string> judged_words(const problems::ReadDesign& read) {
   return {"judged again: the design does not meet its limits"};
 }
 
+std::vector<std::string> record_words(const problems::ReadDesign& read, const ClaimReview& review) {
+  std::vector<std::string> words = review.words();
+  if (review.is_believed()) return words;
+  // Nobody judged the design that the record has now.
+  for (std::string& sentence : judged_words(read)) words.push_back(std::move(sentence));
+  return words;
+}
+
 std::vector<std::string> unmet_words(const problems::ProblemStatement& design) {
   std::vector<std::string> words;
   for (const optim::LimitReport& limit : problems::standing(design)) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/answers/claim_output.h"
 #include "problems/results/recorded_design.h"
 
 /// A design judged again before it is written to a file.
@@ -13,6 +14,10 @@ namespace camlaw::cli {
 /// "judged again: feasible", or that the design does not meet its limits; empty where there is
 /// nothing to judge.
 std::vector<std::string> judged_words(const problems::ReadDesign& read);
+
+/// What is to be said of the record that a design was read from: `review`, and where that does not
+/// believe it what the design is judged to be now.
+std::vector<std::string> record_words(const problems::ReadDesign& read, const ClaimReview& review);
 
 /// Of each limit of its problem that a design does not meet its value and its bound, a sentence
 /// each: "limit not met: pressure_angle is 32.8 deg and must be at most 30 deg".

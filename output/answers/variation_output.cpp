@@ -251,39 +251,6 @@ void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
 
 }  // namespace
 
-std::vector<problems::VariationStatement> stated_variations(
-    const problems::ProblemStatement& design, const std::vector<std::string>& assignments) {
-  std::vector<problems::VariationStatement> result;
-  for (const std::string& assignment : assignments) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) {
-      throw std::invalid_argument(fmt::format(
-          "--tolerance: '{}' is not of the form name=value, such as base_radius='0.05 mm'",
-          assignment));
-    }
-    problems::VariationStatement v;
-    v.parameter = problems::find_parameter(design, assignment.substr(0, equals));
-    const std::string what = "--tolerance " + v.parameter.name;
-    const auto said = [](const auto& check) {
-      try {
-        check();
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(fmt::format("--tolerance: {}", error.what()));
-      }
-    };
-    said([&] { check_may_vary(design, v.parameter); });
-    v.index = v.parameter.element.value_or(0);
-    const std::string& unit = v.parameter.unit;
-    const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
-    if (!(value > 0 && std::isfinite(value))) {
-      throw std::invalid_argument(what + ": it must be a number above 0");
-    }
-    v.plus = v.minus = value;
-    said([&] { add_variation(result, std::move(v)); });
-  }
-  return result;
-}
-
 Document variation_document(const VariedDesign& varied, const ToleranceAnswer& answer) {
   Document document;
   if (!varied.design.title.empty()) document.say(varied.design.title + "\n\n");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "problems/fronts/study_worker.h"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "optim/search/search_task.h"
 #include "optim/study/encoding.h"
 #include "problems/fronts/problem_settings.h"
+#include "problems/fronts/sent_settings.h"
 
 namespace camlaw::problems {
 namespace {
@@ -19,34 +18,6 @@ constexpr const char* kName = "camlaw-worker";
 
 /// What a worker is to do, as the first text says it.
 constexpr const char *kFront = "front", *kJoined = "joined fronts", *kOptimum = "optimum";
-
-/// How many settings, then name and text of each.
-void add(std::vector<std::string>& texts, const optim::StudySettings& settings) {
-  texts.push_back(fmt::format("{}", settings.size()));
-  for (const auto& [name, text] : settings) texts.insert(texts.end(), {name, text});
-}
-
-class TextReader {
- public:
-  explicit TextReader(const std::vector<std::string>& texts) : texts_(texts) {}
-  bool at_end() const { return next_ == texts_.size(); }
-  const std::string& text() { return texts_.at(next_++); }
-  optim::StudySettings settings() {
-    optim::StudySettings settings;
-    for (std::size_t left = std::stoul(text()); left > 0; --left) {
-      const std::string& name = text();
-      settings[name] = text();
-    }
-    const std::string mine = problem_versions();
-    if (settings["versions"] == mine) return settings;
-    throw std::invalid_argument(
-        fmt::format("the worker program is of {}, the caller of {}", mine, settings["versions"]));
-  }
-
- private:
-  const std::vector<std::string>& texts_;
-  std::size_t next_ = 0;
-};
 
 }  // namespace
 
@@ -57,13 +28,13 @@ std::string worker_path() {
 
 optim::WorkerProgram worker_program(const FrontStudy& study) {
   std::vector<std::string> texts{kFront};
-  add(texts, study.settings());
+  add_settings_to(texts, study.settings());
   return {worker_path(), optim::encoded(texts)};
 }
 
 optim::WorkerProgram worker_program(const ProblemStatement& statement) {
   std::vector<std::string> texts{kOptimum};
-  add(texts, problem_settings(statement));
+  add_settings_to(texts, problem_settings(statement));
   return {worker_path(), optim::encoded(texts)};
 }
 
@@ -77,7 +48,7 @@ optim::WorkerProgram worker_program(const JoinedStudies& joined) {
   std::vector<std::string> texts{kJoined, joined.choice};
   for (std::size_t i = 0; i < joined.names.size(); ++i) {
     texts.push_back(joined.names[i]);
-    add(texts, joined.studies[i].settings());
+    add_settings_to(texts, joined.studies[i].settings());
   }
   return {worker_path(), optim::encoded(texts)};
 }
@@ -85,7 +56,7 @@ optim::WorkerProgram worker_program(const JoinedStudies& joined) {
 optim::Service service_of_worker(const std::string& problem) {
   const auto texts = optim::decoded_texts(problem);
   if (!texts || texts->empty()) throw std::invalid_argument("what was sent is not a study");
-  TextReader reader(*texts);
+  SentTexts reader(*texts);
   const std::string what = reader.text();
   if (what == kOptimum) {
     return optim::search_service(std::make_shared<optim::SearchDesk>(

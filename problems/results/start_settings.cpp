@@ -138,6 +138,25 @@ std::vector<std::string> start_settings(const ProblemStatement& problem, const R
   return settings;
 }
 
+std::vector<std::string> restated_settings(const ProblemStatement& statement) {
+  std::vector<std::string> settings = statement.settings;
+  ProblemStatement plain = read_problem(statement.text, statement.source, statement.files);
+  set_values(plain, settings);
+  const std::vector<std::string> laws = law_settings(plain, statement);
+  if (!laws.empty()) set_values(plain, laws);
+  settings.insert(settings.end(), laws.begin(), laws.end());
+  const bool is_chosen =
+      !statement.parts.empty() && !chooses_part(statement) && chooses_part(plain);
+  const bool stands_elsewhere = !std::equal(
+      plain.variables.begin(), plain.variables.end(), statement.variables.begin(),
+      statement.variables.end(), [](const auto& a, const auto& b) { return a.start == b.start; });
+  if (!is_chosen && !stands_elsewhere) return settings;
+  for (std::string& found : start_settings(plain, ReadDesign{statement})) {
+    settings.push_back(std::move(found));
+  }
+  return settings;
+}
+
 std::vector<std::string> start_settings(const ProblemStatement& problem, const std::string& path) {
   const ReadDesign design = read_design_file(path);
   if (!design.verdict) {

@@ -23,4 +23,8 @@ std::vector<std::string> start_settings(const ProblemStatement& problem, const s
 std::vector<std::string> law_settings(const ProblemStatement& problem,
                                       const ProblemStatement& design);
 
+/// What set_values takes so that a design's problem, as it is read from its text, is at that
+/// design: what was set, its law, its parts, and the numbers of its variables.
+std::vector<std::string> restated_settings(const ProblemStatement& design);
+
 }  // namespace camlaw::problems

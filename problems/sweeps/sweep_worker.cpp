@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/sweeps/sweep_worker.h"
 
-#include <fmt/format.h>
-
 #include <memory>
-#include <stdexcept>
 
 #include "optim/study/encoding.h"
-#include "problems/fronts/problem_settings.h"
+#include "problems/fronts/sent_settings.h"
 #include "problems/fronts/study_worker.h"
 
 namespace camlaw::problems {
@@ -27,21 +24,16 @@ optim::Service sweep_service(SweepStudy study) {
 
 optim::WorkerProgram worker_program(const SweepStudy& study) {
   std::vector<std::string> texts{kSweepWork};
-  for (const auto& [name, text] : study.settings()) texts.insert(texts.end(), {name, text});
+  add_settings_to(texts, study.settings());
   return {worker_path(), optim::encoded(texts)};
 }
 
 std::optional<optim::Service> service_of_sweep(const std::string& sent) {
   const auto texts = optim::decoded_texts(sent);
-  if (!texts || texts->size() % 2 == 0 || texts->front() != kSweepWork) return {};
-  optim::StudySettings settings;
-  for (std::size_t i = 1; i < texts->size(); i += 2) settings[(*texts)[i]] = (*texts)[i + 1];
-  const std::string mine = problem_versions(), its = find_setting(settings, "versions");
-  if (its != mine) {
-    throw std::invalid_argument(
-        fmt::format("the worker program is of {}, the caller of {}", mine, its));
-  }
-  return sweep_service(SweepStudy::of(settings));
+  if (!texts || texts->empty() || texts->front() != kSweepWork) return {};
+  SentTexts reader(*texts);
+  reader.text();
+  return sweep_service(SweepStudy::of(reader.settings()));
 }
 
 }  // namespace camlaw::problems

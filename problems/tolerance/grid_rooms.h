@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "optim/verdict/yield.h"
+#include "optim/verdict/room_rows.h"
 #include "problems/tolerance/varied_design.h"
 
 /// The room of a design's limits at many parts, quickly (docs/theory.md, TV5): intervals first rule

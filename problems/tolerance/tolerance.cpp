@@ -6,6 +6,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/design_point.h"
 #include "optim/verdict/limits.h"
+#include "optim/verdict/parts_errands.h"
 
 namespace camlaw::problems {
 namespace {
@@ -68,9 +69,13 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     slopes.push_back(optim::room_slopes(problem, i, varied.meant));
   }
+  const optim::PartsDrawer drawer(*rooms.rows, varied.meant, varied.variations);
   optim::YieldOptions own{options.samples.value_or(samples_for(grid)), options.seed,
                           [&] { return varied.deadline.passed(); }};
-  return optim::yield(*rooms.rows, slopes, varied.meant, varied.variations, own);
+  if (options.hands) {
+    own.count = optim::counted_by(options.hands, drawer, own.samples, own.stopped);
+  }
+  return optim::yield(drawer, slopes, varied.meant, varied.variations, own);
 }
 
 }  // namespace

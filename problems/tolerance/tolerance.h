@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/crew/crew.h"
 #include "optim/verdict/assessment.h"
 #include "optim/verdict/tolerance.h"
 #include "optim/verdict/yield.h"
@@ -41,6 +42,7 @@ struct ToleranceOptions {
   std::optional<std::size_t> samples = {};
   std::uint64_t seed = 1;
   bool factors = true;
+  optim::Hands hands = {};  ///< who counts the parts of the yield; nobody: the calling thread
 };
 
 /// All of it, as far as the design's deadline lets it get.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "problems/tolerance/varied_design.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "machines/model/law_binding.h"
+#include "numerics/text/units.h"
 #include "optim/search/interruptible.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/cases.h"
@@ -73,6 +77,40 @@ ProblemStatement of_one_part(const ProblemStatement& problem) {
 bool VariedDesign::varies_law() const {
   return std::any_of(statements.begin(), statements.end(),
                      [](const VariationStatement& v) { return v.parameter.of_law; });
+}
+
+std::vector<VariationStatement> asked_variations(const ProblemStatement& design,
+                                                 const std::vector<std::string>& tolerances) {
+  if (tolerances.empty()) return variations_of(design);
+  std::vector<VariationStatement> result;
+  for (const std::string& assignment : tolerances) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(fmt::format(
+          "tolerance: '{}' is not of the form name=value, such as base_radius='0.05 mm'",
+          assignment));
+    }
+    VariationStatement v;
+    v.parameter = find_parameter(design, assignment.substr(0, equals));
+    const std::string what = "tolerance " + v.parameter.name;
+    const auto said = [](const auto& check) {
+      try {
+        check();
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("tolerance: {}", error.what()));
+      }
+    };
+    said([&] { check_may_vary(design, v.parameter); });
+    v.index = v.parameter.element.value_or(0);
+    const std::string& unit = v.parameter.unit;
+    const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
+    if (!(value > 0 && std::isfinite(value))) {
+      throw std::invalid_argument(what + ": it must be a number above 0");
+    }
+    v.plus = v.minus = value;
+    said([&] { add_variation(result, std::move(v)); });
+  }
+  return result;
 }
 
 VariedDesign varied_design(const ProblemStatement& design,

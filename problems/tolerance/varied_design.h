@@ -26,6 +26,12 @@ struct VariedDesign {
   bool varies_law() const;
 };
 
+/// What is to vary: as `tolerances` say, "base_radius=0.05 mm", as much to either side; without any
+/// of them the design's own variations. Throws std::invalid_argument for names and values that are
+/// not accepted.
+std::vector<VariationStatement> asked_variations(const ProblemStatement& design,
+                                                 const std::vector<std::string>& tolerances);
+
 /// The design that a statement begins with. Throws std::invalid_argument where nothing varies, and
 /// where a variation reaches values that its parameter does not accept.
 VariedDesign varied_design(const ProblemStatement& design,

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "optim/cycle/extremes.h"
 #include "problems/statement/parameters.h"
 #include "python/bindings/curve_blocks.h"
 #include "python/bindings/module.h"
@@ -40,11 +41,28 @@ VariableStatement variable_of(const ProblemStatement& statement, const std::stri
   return variable;
 }
 
+/// Whether a law has all of the variables by these names that are of laws.
+bool has_variables(const ProblemStatement& statement, const Member& law,
+                   const std::vector<std::string>& names) {
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    const auto known = std::find_if(statement.variables.begin(), statement.variables.end(),
+                                    [&](const VariableStatement& v) { return v.name == name; });
+    return known == statement.variables.end() || !known->of_law ||
+           problems::index_in(*law.family, known->law_parameter);
+  });
+}
+
 }  // namespace
 
 ProblemStatement with_variables(ProblemStatement statement, const std::vector<std::string>& names) {
-  // Of several laws the first moves the machine, so that names are looked up in it alone.
-  if (statement.laws.size() > 1) statement.laws = std::vector<Member>{statement.laws.front()};
+  // Of several laws the first that has all the names moves the machine: they are looked up in it.
+  if (statement.laws.size() > 1) {
+    const auto found =
+        std::find_if(statement.laws.begin(), statement.laws.end(),
+                     [&](const Member& law) { return has_variables(statement, law, names); });
+    const Member chosen = found == statement.laws.end() ? statement.laws.front() : *found;
+    statement.laws = std::vector<Member>{chosen};
+  }
   std::vector<VariableStatement> variables;
   for (const std::string& name : names) {
     variables.push_back(variable_of(statement, name));
@@ -78,25 +96,6 @@ struct BatchColumn {
   std::vector<double> values;
 };
 
-/// A curve of one design, sampled by itself.
-class SampledCurve {
- public:
-  explicit SampledCurve(std::unique_ptr<const optim::Trace> trace)
-      : trace_(std::move(trace)),
-        places_(trace_->breaks()),
-        values_(trace_->values(places_.places)) {}
-
-  double extreme(optim::Part part) const {
-    const auto at = [&](optim::Place place, std::size_t) { return trace_->at(place); };
-    return Summits(places_, values_, at).extreme(part);
-  }
-
- private:
-  std::unique_ptr<const optim::Trace> trace_;
-  SampledPlaces places_;
-  std::vector<double> values_;
-};
-
 /// The values of responses and limits at many designs.
 class Batch {
  public:
@@ -109,11 +108,14 @@ class Batch {
       const auto asked = problems::find_response(*statement_.mechanism, name);
       asked_.push_back({asked.name, asked.unit, asked.part, place_of(asked)});
     }
-    for (const problems::ConstraintStatement& c : statement_.constraints) {
+    // Which names them apart where there are several of one response.
+    const std::vector<optim::Constraint> named = problems::constraints_of(statement_, binding_);
+    for (std::size_t i = 0; i < statement_.constraints.size(); ++i) {
+      const problems::ConstraintStatement& c = statement_.constraints[i];
       problems::ResponseName whole = c.response;
       if (c.of_law) whole.response = c.of_law.get();
-      limits_.push_back(
-          {c.response.name, c.response.unit, c.response.part, place_of(whole), c.lower, c.upper});
+      limits_.push_back({named.at(i).response.name, c.response.unit, c.response.part,
+                         place_of(whole), c.lower, c.upper});
     }
     gather();
   }
@@ -159,8 +161,11 @@ class Batch {
         return curves.extreme(limit.response, limit.part == optim::Part::Value ? part : limit.part);
       };
       double least = optim::kInfinity;
-      if (limit.upper) least = std::min(least, *limit.upper - at(optim::Part::Highest));
-      if (limit.lower) least = std::min(least, at(optim::Part::Lowest) - *limit.lower);
+      const auto keep = [&](double margin) {
+        if (std::isnan(margin) || margin < least) least = margin;
+      };
+      if (limit.upper) keep(*limit.upper - at(optim::Part::Highest));
+      if (limit.lower && !std::isnan(least)) keep(at(optim::Part::Lowest) - *limit.lower);
       put(least);
     }
   }
@@ -190,15 +195,16 @@ class Batch {
     double extreme(std::size_t k, optim::Part part) const {
       const std::optional<std::size_t>& block = batch_.in_blocks_[k];
       if (together_ && block) return together_->extreme(*block, part);
-      if (!single_[k]) single_[k].emplace(batch_.responses_[k].curve().trace(x_));
-      return single_[k]->extreme(part);
+      if (!single_[k]) single_[k] = batch_.responses_[k].curve().trace(x_);
+      const double value = optim::extreme_of(*single_[k], part).value;
+      return part == optim::Part::Magnitude ? std::abs(value) : value;
     }
 
    private:
     const Batch& batch_;
     optim::Design x_;
     std::optional<CurveBlocks::At> together_;
-    mutable std::vector<std::optional<SampledCurve>> single_;
+    mutable std::vector<std::unique_ptr<const optim::Trace>> single_;
   };
 
   /// Which curves are worked out together.
@@ -206,7 +212,7 @@ class Batch {
     std::vector<const problems::MechanismResponse*> curves;
     in_blocks_.resize(responses_.size());
     for (std::size_t k = 0; k < responses_.size(); ++k) {
-      if (known_[k] == nullptr || !CurveBlocks::takes(*known_[k])) continue;
+      if (known_[k] == nullptr || !CurveBlocks::takes(binding_, *known_[k])) continue;
       in_blocks_[k] = curves.size();
       curves.push_back(known_[k]);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kinematics/peaks.h"
+#include "machines/model/jumps.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/pulse.h"
 #include "machines/model/recorded_response.h"
@@ -40,9 +41,12 @@ bool same_cycle(const problems::Cycle& a, const problems::Cycle& b) {
 
 }  // namespace
 
-bool CurveBlocks::takes(const MechanismResponse& response) {
-  return response.curve && response.write && response.cycle && !response.turn && !response.domain &&
-         response.inner.empty() && !response.cam && response.held.empty();
+bool CurveBlocks::takes(const Binding& binding, const MechanismResponse& response) {
+  const bool is_plain = response.curve && response.write && response.cycle && !response.turn &&
+                        !response.domain && response.inner.empty() && !response.cam &&
+                        response.held.empty();
+  return is_plain && !problems::may_jump(
+                         problems::recorded_for(binding, response.write, problems::kOfPlace, {}));
 }
 
 std::unique_ptr<const CurveBlocks> CurveBlocks::of(

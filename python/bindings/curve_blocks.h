@@ -19,8 +19,9 @@ namespace camlaw::python {
 
 class CurveBlocks {
  public:
-  /// Whether a curve can be one of those: it is a formula of the motion, with a value everywhere.
-  static bool takes(const problems::MechanismResponse& response);
+  /// Whether a curve can be one of those: it is a formula of the motion, with a value everywhere,
+  /// and jumps nowhere between the samples.
+  static bool takes(const problems::Binding& binding, const problems::MechanismResponse& response);
 
   /// None where the motion varies with the design, or jumps.
   static std::unique_ptr<const CurveBlocks> of(

@@ -133,6 +133,24 @@ std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Servic
                                                   program);
 }
 
+optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program) {
+  if (!labour.carrier.is_none()) {
+    struct Carried {
+      PythonTransport transport;
+      optim::ParcelForce force{transport};
+    };
+    const auto carried =
+        std::make_shared<Carried>(PythonTransport(labour.carrier, program.problem));
+    return
+        [carried](optim::Errands& errands, const optim::Service&) { carried->force.run(errands); };
+  }
+  const auto crew = std::make_shared<optim::Crew>(
+      optim::CrewRules{.workers = labour.workers, .program = program});
+  return [crew](optim::Errands& errands, const optim::Service& service) {
+    crew->run(errands, service);
+  };
+}
+
 void add_executors(nb::module_& module) {
   nb::class_<Arrivals>(module, "Arrivals")
       .def("put", &put, nb::arg("parcel"), nb::arg("answers") = nb::list(),

@@ -63,6 +63,9 @@ std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Servic
                                              const optim::WorkerProgram& program,
                                              const optim::OptimiseOptions& options);
 
+/// The same for errands that are no searches of a study.
+optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program);
+
 /// The record of a study, which has settings() and check_same(); an empty path: nothing is
 /// recorded. Throws as optim::StudyRecord::begin.
 template <class Study>

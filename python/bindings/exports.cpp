@@ -52,9 +52,10 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
   return options;
 }
 
-std::string exported(const problems::ReadDesign& read, const std::string& file,
-                     const std::map<std::string, std::string>& told) {
-  return run_whole([&](const Work& work) {
+/// The text, and the limits that the design does not meet.
+nb::tuple exported(const problems::ReadDesign& read, const std::string& file,
+                   const std::map<std::string, std::string>& told) {
+  const cli::ExportedText written = run_whole([&](const Work& work) {
     problems::ReadDesign design = read;
     design.problem.stop = design.statement.stop = work.stop();
     cli::ExportOptions options = options_of(told);
@@ -63,10 +64,14 @@ std::string exported(const problems::ReadDesign& read, const std::string& file,
         cli::take_cam(options.cam, file, "cam=\"{}\"", design.statement);
     const cli::FormatRow& format = cli::format_of(options);
     cli::check_options(options, format);
-    const std::vector<std::string> review =
-        design.verdict ? cli::reviewed(design).words() : std::vector<std::string>{};
-    return cli::exported_text(options, format, std::move(design), review, std::move(unmet)).text;
+    const std::vector<std::string> review = design.verdict
+                                                ? cli::record_words(design, cli::reviewed(design))
+                                                : std::vector<std::string>{};
+    return cli::exported_text(options, format, std::move(design), review, std::move(unmet));
   });
+  nb::list unmet;
+  for (const std::string& limit : written.unmet) unmet.append(limit);
+  return nb::make_tuple(written.text, unmet);
 }
 
 }  // namespace

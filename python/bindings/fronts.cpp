@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "optim/search/free_memory.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/tolerance_output.h"
@@ -19,6 +20,7 @@
 #include "problems/fronts/study_worker.h"
 #include "problems/results/design_json.h"
 #include "problems/results/seal.h"
+#include "problems/results/start_settings.h"
 #include "python/bindings/executors.h"
 #include "python/bindings/front_state.h"
 #include "python/bindings/laws.h"
@@ -97,20 +99,25 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
     throw std::invalid_argument(
         fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
   }
-  const Labour labour{workers_of(workers), carrier};
+  Labour labour{workers_of(workers), carrier};
   if (resume && record.empty())
     throw std::invalid_argument("resume: it goes with record, the file of the study");
   const problems::ProblemStatement& statement = problem.statement;
-  problems::FrontSettings settings{points, problems::parse_method(method), settings_of(statement)};
+  problems::FrontSettings settings{points, problems::parse_method(method),
+                                   problems::restated_settings(statement)};
   settings.files = statement.files;
   if (resume && fs::exists(record)) {
     settings.scouts = problems::FrontStudy::settings_of(optim::StudyRecord::read(record)).scouts;
   }
   FrontOwner front(
       new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
-  front->study.options().solve.memory = memory;
+  const double allowed = memory.value_or(optim::free_memory());
+  front->study.options().solve.memory = allowed;
   const bool interrupted = run_beside(
       [&](Work& work) {
+        const optim::ProblemSpace& space = front->study.space();
+        labour.workers = optim::workers_with_room(
+            labour.workers, space.problem(space.options(0)).alone(0), allowed);
         search(*front, labour, resume, work);
         front = answered(std::move(front));
       },

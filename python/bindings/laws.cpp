@@ -89,7 +89,16 @@ constexpr std::size_t kFew = std::size_t{1} << 15U;
   });
 }
 
+/// Throws std::invalid_argument for numbers that do not lie where processors want them, as in some
+/// views of bytes.
+template <class Numbers>
+void check_aligned(const Numbers& numbers) {
+  if (reinterpret_cast<std::uintptr_t>(numbers.data()) % alignof(double) == 0) return;
+  throw std::invalid_argument("an array of numbers is not aligned to 8 bytes; give a copy of it");
+}
+
 MotionArrays motion_at(const NamedLaw& law, const Places& x) {
+  check_aligned(x);
   MotionArrays result(x.shape(0));
   const std::span<const double> places{x.data(), x.shape(0)};
   if (places.size() > kFew) {
@@ -118,7 +127,9 @@ void check_apart(const MotionSpans& out, std::span<const double> x) {
 }
 
 void motion_into(const NamedLaw& law, const Places& x, const std::array<Out, 4>& out) {
+  check_aligned(x);
   for (const Out& row : out) {
+    check_aligned(row);
     if (row.shape(0) == x.shape(0)) continue;
     throw std::invalid_argument(
         fmt::format("into: an array has {} numbers, but x has {}", row.shape(0), x.shape(0)));

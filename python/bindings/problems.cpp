@@ -341,26 +341,6 @@ StatedProblem problem_of(const ProblemState& state) {
   return result;
 }
 
-std::vector<std::string> settings_of(const ProblemStatement& statement) {
-  std::vector<std::string> settings = statement.settings;
-  ProblemStatement plain =
-      problems::read_problem(statement.text, statement.source, statement.files);
-  problems::set_values(plain, settings);
-  const std::vector<std::string> laws = problems::law_settings(plain, statement);
-  if (!laws.empty()) problems::set_values(plain, laws);
-  settings.insert(settings.end(), laws.begin(), laws.end());
-  const bool is_chosen = !statement.parts.empty() && !problems::chooses_part(statement) &&
-                         problems::chooses_part(plain);
-  const bool stands_elsewhere = !std::equal(
-      plain.variables.begin(), plain.variables.end(), statement.variables.begin(),
-      statement.variables.end(), [](const auto& a, const auto& b) { return a.start == b.start; });
-  if (!is_chosen && !stands_elsewhere) return settings;
-  for (std::string& found : problems::start_settings(plain, problems::ReadDesign{statement})) {
-    settings.push_back(std::move(found));
-  }
-  return settings;
-}
-
 nb::dict curves_of(const StatedProblem& problem, int count) {
   using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
   Columns columns = run_whole([&](const Work& work) {
@@ -408,10 +388,16 @@ void add_problems(nb::module_& module) {
       .def("held_files", &held_files)
       .def("found_settings",
            [](const StatedProblem& p) {
-             return without_lock([&] { return settings_of(p.statement); });
+             return without_lock([&] { return problems::restated_settings(p.statement); });
            })
       .def("with_settings", &problem_with, nb::arg("settings"))
       .def("variables", &variables_of)
+      .def(
+          "unit_of",
+          [](const StatedProblem& p, const std::string& name) {
+            return without_lock([&] { return problems::find_parameter(p.statement, name).unit; });
+          },
+          nb::arg("name"))
       .def("constants", &constants_of)
       .def("objectives", &objectives_of)
       .def("constraints", &constraints_of)

@@ -43,10 +43,6 @@ using ProblemState =
 ProblemState state_of(const StatedProblem& problem);
 StatedProblem problem_of(const ProblemState& state);
 
-/// What set_values takes so that the problem's text comes to stand where it stands: what was set,
-/// and of a design what was found and chosen.
-std::vector<std::string> settings_of(const problems::ProblemStatement& statement);
-
 /// Every curve of the design at count + 1 even places: the place first, then each curve with its
 /// unit, as 'camlaw evaluate --curves' writes them.
 nb::dict curves_of(const StatedProblem& problem, int count);

@@ -13,6 +13,7 @@
 
 #include "numerics/text/file_text.h"
 #include "optim/crew/crew.h"
+#include "optim/search/free_memory.h"
 #include "optim/search/memory.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/cycle_figure.h"
@@ -73,7 +74,7 @@ optim::OptimiseOptions options_of(const SearchSettings& told,
     throw std::invalid_argument(
         fmt::format("time_limit: {} s is not above zero", *result.time_limit));
   }
-  result.memory = told.memory;
+  result.memory = told.memory.value_or(optim::free_memory());
   result.native = stated.native;
   return result;
 }
@@ -149,8 +150,10 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   optim::OptimiseOptions search = options_of(told, statement.solver);
   search.stop = work.stop();
   search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
+  const int workers =
+      optim::workers_with_room(told.workers, space.problem(space.options(0)), *search.memory);
   optim::Crew crew(
-      {.workers = told.workers, .program = problems::worker_program(found->bound.statement())});
+      {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = optim::optimise(space, search, crew);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.warnings = cli::warnings_of(answer);
@@ -161,7 +164,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
     optim::OptimiseOptions rest = search;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
     if (rest.time_limit) rest.time_limit = *rest.time_limit - spent.count();
-    measure(answer, rest, told.workers, facts, document);
+    measure(answer, rest, workers, facts, document);
   }
   problems::seal(facts);
   StoredResult result{.facts = std::move(facts)};

@@ -27,6 +27,30 @@ void check_signals() {
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
 }
 
+/// Takes in what comes while the work ends: one who presses Ctrl-C again wants its end, not to lose
+/// the answer.
+void ignore_interrupts() {
+  if (PyErr_CheckSignals() != 0) PyErr_Clear();
+}
+
+/// Stops a thread and waits for it, whatever is thrown beside it: it uses what is on this stack.
+class Joined {
+ public:
+  Joined(std::thread& thread, std::atomic<bool>& stop) : thread_(thread), stop_(stop) {}
+  Joined(const Joined&) = delete;
+  Joined& operator=(const Joined&) = delete;
+  ~Joined() {
+    if (!thread_.joinable()) return;
+    stop_ = true;
+    const nb::gil_scoped_release released;
+    thread_.join();
+  }
+
+ private:
+  std::thread& thread_;
+  std::atomic<bool>& stop_;
+};
+
 }  // namespace
 
 void Work::tell(std::optional<double> done, std::string words) {
@@ -82,12 +106,16 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
     }
     work.end();
   });
+  const Joined joined(thread, work.stop_);
   for (bool ended = false; !ended;) {
     {
       const nb::gil_scoped_release released;
       ended = work.wait();
     }
-    if (raised) continue;  // nothing is told to who has stopped it
+    if (raised) {  // nothing is told to who has stopped it
+      ignore_interrupts();
+      continue;
+    }
     if (!throws(check_signals, raised)) {
       const auto told = work.take();
       if (told && !progress.is_none()) {

@@ -8,6 +8,8 @@
 #include "output/document/printing.h"
 #include "output/report/html.h"
 #include "problems/tolerance/tolerance.h"
+#include "problems/tolerance/tolerance_worker.h"
+#include "python/bindings/executors.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
 #include "python/bindings/running.h"
@@ -40,17 +42,21 @@ nb::tuple sensitivity_of(const StatedProblem& problem, const std::vector<std::st
 }
 
 nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::string>& tolerances,
-                       std::size_t samples, std::uint64_t seed, std::optional<double> time_limit,
-                       nb::handle progress) {
+                       std::optional<std::size_t> samples, std::uint64_t seed,
+                       std::optional<int> workers, nb::handle carrier,
+                       std::optional<double> time_limit, nb::handle progress) {
+  const Labour labour{workers_of(workers), carrier};
   return tuple_of(run_whole(
       [&](Work& work) {
         const problems::ProblemStatement& design = problem.statement;
         const optim::Deadline deadline(time_limit, work.stop());
-        const auto variations = tolerances.empty() ? problems::variations_of(design)
-                                                   : cli::stated_variations(design, tolerances);
-        const problems::VariedDesign varied = problems::varied_design(design, variations, deadline);
-        return cli::variation_document(
-            varied, problems::tolerance_of(varied, {.samples = samples, .seed = seed}));
+        const problems::VariedDesign varied = problems::varied_design(
+            design, problems::asked_variations(design, tolerances), deadline);
+        const problems::ToleranceOptions options{
+            .samples = samples,
+            .seed = seed,
+            .hands = hands_of(labour, problems::tolerance_program(design, tolerances))};
+        return cli::variation_document(varied, problems::tolerance_of(varied, options));
       },
       progress));
 }
@@ -61,8 +67,8 @@ void add_sensitivity(nb::module_& module) {
   module.def("sensitivity", &sensitivity_of, nb::arg("problem"), nb::arg("over"),
              nb::arg("samples"), nb::arg("seed"), nb::arg("progress").none());
   module.def("tolerance", &tolerance_of, nb::arg("problem"), nb::arg("tolerances"),
-             nb::arg("samples"), nb::arg("seed"), nb::arg("time_limit").none(),
-             nb::arg("progress").none());
+             nb::arg("samples").none(), nb::arg("seed"), nb::arg("workers").none(),
+             nb::arg("carrier").none(), nb::arg("time_limit").none(), nb::arg("progress").none());
 }
 
 }  // namespace camlaw::python

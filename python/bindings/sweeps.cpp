@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <tuple>
 
+#include "optim/search/free_memory.h"
 #include "optim/study/encoding.h"
 #include "output/answers/sweep_answer.h"
 #include "output/document/printing.h"
 #include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/fronts/stored_front.h"
+#include "problems/results/start_settings.h"
 #include "problems/statement/parameters.h"
 #include "problems/sweeps/stored_sweep.h"
 #include "problems/sweeps/sweep_worker.h"
@@ -27,19 +30,30 @@
 namespace camlaw::python {
 namespace {
 
-namespace fs = std::filesystem;
 using problems::SweepStudy;
 
 struct FoundSweep {
-  SweepStudy study;
-  problems::Sweep sweep = {};
-  std::vector<std::string> notes = {};
+  explicit FoundSweep(SweepStudy of, problems::Sweep found = {},
+                      std::vector<std::string> remarks = {})
+      : study(std::move(of)), sweep(std::move(found)), notes(std::move(remarks)) {}
 
-  cli::SweepAnswer answer() const {
-    cli::SweepAnswer result(study, sweep);
-    result.notes.insert(result.notes.end(), notes.begin(), notes.end());
-    return result;
+  SweepStudy study;
+  problems::Sweep sweep;
+  std::vector<std::string> notes;
+
+  /// Worked out once, which takes a second where there are some thousand combinations.
+  const cli::SweepAnswer& answer() const {
+    const std::lock_guard lock(*mutex_);
+    if (!answer_) {
+      answer_ = std::make_shared<cli::SweepAnswer>(study, sweep);
+      answer_->notes.insert(answer_->notes.end(), notes.begin(), notes.end());
+    }
+    return *answer_;
   }
+
+ private:
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
+  mutable std::shared_ptr<cli::SweepAnswer> answer_ = nullptr;
 };
 using SweepOwner = std::unique_ptr<FoundSweep>;
 
@@ -105,10 +119,10 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
     throw std::invalid_argument("resume: it goes with record, the file of the study");
   const problems::ProblemStatement& statement = problem.statement;
   const SweepWords words{set, over, std::move(sample), seed, evaluates, is_cold};
-  SweepOwner found(
-      new FoundSweep{SweepStudy(statement.text, statement.source,
-                                asked_settings(words, settings_of(statement)), statement.files)});
-  found->study.options().memory = memory;
+  SweepOwner found(new FoundSweep{
+      SweepStudy(statement.text, statement.source,
+                 asked_settings(words, problems::restated_settings(statement)), statement.files)});
+  found->study.options().memory = memory.value_or(optim::free_memory());
   const bool interrupted = run_beside(
       [&](Work& work) { search(*found, labour, record, resume, work); }, progress, time_limit);
   return nb::make_tuple(std::move(found), interrupted);
@@ -187,21 +201,29 @@ void add_sweeps(nb::module_& module) {
   nb::class_<FoundSweep>(module, "Sweep")
       .def("facts",
            [](const FoundSweep& f) {
-             return python_of(cli::json_of(cli::sweep_document(f.answer())));
+             return python_of(
+                 without_lock([&] { return cli::json_of(cli::sweep_document(f.answer())); }));
            })
       .def("text",
            [](const FoundSweep& f) {
-             return cli::unshaded(cli::text_of(cli::sweep_document(f.answer())));
+             return without_lock(
+                 [&] { return cli::unshaded(cli::text_of(cli::sweep_document(f.answer()))); });
            })
       .def("html",
-           [](const FoundSweep& f) { return cli::html_of(cli::sweep_document(f.answer())); })
+           [](const FoundSweep& f) {
+             return without_lock([&] { return cli::html_of(cli::sweep_document(f.answer())); });
+           })
       .def("csv",
-           [](const FoundSweep& f) { return cli::csv_of(cli::combinations_table(f.answer())); })
+           [](const FoundSweep& f) {
+             return without_lock([&] { return cli::csv_of(cli::combinations_table(f.answer())); });
+           })
       .def("report",
            [](const FoundSweep& f, const std::string& name) {
-             return cli::page_html(cli::sweep_report(f.answer(), name));
+             return without_lock(
+                 [&] { return cli::page_html(cli::sweep_report(f.answer(), name)); });
            })
-      .def("notes", [](const FoundSweep& f) { return f.answer().notes; })
+      .def("notes",
+           [](const FoundSweep& f) { return without_lock([&] { return f.answer().notes; }); })
       .def("design", &design_of, nb::arg("combination"))
       .def("__getstate__", &sweep_state_of)
       .def("__setstate__", [](FoundSweep& place, const SweepState& state) {

@@ -4,6 +4,7 @@ the argument and says what is accepted."""
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Mapping, Sequence
 from operator import index
@@ -55,11 +56,21 @@ def path(value: Any, what: str = "path") -> str:
         raise InputError(f"{what}: {shown(value)} is not a path; a text or a pathlib.Path is accepted")
     if place in ("", ".") or "\0" in place:
         raise InputError(f"{what}: {shown(place)} is not the name of a file")
-    return place
+    return text(place, what)
 
 
 def optional_path(value: Any, what: str = "path") -> str | None:
     return None if value is None else path(value, what)
+
+
+def record_path(value: Any) -> str:
+    """The file of a study's record, whose folder must be there; "" where none is named."""
+    if value is None:
+        return ""
+    place = path(value, "record")
+    if not os.path.isdir(os.path.dirname(place) or "."):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), place)
+    return place
 
 
 def flag(value: Any, what: str) -> bool:
@@ -126,6 +137,20 @@ def texts(value: Any, what: str) -> list[str]:
     return [text(item, what) for item in sequence(value, what)]
 
 
+def _real(value: Any) -> float:
+    """One of an array of objects: whole numbers of any size, fractions and so on."""
+    if value is None or isinstance(value, (str, bytes, bool, np.bool_)):
+        raise TypeError
+    return float(value)
+
+
+def _has_flags(values: Any) -> bool:
+    """Whether a list has True or False among its numbers, which NumPy takes for 1 and 0."""
+    return isinstance(values, (list, tuple)) and any(
+        isinstance(value, (bool, np.bool_)) or _has_flags(value) for value in values
+    )
+
+
 def numbers(values: Any, what: str, most_dimensions: int = 1) -> np.ndarray:
     """An array of float64 of one dimension, or of so many at most, which is not copied if it is one; a
     number is an array of one. What a masked array masks is not a number."""
@@ -137,7 +162,9 @@ def numbers(values: Any, what: str, most_dimensions: int = 1) -> np.ndarray:
         if isinstance(values, np.ma.MaskedArray):
             values = np.ma.filled(values.astype(np.float64), np.nan)
         array = np.asarray(values)
-        if array.dtype.kind not in "iufO" or values is None:
+        if array.dtype.kind == "O":
+            array = np.array([_real(value) for value in array.flat]).reshape(array.shape)
+        if array.dtype.kind not in "iuf" or _has_flags(values):
             raise TypeError
         array = np.ascontiguousarray(np.atleast_1d(array), dtype=np.float64)
     except (TypeError, ValueError, OverflowError):

@@ -28,7 +28,11 @@ class Evaluation(Answer):
     def __init__(self, facts: dict[str, Any]) -> None:
         self.facts = facts
         self._rows = {row["response"]: row for row in facts["responses"]}
-        self._limits = facts["limits"]
+        # Prices are those of an optimum.
+        self._limits = [
+            {key: value for key, value in limit.items() if key != "multiplier"}
+            for limit in facts["limits"]
+        ]
         self.buildable: dict[str, Any] | None = facts["buildable"]
         self.warnings: list[str] = facts["warnings"]
 

@@ -57,6 +57,9 @@ def _end(executor: Any) -> None:
     A pool of processes that broke while it started one more process never ends that one, and waits
     for it when Python ends (seen in 3.11): the processes that it still has are killed.
     """
+    if _is_dask(executor):
+        executor.close()  # a client, whose workers may go on
+        return
     processes = list((getattr(executor, "_processes", None) or {}).values())
     executor.shutdown(wait=False, cancel_futures=True)
     for process in processes:
@@ -188,4 +191,5 @@ class Carrier:
         """Drops what is under way, and ends an executor that was made here."""
         self.cancel()
         if self._make is not None:
-            _end(self._executor)
+            with contextlib.suppress(Exception):  # the study is done, whatever becomes of the engine
+                _end(self._executor)

@@ -15,7 +15,7 @@ from .arguments import path as checked_path
 from .arguments import shown as shown_value
 from .errors import InputError, Interrupted
 from .kept import Kept
-from .motion_laws import Law
+from .motion_laws import Law, name_of
 from .native import native
 from .outputs import written
 from .problems import Problem
@@ -169,7 +169,7 @@ def fit(
     """
     table = _sample_table(data)
     shifts = [shift] if isinstance(shift, str) else texts(shift, "shift")
-    name = law.name if isinstance(law, Law) else optional_text(law, "law")
+    name = name_of(law, "law") if isinstance(law, Law) else optional_text(law, "law")
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
         found, interrupted = native.fit(
@@ -205,5 +205,5 @@ def fit_constants(
         constants = ", ".join(
             f"{name}={units.value_text(value, name)}" for name, value in printed.items()
         )
-    name = law.name if isinstance(law, Law) else optional_text(law, "law")
+    name = name_of(law, "law") if isinstance(law, Law) else optional_text(law, "law")
     return Fit(native.fit_constants(constants, _machine(mechanism, set), name))

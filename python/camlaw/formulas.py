@@ -19,6 +19,8 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
+from contextvars import ContextVar
+from math import isfinite
 from typing import Any
 
 from .arguments import is_pint, mapping, optional_text, shown, text
@@ -26,6 +28,9 @@ from .errors import InputError
 from .units import pint_unit
 
 _SUM, _TERM, _SIGN, _POWER, _PRIMARY = range(1, 6)
+
+#: Characters of a formula that the library reads (docs/formulas.md).
+_LONGEST = 4096
 
 
 class Expression:
@@ -37,6 +42,11 @@ class Expression:
     __slots__ = ("text", "_rank")
 
     def __init__(self, text: str, rank: int = _PRIMARY) -> None:
+        if len(text) > _LONGEST:
+            raise InputError(
+                f"a formula of more than {_LONGEST} characters cannot be recorded; each use of an "
+                "intermediate result writes it out again, so make it a response of its own"
+            )
         self.text = text
         self._rank = rank
 
@@ -119,6 +129,8 @@ def expression(value: Any) -> Expression:
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (int, float)) and not isinstance(value, bool):
+        if not isfinite(value):
+            raise InputError(f"{value} cannot be part of a formula; a finite number is accepted")
         return _signed(repr(value))
     raise InputError(
         f"{shown(value)} cannot be part of a formula; numbers, expressions and quantity('9.81 m/s^2') can"
@@ -138,10 +150,14 @@ def quantity(value: Any, unit: str | None = None) -> Expression:
             value = float(number)
         except ValueError:
             raise InputError(f"'{number}' is not a number; write quantity('9.81 m/s^2')") from None
+    if is_pint(value):
+        if unit is not None:
+            raise InputError(f"quantity: {shown(value)} has a unit already; leave out '{unit}'")
+        value, unit = value.magnitude, pint_unit(value.units)
     if hasattr(value, "tolist"):
         value = value.tolist()
-    if not isinstance(value, (int, float)) or isinstance(value, bool):
-        raise InputError(f"quantity: {shown(value)} is not a number")
+    if not isinstance(value, (int, float)) or isinstance(value, bool) or not isfinite(value):
+        raise InputError(f"quantity: {shown(value)} is not a finite number")
     unit = optional_text(unit, "unit")
     return _signed(f"{value!r} [{unit}]" if unit else repr(value))
 
@@ -235,7 +251,7 @@ def unless_zero(f: Any, y: Any) -> Expression:
     return _call("unless_zero", f, y)
 
 
-_roots = 0
+_roots: ContextVar[int] = ContextVar("roots that are being recorded within one another", default=0)
 
 
 def root(
@@ -246,13 +262,13 @@ def root(
 ) -> Expression:
     """The first y between low and high at which f(y) is 0; if `level` is given, the one of several at
     which level(y) is highest."""
-    global _roots
-    _roots += 1
-    y = Expression(f"root_{_roots}")
+    depth = _roots.get() + 1
+    outside = _roots.set(depth)
+    y = Expression(f"root_{depth}")
     try:
         parts = [y, low, high, f(y)] + ([level(y)] if level else [])
     finally:
-        _roots -= 1
+        _roots.reset(outside)
     return _call("root", *parts)
 
 
@@ -374,8 +390,13 @@ class Machine:
     def response(self, unit: str = "1", meaning: str = "", name: str | None = None) -> Any:
         """A decorator that makes a function a response of the machine, under the function's name."""
 
+        text(unit, "unit")
+
         def add(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
-            self.responses[name or function.__name__] = Response(function, unit, meaning)
+            called = name or function.__name__
+            if called in self.responses:
+                raise InputError(f"{self.name} has a response '{called}' already")
+            self.responses[called] = Response(function, unit, meaning)
             return function
 
         return add

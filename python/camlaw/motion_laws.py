@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import plots, tables, units
-from .arguments import flag, numbers, text, whole
+from .arguments import flag, numbers, shown, text, whole
 from .arguments import path as checked_path
-from .errors import InputError
+from .errors import Error, InputError
 from .native import native
 from .outputs import written
 
@@ -207,18 +207,24 @@ class Law:
 
     def save(self, path: str | Path, title: str = "") -> None:
         """Writes the law to a file, which law_file(path) and problem files read."""
-        written(self._native.file_text(text(title, "title") or self._native.label), path)
+        if not text(title, "title").isprintable():
+            raise InputError(f"title: {shown(title)} has control characters")
+        written(self._native.file_text(title or self._native.label), checked_path(path))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Law):
             return NotImplemented
-        return bool(self._native.__getstate__() == other._native.__getstate__())
+        return self is other or self._pieces() == other._pieces()
+
+    def _pieces(self) -> str:
+        """The function itself, whatever it is called."""
+        return self._native.file_text("law")
 
     def __reduce__(self) -> Any:
         return Law, (self._native,)
 
     def __hash__(self) -> int:
-        return hash(self.name)
+        return hash(self._pieces())
 
     def __repr__(self) -> str:
         if self._native.is_of_catalogue:
@@ -245,8 +251,24 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
     law has a list of them. Raises InputError for an unknown name, with similar names, and for values
     that make no law.
     """
-    known = name.name if isinstance(name, Law) else text(name, "law")
+    if isinstance(name, Law) and not coefficients:
+        return Law(name._native)
+    known = name_of(name, "law") if isinstance(name, Law) else text(name, "law")
     return Law(native.law(known, units.settings_of(coefficients)))
+
+
+def name_of(law: Law, what: str) -> str:
+    """The name by which the library finds this very law. Raises InputError for a law of a file, which
+    has none, though it may be called as one of the catalogue is."""
+    try:
+        if Law(native.law(law.name, [])) == law:
+            return law.name
+    except Error:
+        pass
+    raise InputError(
+        f"{what}: '{law.name}' is the law of a file, which has no name here; a law of the catalogue, or "
+        "the path of a law's file, is accepted"
+    )
 
 
 def law_file(path: str | Path) -> Law:

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import os
+import shutil
 import threading
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,17 +20,38 @@ from .errors import InputError
 def written(text: str, path: str | Path | None) -> str:
     """Writes a text, all of it or nothing, where a path is given; returns it."""
     if path is not None:
-        place = Path(checked_path(path))
-        beside = place.with_name(f".{place.name}.{os.getpid()}.{threading.get_ident()}")
+        named = checked_path(path)
+        place = Path(named).resolve()  # of a link the file that it leads to
         try:
-            try:
-                beside.write_text(text, encoding="utf-8")
-                os.replace(beside, place)
-            except OSError as error:
-                raise type(error)(error.errno, error.strerror, str(place)) from None
-        finally:
-            beside.unlink(missing_ok=True)
+            if place.exists() and not place.is_file():  # a pipe, a terminal
+                place.write_text(text, encoding="utf-8")
+            else:
+                _replace(place, text)
+        except OSError as error:
+            raise type(error)(error.errno, error.strerror, named) from None
     return text
+
+
+def _replace(place: Path, text: str) -> None:
+    beside = place.with_name(f".camlaw.{os.getpid()}.{threading.get_ident()}")
+    try:
+        with open(beside, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        if place.exists():
+            shutil.copymode(place, beside)
+        os.replace(beside, place)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def exported(found: tuple[str, list[str]], path: str | Path | None) -> str:
+    """The text of an export, written where a path is given; warns of limits that are not met."""
+    text, unmet = found
+    for limit in unmet:
+        warnings.warn(limit, stacklevel=3)
+    return written(text, path)
 
 
 #: What is True or False.

@@ -22,9 +22,9 @@ from .arguments import text as _text
 from .errors import InputError
 from .evaluations import Check, Evaluation, Range
 from .formulas import Machine
-from .motion_laws import Law
+from .motion_laws import Law, name_of
 from .native import native
-from .outputs import export_options, written
+from .outputs import export_options, exported, written
 from .searches import Searches
 from .stating import Held, problem_table
 from .toml_text import toml_text
@@ -147,6 +147,11 @@ class Problem(Searches):
         place = Path(checked_path(path))
         files = {place.parent / name: text for name, text in self._native.held_files().items()}
         for file, text in files.items():
+            if not file.resolve().is_relative_to(place.parent.resolve()):
+                raise InputError(
+                    f"{file} is outside the folder of {place}, where a problem's files are saved with it"
+                )
+        for file, text in files.items():
             if file.exists() and not _is_same_file(file, text):
                 raise InputError(
                     f"{file} is there already and is not what the problem names by this name; save the "
@@ -154,6 +159,7 @@ class Problem(Searches):
                 )
         for file, text in files.items():
             if not file.exists():
+                file.parent.mkdir(parents=True, exist_ok=True)
                 written(text, file)
         written(self.text, place)
 
@@ -204,8 +210,15 @@ class Problem(Searches):
 
     def set(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Problem:
         """The problem with other values: starts of variables, constants, coefficients of the law, values
-        in load cases ("fast.speed"), bounds of limits ("pressure_angle.upper"), or another law."""
-        settings = units.settings_of({**mapping(values, "set", "{'stroke': '32 mm'}"), **more})
+        in load cases ("fast.speed"), bounds of limits ("pressure_angle.upper"), or another law, by its
+        name or as a Law of the catalogue."""
+        given = {**mapping(values, "set", "{'stroke': '32 mm'}"), **more}
+        settings = units.settings_of(
+            {
+                name: name_of(value, name) if isinstance(value, Law) else value
+                for name, value in given.items()
+            }
+        )
         return Problem(_native=self._native.with_settings(settings))
 
     def check(self) -> Check:
@@ -264,10 +277,8 @@ class Problem(Searches):
     def _numbers(self, name: str, values: Any) -> np.ndarray:
         """An array in the listed unit of a variable or a constant."""
         if is_pint(values):
-            unit = self.units.get(name)
-            if unit is None:
-                raise InputError(f"{name}: plain numbers are accepted; it is not a size of the machine")
-            one = native.quantity(f"1 {units.pint_unit(values.units)}", unit, unit, name)
+            unit = self._native.unit_of(name)
+            one = native.quantity(units.value_text(1 * values.units), unit, unit, name)
             values = np.asarray(values.magnitude, dtype=np.float64) * one
         return numbers(values, name)
 
@@ -292,8 +303,7 @@ class Problem(Searches):
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam's curves, motion or law as the text of a file; see Result.export."""
-        text = native.export_problem(self._native, export_options(path, options))
-        return written(text, path)
+        return exported(native.export_problem(self._native, export_options(path, options)), path)
 
     def __eq__(self, other: object) -> bool:
         """Whether the other states the same: text, files, what was set, and the design it stands at."""

@@ -14,7 +14,7 @@ from .arguments import path as checked_path
 from .errors import InputError
 from .motion_laws import Law
 from .native import native
-from .outputs import export_options, written
+from .outputs import export_options, exported, written
 from .problems import Problem
 
 
@@ -62,12 +62,28 @@ class Result(Answer):
     @classmethod
     def load(cls, path: str | Path) -> Result:
         """Reads a result's file. camlaw believes nothing in it: review says where the file and its design
-        disagree."""
-        return cls(native.result_file(checked_path(path)))
+        disagree. If they do, verdict, objective and margins are not the file's, but those of its
+        design."""
+        result = cls(native.result_file(checked_path(path)))
+        if result.review:
+            result._judge_again()
+        return result
+
+    def _judge_again(self) -> None:
+        """Puts what the design is in place of what a file claims of it."""
+        found = self.verify()
+        limits = self.design.evaluate()._limits
+        self.facts = self.facts | {
+            "verdict": found.verdict,
+            "reason": " ".join([found.reason, *(f"{remark}." for remark in self.review)]).strip(),
+            "global": False,
+            "objective": found.objective,
+            "constraints": [{**limit, "worst_angle_deg": limit["at"]} for limit in limits],
+        }
 
     def save(self, path: str | Path) -> None:
         """Writes the result as 'camlaw optimize --out' does. The file stands alone."""
-        written(self._native.json_text(), path)
+        written(self._native.json_text(), checked_path(path))
 
     @property
     def verdict(self) -> str:
@@ -195,10 +211,10 @@ class Result(Answer):
         cutter, all. cam: of several cams on one shaft, the one to export. tolerance: how far the exact
         curve may be from what is written. step: even steps of the angle instead of a tolerance. form:
         lines, arcs, spline. docs/exports.md explains decimals, tool, feed, clearance, depth, slave and
-        others; drawing and decimal_comma are True or False.
+        others; drawing and decimal_comma are True or False. Warns of each limit that the design does not
+        meet.
         """
-        text = native.export_result(self._native, export_options(path, options))
-        return written(text, path)
+        return exported(native.export_result(self._native, export_options(path, options)), path)
 
     def __str__(self) -> str:
         text = self._native.text

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import units
-from .arguments import flag, mapping, optional_path, optional_text, optional_whole, shown, text, whole
+from .arguments import flag, mapping, optional_text, optional_whole, record_path, shown, text, whole
 from .errors import InputError, Interrupted
 from .evaluations import Sensitivity, Tolerance
 from .native import native
@@ -164,7 +164,7 @@ class Searches:
                 text(method, "method"),
                 optional_whole(workers, "workers", 1, _MOST_WORKERS),
                 carrier,
-                optional_path(record, "record") or "",
+                record_path(record),
                 flag(resume, "resume"),
                 units.seconds(time_limit),
                 units.size_in_bytes(memory),
@@ -222,7 +222,7 @@ class Searches:
                 flag(cold, "cold"),
                 optional_whole(workers, "workers", 1, _MOST_WORKERS),
                 carrier,
-                optional_path(record, "record") or "",
+                record_path(record),
                 flag(resume, "resume"),
                 units.seconds(time_limit),
                 units.size_in_bytes(memory),
@@ -265,8 +265,10 @@ class Searches:
         tolerances: Mapping[str, Any] | None = None,
         /,
         *,
-        samples: int = 100_000,
+        samples: int | None = None,
         seed: int = 1,
+        workers: int | None = None,
+        executor: Any = None,
         time_limit: Any = None,
         progress: Progress = None,
         **more: Any,
@@ -274,17 +276,27 @@ class Searches:
         """Finds what manufacture makes of the design at the variables' starts: worst case and yield.
 
         tolerances: as much to either side, such as {"base_radius": "0.02 mm"}; without any, the
-        problem's variations count. samples: the number of parts from which the yield is estimated.
-        time_limit: seconds, or a text such as "1 min", after which the answer is what is known.
+        problem's variations count. samples: the number of parts from which the yield is estimated, by
+        default 100000, and fewer if a limit must be searched anew for each part. workers and executor:
+        who counts the parts, as in pareto(), if that takes longer than a few seconds; the yield does not
+        depend on them. time_limit: seconds, or a text such as "1 min", after which the answer is what is
+        known.
         """
+        from .executors import labour
+
         stated = units.settings_of({**mapping(tolerances, "tolerances"), **more})
-        with shown_to(progress, "tolerance") as tell:
+        with (
+            labour(executor, workers) as carrier,
+            shown_to(progress, "tolerance") as tell,
+        ):
             return Tolerance(
                 native.tolerance(
                     self._native,
                     stated,
-                    whole(samples, "samples", 32, _MOST_SAMPLES),
+                    optional_whole(samples, "samples", 32, _MOST_SAMPLES),
                     whole(seed, "seed", 0, _MOST_SEED),
+                    optional_whole(workers, "workers", 1, _MOST_WORKERS),
+                    carrier,
                     units.seconds(time_limit),
                     tell,
                 )

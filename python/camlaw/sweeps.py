@@ -12,7 +12,7 @@ from .answers import Answer
 from .arguments import mapping, place, shown
 from .arguments import path as checked_path
 from .errors import InputError
-from .motion_laws import Law
+from .motion_laws import Law, name_of
 from .native import native
 from .outputs import written
 from .problems import Problem
@@ -55,7 +55,7 @@ def ranges_of(over: Mapping[str, Any] | None) -> list[str]:
 
 def _swept(value: Any, name: str) -> str:
     """A value that is swept; a law may be one."""
-    return value.name if isinstance(value, Law) else units.value_text(value, name)
+    return name_of(value, name) if isinstance(value, Law) else units.value_text(value, name)
 
 
 class Sweep(Answer):

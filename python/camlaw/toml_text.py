@@ -16,7 +16,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 def _key(name: Any, where: str) -> str:
     if not isinstance(name, str):
         raise InputError(f"{where or 'problem'}: the name {shown(name)} is not a text")
-    return name if _BARE.fullmatch(name) else json.dumps(name)
+    return name if _BARE.fullmatch(name) else _text(text(name, where))
 
 
 def _text(value: str) -> str:

@@ -18,15 +18,33 @@ def pint_unit(units: Any) -> str:
     return f"{units:~C}".replace("**", "^").replace("µ", "u").replace("Δ", "")
 
 
+def _of_pint(value: Any) -> tuple[Any, str]:
+    """Number and unit of a quantity of pint. If a symbol is another unit's here ("ct" is pint's carat
+    and a hundredth of a tonne), the quantity goes in SI units. One without a unit has the unit "1", so
+    that it is no size."""
+    unit = pint_unit(value.units)
+    if not unit:
+        return value.magnitude, "1"
+    try:
+        base = (1 * value.units).to_base_units()
+        si = pint_unit(base.units) or "1"
+        here = native.quantity(f"1 {unit}", si, si, "")
+        if abs(here - base.magnitude) <= 1e-9 * abs(base.magnitude):
+            return value.magnitude, unit
+    except (InputError, ValueError):
+        pass
+    in_si = value.to_base_units()
+    return in_si.magnitude, pint_unit(in_si.units) or "1"
+
+
 def value_text(value: Any, what: str = "") -> str:
     """A number to its last digit, a text as it is, a quantity as "30 mm". `what` names it in errors."""
     said = f"{what}: " if what else ""
     if isinstance(value, str):
         return str(value)
     if is_pint(value):
-        unit = pint_unit(value.units)
-        number = value_text(value.magnitude, what)
-        return f"{number} {unit}" if unit else number
+        number, unit = _of_pint(value)
+        return f"{value_text(number, what)} {unit}"
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, bool):
@@ -63,12 +81,12 @@ def size_in_bytes(memory: Any) -> float | None:
         return None
     found = re.fullmatch(r"\s*([-+.0-9eE]+)\s*([A-Za-z]*)\s*", value_text(memory, "memory"))
     try:
-        if found is not None:
+        if found is not None and float(found[1]) > 0:
             return float(found[1]) * _SIZES[found[2]]
     except (KeyError, ValueError):
         pass
     raise InputError(
-        f"memory: {shown(memory)} is not a size; write bytes as a number, or a text such as '4 GB' "
+        f"memory: {shown(memory)} is not a size above zero; write bytes as a number, or a text such as '4 GB' "
         "with a unit from kB to TB or from KiB to TiB"
     )
 

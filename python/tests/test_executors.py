@@ -5,6 +5,8 @@ import multiprocessing
 import os
 import signal
 import socket
+import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
@@ -62,6 +64,81 @@ def test_a_pool_of_processes_and_dasks_own_executor(dask, facts):
     with pool() as processes:
         assert same(found(processes).facts, facts)
     assert same(found(dask.get_executor()).facts, facts)
+
+
+def test_others_count_the_parts_of_a_yield():
+    problem = cl.Problem.example("cams/tolerances")
+    alone = problem.tolerance(samples=8000, workers=1).facts
+    with ThreadPoolExecutor(2) as threads:
+        assert problem.tolerance(samples=8000, executor=threads).facts == alone
+    found = cl.Problem.example("cams/roller_least_base").optimize().design
+    sizes = {"base_radius": "0.05 mm", "roller_radius": "0.02 mm"}
+    with ThreadPoolExecutor(2) as threads:
+        shared = found.tolerance(sizes, samples=4096, executor=threads)
+    assert shared.facts == found.tolerance(sizes, samples=4096, workers=2).facts
+
+
+@pytest.mark.full
+def test_a_scheduler_and_workers_of_their_own(facts, tmp_path):
+    """As on a cluster: each a program, over TCP; one worker joins late, and one is killed."""
+    distributed = needs("distributed")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+
+    def started(*words):
+        command = [sys.executable, "-m", "distributed.cli." + words[0], *words[1:]]
+        return subprocess.Popen(command, env=environment, cwd=tmp_path, stderr=subprocess.DEVNULL)
+
+    def worker():
+        return started("dask_worker", address, "--nthreads", "1", "--no-dashboard", "--no-nanny")
+
+    programs = [
+        started("dask_scheduler", "--host", "127.0.0.1", "--port", address.rpartition(":")[2],
+                "--no-dashboard"),
+        worker(),
+    ]
+    try:
+        with distributed.Client(address, timeout=60) as client:
+            client.wait_for_workers(1, timeout=60)
+            late = threading.Timer(0.5, lambda: programs.append(worker()))
+            killed = threading.Timer(4, lambda: programs[1].kill())
+            late.start(), killed.start()
+            slow = cl.Problem.example("cams/roller_front")
+            front = slow.pareto(points=40, executor=client)
+            late.join(), killed.join()
+        assert same(front.facts, slow.pareto(points=40, workers=2).facts)
+    finally:
+        for program in programs:
+            program.kill()
+
+
+FULL_DISK = """
+import resource, signal, sys
+from concurrent.futures import ThreadPoolExecutor
+import camlaw as cl
+
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, resource.RLIM_INFINITY))
+with ThreadPoolExecutor(2) as threads:
+    try:
+        cl.Problem.load(sys.argv[1]).pareto(points=8, executor=threads, record=sys.argv[2])
+    except (cl.Error, OSError) as error:
+        print(type(error).__name__, error)
+"""
+
+
+def test_a_record_whose_disk_is_full_goes_on_later(facts, tmp_path):
+    record = tmp_path / "study.db"
+    said = subprocess.run(
+        [sys.executable, "-c", FULL_DISK, str(CUTTER), str(record)],
+        capture_output=True, text=True, check=True, env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
+    ).stdout
+    assert "study.db" in said, said
+    with ThreadPoolExecutor(2) as threads:
+        front = found(threads, record=record, resume=True)
+    assert front.facts["points"] == facts["points"]
 
 
 class Killing(ProcessPoolExecutor):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 import math
+from pathlib import Path
 
 import camlaw as cl
 import numpy as np
@@ -110,3 +111,50 @@ def test_the_table_of_laws_has_the_constants_of_each() -> None:
         law = cl.law(cl.laws()[k])
         assert np.asarray(table["C_v"])[k] == law.C_v
         assert max(np.asarray(table["C_a_max"])[k], -np.asarray(table["C_a_min"])[k]) == law.C_a
+
+
+def test_a_law_of_a_file_is_never_taken_for_its_namesake(tmp_path):
+    cl.law("modified-sine", crossover=1 / 3).save(tmp_path / "ms.json")
+    law = cl.law_file(tmp_path / "ms.json")
+    assert cl.law(law) == law and cl.law(law).C_a == law.C_a
+    for refused in (
+        lambda: cl.law(law, crossover=0.4),
+        lambda: cl.fit_constants("C_v=1.76, C_a=5.53", law=law),
+        lambda: cl.Problem.example("cams/roller_least_base").set({"rise.law": law}),
+        lambda: cl.Problem.example("cams/roller_least_base").sweep({"rise.law": [law]}),
+    ):
+        with pytest.raises(cl.InputError, match="is the law of a file"):
+            refused()
+    cl.law("cycloidal").save(tmp_path / "c.json")
+    read = cl.law_file(tmp_path / "c.json")
+    assert read == cl.law("cycloidal") and hash(read) == hash(cl.law("cycloidal"))
+    assert read != cl.law("modified-sine")
+    problem = cl.Problem.example("cams/roller_least_base").set({"rise.law": cl.law("cycloidal")})
+    assert problem == cl.Problem.example("cams/roller_least_base").set({"rise.law": "cycloidal"})
+
+
+def test_what_save_writes_can_be_read(tmp_path):
+    with pytest.raises(cl.InputError, match="control characters"):
+        cl.law("cycloidal").save(tmp_path / "l.json", title="a\nb")
+    with pytest.raises(cl.InputError, match="is not a path"):
+        cl.law("cycloidal").save(None)
+    link = tmp_path / "link.json"
+    link.symlink_to(tmp_path / "there.json")
+    cl.law("cycloidal").save(link)
+    assert link.is_symlink() and cl.law_file(tmp_path / "there.json") == cl.law("cycloidal")
+    with pytest.raises(OSError):
+        cl.law("cycloidal").save("/dev/full")
+    assert not Path("/dev/full").is_file()
+    long = tmp_path / ("n" * 250 + ".json")
+    cl.law("cycloidal").save(long)
+    assert long.exists()
+
+
+def test_numbers_are_never_guessed():
+    for wrong in ([None, 1.0], [True, 0.5], np.array(["0.5"], dtype=object)):
+        with pytest.raises(cl.InputError, match="is not an array of real numbers"):
+            cl.law("cycloidal")(wrong)
+    view = np.frombuffer(b"\0" * 8 * 9, dtype=np.uint8)[1:-7].view(np.float64)
+    assert not view.flags.aligned
+    with pytest.raises(cl.Error, match="aligned"):
+        cl.law("cycloidal")(view)

@@ -284,3 +284,63 @@ def test_load_cases_and_ranges_are_stated_as_in_a_file():
     found = ranged.optimize()
     assert found.verdict == "certified optimum"
     assert found["base_radius"] == pytest.approx(result["base_radius"], rel=1e-6)
+
+
+def test_many_designs_have_the_margins_of_one():
+    # Not a number where the machine is not possible, several limits on one response, a curve that
+    # jumps, and laws of which not all have the variables.
+    press = cl.Problem.example("die_press/least_approach")
+    design = {"alpha": -9.59026476, "roller_radius": 73.8021307, "spring_preload": 189.5533567}
+    one, many = press.evaluate(design), press.evaluate_many(design)
+    for limit in one._limits:
+        margin = np.asarray(many[f"margin of {limit['name']}"])[0]
+        assert np.isnan(margin) == np.isnan(limit["margin"])
+    for name in ("cams/tolerances", "index_drives/parallel_eight", "sheet_delivery/front"):
+        problem = cl.Problem.example(name)
+        starts = {row["name"]: row["start"] for row in problem._native.variables()}
+        if name == "sheet_delivery/front":
+            assert len(problem.evaluate_many(starts)) >= 1
+            continue
+        many = problem.evaluate_many(starts)
+        for limit in problem.evaluate()._limits:
+            margin = np.asarray(many[f"margin of {limit['name']}"])[0]
+            assert margin == pytest.approx(limit["margin"], rel=1e-6, abs=1e-6), limit["name"]
+
+
+def test_a_quantity_without_a_unit_is_no_size():
+    pint = pytest.importorskip("pint")
+    u = pint.UnitRegistry()
+    problem = cl.Problem.example("cams/roller_least_base")
+    for wrong in (u.Quantity(25, ""), u.Quantity(1.5, "m/m")):
+        with pytest.raises(cl.InputError):
+            problem.set(stroke=wrong)
+    assert problem.set(mass=u.Quantity(7500, "carat")).constants["mass"] == pytest.approx(1.5)
+    assert problem.set(stroke=u.Quantity(25, "mm")).constants["stroke"] == 25
+    assert problem.set(speed=u.Quantity(300, "rpm")).constants["speed"] == 300
+    assert cl.law("modified-sine", crossover=u.Quantity(0.4, "")) == cl.law(
+        "modified-sine", crossover=0.4
+    )
+    angles = problem.evaluate_many({"rise_angle": u.Quantity([80.0, 90.0], "deg")})
+    plain = problem.evaluate_many({"rise_angle": [80.0, 90.0]})
+    column = "highest pressure_angle"
+    assert list(np.asarray(angles[column])) == list(np.asarray(plain[column]))
+
+
+def test_files_in_folders_are_saved_with_a_problem(tmp_path):
+    (tmp_path / "laws").mkdir()
+    cl.law("modified-sine", crossover=0.4).save(tmp_path / "laws/mine.json")
+    text = cl.Problem.example("cams/flat_least_base").text
+    (tmp_path / "p.toml").write_text(text.replace('law = "', 'law = "laws/mine.json" # "', 1))
+    problem = cl.Problem.load(tmp_path / "p.toml")
+    problem.save(tmp_path / "elsewhere.toml")
+    (tmp_path / "new").mkdir()
+    problem.save(tmp_path / "new/p.toml")
+    assert cl.Problem.load(tmp_path / "new/p.toml").law.C_a == problem.law.C_a
+
+
+def test_memory_and_records_that_cannot_be():
+    problem = cl.Problem.example("spine_cutter/front")
+    with pytest.raises(cl.InputError, match="memory: -1 is not a size above zero"):
+        problem.pareto(memory=-1)
+    with pytest.raises(FileNotFoundError):
+        problem.pareto(record="/nowhere/study.db")

@@ -106,7 +106,8 @@ def main():
         show_class(name, getattr(camlaw, name))
     print("\n## Formulas: camlaw.formulas\n")
     for name, function in vars(camlaw.formulas).items():
-        if isinstance(function, types.FunctionType) and not name.startswith("_"):
+        is_own = getattr(function, "__module__", "") == camlaw.formulas.__name__
+        if isinstance(function, types.FunctionType) and is_own and not name.startswith("_"):
             line = " ".join(documentation(function).split())
             print(
                 f"- `{name}{signature(function).split(' ->')[0].replace(': Any', '')}`"

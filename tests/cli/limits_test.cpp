@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/run_limits.h"
+#include "optim/search/free_memory.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "tests/cli/program_runner.h"
@@ -242,7 +243,7 @@ TEST_CASE("memory that a problem would take is refused by name", "[program]") {
   CHECK(parse_memory("4 GB", "m") == 4e9);
   CHECK(parse_memory("2GiB", "m") == 2147483648.0);
   CHECK(parse_memory("0.5 MB", "m") == 5e5);
-  CHECK(free_memory() > 1e6);
+  CHECK(optim::free_memory() > 1e6);
 }
 
 TEST_CASE("what is too large to be meant is refused in little time and memory", "[program]") {

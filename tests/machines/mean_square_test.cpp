@@ -2,6 +2,7 @@
 // Mean squares of splines of high degree, against exact fractions.
 #include "machines/model/mean_square.h"
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -88,6 +89,33 @@ TEST_CASE("mean squares of any degree are exact", "[mean-square]") {
       CHECK(proved.upper() >= exact);
       if (degree <= 12) CHECK(proved.upper() - proved.lower() < 1e-9 * exact);
     }
+  }
+}
+
+TEST_CASE("a mean square over many knots keeps its digits", "[mean-square]") {
+  constexpr int kKnots = 400, kDegree = 4;
+  Member law = find_law("b-spline");
+  law.arguments.values()[law.family->parameter("degree")] = {kDegree};
+  std::vector<double> knots, coefficients;
+  for (int i = 1; i < kKnots; ++i) knots.push_back(static_cast<double>(i) / kKnots);
+  constexpr int kCoefficients = kKnots + kDegree;
+  for (int i = 0; i < kCoefficients; ++i) {
+    const double x = std::clamp((i - 2.0) / (kCoefficients - 5), 0.0, 1.0);
+    coefficients.push_back(x * x * x * (10 + x * (-15 + 6 * x)));
+  }
+  const std::size_t parameter = law.family->parameter("coefficients");
+  law.arguments.values()[law.family->parameter("knots")] = knots;
+  law.arguments.values()[parameter] = coefficients;
+  std::vector<LawVariable> variables;
+  for (std::size_t i = 3; i + 3 < coefficients.size(); ++i) {
+    variables.push_back({parameter, i, variables.size()});
+  }
+  const std::vector<double> u(coefficients.begin() + 3, coefficients.end() - 3);
+  const auto binding = std::make_shared<const LawBinding>(law, variables);
+  for (const int order : {2, 3}) {
+    INFO("derivative " << order);
+    CHECK(mean_square_kernel(binding, order, nullptr)->value(u) ==
+          Approx(mean_square(law.law(), order).value()).epsilon(1e-8));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "numerics/sampling/sobol_points.h"
 #include "optim/problem/automatic.h"
 #include "optim/search/deadline.h"
+#include "optim/verdict/parts_errands.h"
 
 // Yields and reliability indices against closed forms, quadrature and printed values.
 namespace camlaw::optim::yield_test {
@@ -35,7 +36,8 @@ Yield yield_of(const Problem& problem, const std::vector<double>& x,
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     slopes.push_back(room_slopes(problem, i, x));
   }
-  return yield(*searched_rooms(problem, x), slopes, x, variations, options);
+  const auto rooms = searched_rooms(problem, x);
+  return yield({*rooms, x, variations}, slopes, x, variations, options);
 }
 
 /// Of the point nearest to the origin on a curve of the plane, by looking along every direction.
@@ -113,10 +115,68 @@ TEST_CASE("A yield that is cut short within its rooms tells what it has", "[vari
    private:
     mutable std::size_t seen_ = 0;
   };
-  const Yield found = yield(CutShort(), {}, std::vector<double>{0}, {{-1, 1, false}}, {});
+  const CutShort rooms;
+  const std::vector<double> x{0};
+  const std::vector<Variation> variations{{-1, 1, false}};
+  const Yield found = yield({rooms, x, variations}, {}, x, variations, {});
   CHECK(found.stopped);
   CHECK(found.samples == 128);  // of 32, 64, 128: whole rounds
   CHECK(found.failing == 1);
+}
+
+TEST_CASE("Who counts the parts makes no difference", "[variation][crew]") {
+  const Problem problem = linear(3, true);
+  const std::vector<double> x{0, 0};
+  const std::vector<Variation> variations{{-1, 1, true}, {-1, 1, true}};
+  const auto rooms = searched_rooms(problem, x);
+  const PartsDrawer drawer(*rooms, x, variations);
+  std::vector<RoomSlopes> slopes;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    slopes.push_back(room_slopes(problem, i, x));
+  }
+  YieldOptions options{.samples = 60000, .seed = 7};
+  const Yield alone = yield(drawer, slopes, x, variations, options);
+  CHECK(alone.by_importance);
+  for (const int workers : {1, 3}) {
+    Crew crew({.workers = workers, .at_once = true});
+    const Hands hands = [&](Errands& errands, const Service& service) {
+      crew.run(errands, service);
+    };
+    options.count = counted_by(hands, drawer, options.samples, options.stopped);
+    const Yield shared = yield(drawer, slopes, x, variations, options);
+    INFO(workers << " workers");
+    CHECK(shared.samples == alone.samples);
+    CHECK(shared.failing == alone.failing);
+    CHECK(shared.error == alone.error);
+    CHECK(shared.failing_between.upper == alone.failing_between.upper);
+    CHECK(shared.by_limit == alone.by_limit);
+  }
+}
+
+TEST_CASE("A yield whose parts are lost or are nonsense is an error", "[variation][crew]") {
+  const Problem problem = linear(3, false);
+  const std::vector<double> x{0, 0};
+  const std::vector<Variation> variations{{-1, 1, true}, {-1, 1, true}};
+  const auto rooms = searched_rooms(problem, x);
+  const PartsDrawer drawer(*rooms, x, variations);
+  YieldOptions options{.samples = 1000};
+  const auto found = [&](const Hands& hands) {
+    options.count = counted_by(hands, drawer, options.samples, options.stopped);
+    return yield(drawer, {}, x, variations, options);
+  };
+  CHECK_THROWS_WITH(found([](Errands& errands, const Service&) {
+                      errands.lost(*errands.next(), "its process was killed three times");
+                    }),
+                    "yield: its process was killed three times");
+  CHECK_THROWS_WITH(found([](Errands& errands, const Service&) {
+                      errands.answered(*errands.next(), "nonsense");
+                    }),
+                    Catch::Contains("not a count of parts"));
+  // A worker makes nothing of orders that are not its own.
+  CHECK(parts_service(drawer)("nonsense", {}) == "");
+  // Stopped before its first round it has nothing.
+  options.stopped = [] { return true; };
+  CHECK(found([](Errands&, const Service&) {}).stopped);
 }
 
 TEST_CASE("A limit that breaks one part in a thousand million is found to", "[variation]") {

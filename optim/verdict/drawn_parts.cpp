@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/drawn_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "numerics/sampling/sobol_points.h"
+#include "optim/problem/interrupted.h"
+
+namespace camlaw::optim {
+
+double Mixture::weight(std::span<const double> u) const {
+  double sum = 0;
+  for (std::size_t j = 0; j < centres.size(); ++j) {
+    double exponent = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      exponent += centres[j][i] * (u[i] - centres[j][i] / 2);
+    }
+    sum += shares[j] * std::exp(exponent);
+  }
+  return 1 / sum;
+}
+
+void Tally::add(double weight) {
+  sum += weight;
+  squares += weight * weight;
+  largest = std::max(largest, weight);
+  ++hits;
+}
+
+void Tally::add(const Tally& other) {
+  sum += other.sum;
+  squares += other.squares;
+  largest = std::max(largest, other.largest);
+  hits += other.hits;
+}
+
+void PartsCount::add(const PartsCount& other) {
+  failing.add(other.failing);
+  doubtful.add(other.doubtful);
+  by_limit.resize(other.by_limit.size());
+  for (std::size_t i = 0; i < by_limit.size(); ++i) by_limit[i].add(other.by_limit[i]);
+  impossible += other.impossible;
+  samples += other.samples;
+}
+
+PartsDrawer::PartsDrawer(const RoomRows& rows, Design x, const std::vector<Variation>& variations)
+    : rows_(rows), slack_(rows.slack()), x_(x.begin(), x.end()), variations_(variations) {
+  if (variations.size() != x.size()) {
+    throw std::invalid_argument("yield: give one variation for each variable");
+  }
+  for (std::size_t i = 0; i < variations.size(); ++i) {
+    if (variations[i].varies()) {
+      varying_.push_back(i);
+    } else {
+      x_[i] += variations[i].lower;
+    }
+  }
+  if (varying_.empty()) throw std::invalid_argument("yield: nothing varies");
+}
+
+std::optional<PartsCount> PartsDrawer::count(const PartsDraw& draw,
+                                             const std::function<bool()>& stopped) const {
+  try {
+    return count_all(draw, stopped);
+  } catch (const Interrupted&) {
+    return {};
+  }
+}
+
+std::optional<PartsCount> PartsDrawer::count_all(const PartsDraw& draw,
+                                                 const std::function<bool()>& stopped) const {
+  const std::size_t m = dimensions(), n = x_.size();
+  const bool is_plain = draw.mixture.centres.size() == 1;
+  SobolPoints points(m, draw.seed);
+  points.skip(draw.from);
+  PartsCount counted;
+  counted.by_limit.resize(limits());
+  std::vector<double> shares(kPartsBlock * m), us(kPartsBlock * m), designs(kPartsBlock * n);
+  for (std::size_t done = 0; done < draw.count; done += kPartsBlock) {
+    if (stopped()) return {};
+    const std::size_t block = std::min(kPartsBlock, draw.count - done);
+    points.next(std::span(shares).first(block * m));
+    for (std::size_t k = 0; k < block; ++k) {
+      std::copy(x_.begin(), x_.end(), designs.begin() + static_cast<std::ptrdiff_t>(k * n));
+      for (std::size_t i = 0; i < m; ++i) {
+        const Variation& v = variations_[varying_[i]];
+        double off = 0;
+        if (is_plain) {
+          off = v.at_share(shares[k * m + i]);
+        } else {
+          us[k * m + i] = draw.mixture.centres[draw.about][i] + normal_quantile(shares[k * m + i]);
+          off = v.at(us[k * m + i]);
+        }
+        designs[k * n + varying_[i]] += off;
+      }
+    }
+    count_block(draw, designs, us, block, counted);
+  }
+  return counted;
+}
+
+void PartsDrawer::count_block(const PartsDraw& draw, const std::vector<double>& designs,
+                              const std::vector<double>& us, std::size_t block,
+                              PartsCount& counted) const {
+  const std::size_t m = dimensions();
+  const bool is_plain = draw.mixture.centres.size() == 1;
+  std::vector<double> room(limits() * block);
+  rows_.room(std::span(designs).first(block * x_.size()), block, room);
+  for (std::size_t k = 0; k < block; ++k) {
+    bool fails = false, may_fail = false, is_possible = true;
+    for (std::size_t i = 0; i < limits(); ++i) {
+      const double left = room[i * block + k];
+      fails |= !(left >= 0);
+      may_fail |= !(left - slack_[i] >= 0);
+      is_possible &= !std::isnan(left);
+    }
+    ++counted.samples;
+    if (!may_fail) continue;
+    const double weight = is_plain ? 1 : draw.mixture.weight(std::span(us).subspan(k * m, m));
+    counted.doubtful.add(weight);
+    if (!fails) continue;
+    counted.failing.add(weight);
+    counted.impossible += !is_possible;
+    for (std::size_t i = 0; i < limits(); ++i) {
+      if (!(room[i * block + k] >= 0)) counted.by_limit[i].add(weight);
+    }
+  }
+}
+
+CountParts counted_here(const PartsDrawer& drawer, const std::function<bool()>& stopped) {
+  return [&drawer, &stopped](const std::vector<PartsDraw>& draws) {
+    std::vector<PartsCount> counted;
+    for (const PartsDraw& draw : draws) {
+      auto one = drawer.count(draw, stopped);
+      if (!one) break;
+      counted.push_back(std::move(*one));
+    }
+    return counted;
+  };
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/parts_errands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "optim/crew/bytes.h"
+
+namespace camlaw::optim {
+
+// Each visit names every member, so that one which is added is not forgotten.
+
+template <class Archive, class M>
+requires std::is_same_v<std::remove_const_t<M>, Mixture>
+void visit(Archive& archive, M& mixture) {
+  auto& [centres, shares] = mixture;
+  archive(centres), archive(shares);
+}
+
+template <class Archive, class D>
+requires std::is_same_v<std::remove_const_t<D>, PartsDraw>
+void visit(Archive& archive, D& draw) {
+  auto& [mixture, about, seed, from, count] = draw;
+  archive(mixture), archive(about), archive(seed), archive(from), archive(count);
+}
+
+template <class Archive, class T>
+requires std::is_same_v<std::remove_const_t<T>, Tally>
+void visit(Archive& archive, T& tally) {
+  auto& [sum, squares, largest, hits] = tally;
+  archive(sum), archive(squares), archive(largest), archive(hits);
+}
+
+template <class Archive, class C>
+requires std::is_same_v<std::remove_const_t<C>, PartsCount>
+void visit(Archive& archive, C& counted) {
+  auto& [failing, doubtful, by_limit, impossible, samples] = counted;
+  archive(failing), archive(doubtful), archive(by_limit), archive(impossible), archive(samples);
+}
+
+namespace {
+
+/// Whether a draw is one that the drawer knows how to make.
+bool fits(const PartsDraw& draw, const PartsDrawer& drawer) {
+  const auto& [centres, shares] = draw.mixture;
+  return draw.about < centres.size() && shares.size() == centres.size() &&
+         std::all_of(centres.begin(), centres.end(),
+                     [&](const auto& u) { return u.size() == drawer.dimensions(); });
+}
+
+/// The draws of a round.
+class Draws final : public Errands {
+ public:
+  /// `share`: the share of the whole work that was done before, and that of one draw.
+  Draws(const std::vector<PartsDraw>& draws, std::pair<double, double> share, std::size_t limits,
+        const std::function<bool()>& stopped)
+      : draws_(draws), share_(share), limits_(limits), stopped_(stopped), counted_(draws.size()) {}
+
+  std::optional<std::size_t> next() override {
+    if (next_ == draws_.size() || is_done()) return {};
+    return next_++;
+  }
+  std::optional<std::string> order(std::size_t number) override { return bytes_of(draws_[number]); }
+  void answered(std::size_t number, const std::string& answer) override {
+    if (answer.empty() && stopped_()) return;  // it was cut short
+    counted_[number] = value_of_bytes<PartsCount>(answer);
+    if (counted_[number] && counted_[number]->by_limit.size() == limits_) return;
+    lost(number, "the process answered with something that is not a count of parts");
+  }
+  void lost(std::size_t, const std::string& why) override { failure_ = why; }
+  double share() const override {
+    return share_.first + share_.second * static_cast<double>(next_);
+  }
+  bool is_done() const override { return !failure_.empty() || stopped_(); }
+
+  /// Those that were counted before the first that was not.
+  std::vector<PartsCount> in_order() {
+    if (!failure_.empty()) throw std::runtime_error(fmt::format("yield: {}", failure_));
+    std::vector<PartsCount> result;
+    for (auto& one : counted_) {
+      if (!one) break;
+      result.push_back(std::move(*one));
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<PartsDraw>& draws_;
+  std::pair<double, double> share_;
+  std::size_t limits_;
+  const std::function<bool()>& stopped_;
+  std::size_t next_ = 0;
+  std::vector<std::optional<PartsCount>> counted_;
+  std::string failure_;
+};
+
+}  // namespace
+
+Service parts_service(const PartsDrawer& drawer) {
+  return [&drawer](const std::string& order, const Bench& bench) -> std::optional<std::string> {
+    const auto draw = value_of_bytes<PartsDraw>(order);
+    if (!draw || !fits(*draw, drawer)) return "";
+    const auto counted =
+        drawer.count(*draw, [&] { return bench.stop != nullptr && bench.stop->load(); });
+    return counted ? bytes_of(*counted) : "";
+  };
+}
+
+CountParts counted_by(const Hands& hands, const PartsDrawer& drawer, std::size_t planned,
+                      const std::function<bool()>& stopped) {
+  // Counted over all rounds.
+  const auto done = std::make_shared<std::size_t>(0);
+  return [&, planned, done](const std::vector<PartsDraw>& draws) {
+    std::size_t parts = 0;
+    for (const PartsDraw& draw : draws) parts += draw.count;
+    const auto all = static_cast<double>(std::max(planned, *done + parts));
+    const double each = static_cast<double>(parts) / static_cast<double>(draws.size()) / all;
+    Draws errands(draws, {static_cast<double>(*done) / all, each}, drawer.limits(), stopped);
+    hands(errands, parts_service(drawer));
+    *done += parts;
+    return errands.in_order();
+  };
+}
+
+}  // namespace camlaw::optim
