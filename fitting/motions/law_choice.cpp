@@ -83,7 +83,9 @@ void widen_by_others(std::vector<LawFit>& ranking, double confidence) {
     if (!std::isfinite(own.standard_deviation)) continue;
     for (const LawFit& fit : ranking) {
       const optim::FittedParameter& p = fit.fit.parameters[j];
-      const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
+      // With as many numbers as samples there is no scatter that a deviation could follow from.
+      const bool is_known =
+          std::isfinite(p.low) && std::isfinite(p.high) && fit.fit.degrees_of_freedom > 0;
       if (fit.weight < kLeast || !is_known || !(p.standard_deviation > 0)) continue;
       const double t = optim::student_quantile(fit.fit.degrees_of_freedom, confidence);
       const double below = (p.value - p.low) / t, above = (p.high - p.value) / t;

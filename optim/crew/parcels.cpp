@@ -58,11 +58,19 @@ class ParcelForce::Run {
   /// Parcels until each worker has some ahead.
   void send_all() {
     const std::size_t count = workers();
-    while (parcels_.size() - overdue_ < count * rules_.ahead) {
+    while (parcels_.size() - overdue_ < count * ahead(count)) {
       std::vector<std::size_t> numbers = next(count);
       if (numbers.empty()) return;
       send({.numbers = std::move(numbers)});
     }
+  }
+
+  /// Parcels under way for each worker. Of the last orders, where each takes long, none waits
+  /// behind another while other workers have nothing to do.
+  std::size_t ahead(std::size_t workers) const {
+    const bool are_last = next_is_none_ && waiting_.size() < workers && alone_.empty();
+    const double is_long = std::max(rules_.least_seconds, rules_.costs * force_.seconds_to_send_);
+    return are_last && force_.seconds_per_order_ > is_long ? 1 : rules_.ahead;
   }
 
   /// The numbers of the next parcel; empty: there is nothing to send now.
@@ -75,6 +83,7 @@ class ParcelForce::Run {
     const std::size_t most = usual_size(workers);
     while (waiting_.size() < workers * rules_.ahead * most) {
       const auto number = errands_.next();
+      next_is_none_ = !number;
       if (!number) break;
       waiting_.push_back(*number);
       open_.insert(*number);
@@ -97,7 +106,9 @@ class ParcelForce::Run {
   std::size_t usual_size(std::size_t workers) const {
     if (force_.seconds_per_order_ <= 0) return 1;
     const double pace = static_cast<double>(workers) * force_.seconds_to_send_ / rules_.sending;
-    const double count = std::floor(std::max(rules_.seconds, pace) / force_.seconds_per_order_);
+    const double own =
+        std::clamp(rules_.costs * force_.seconds_to_send_, rules_.least_seconds, rules_.seconds);
+    const double count = std::floor(std::max(own, pace) / force_.seconds_per_order_);
     return static_cast<std::size_t>(
         std::clamp(count, 1.0, static_cast<double>(rules_.most_orders)));
   }
@@ -227,6 +238,7 @@ class ParcelForce::Run {
   std::map<std::size_t, int> deaths_;
   std::map<std::size_t, Parcel> parcels_;  ///< under way
   std::size_t overdue_ = 0;                ///< of them
+  bool next_is_none_ = false;              ///< as far as is known: answers may bring more
   std::map<std::size_t, int> copies_;      ///< of orders that were sent again unanswered
   double patience_ = 1;                    ///< times what it is by the rules
   double next_look_ = 0;                   ///< for parcels that are overdue

@@ -42,12 +42,14 @@ class Transport {
 };
 
 struct ParcelRules {
-  /// Work in a parcel, s: long against what it costs to carry it (some milliseconds by Dask), short
-  /// against a study. More where there are so many workers that the sender would fall behind.
-  double seconds = 0.2;
+  /// Work in a parcel, s: `costs` times what it takes to send it (some milliseconds by Dask), but
+  /// at least and at most so much. More where there are so many workers that the sender would fall
+  /// behind.
+  double seconds = 0.2, least_seconds = 0.02, costs = 150;
   double sending = 0.25;  ///< share of the sender's time that sending may take
   std::size_t most_orders = 1000;
-  /// Parcels under way for each worker, so that it does not wait for the next one.
+  /// Parcels under way for each worker, so that it does not wait for the next one; of the last
+  /// orders one, if an order alone takes as long as a parcel.
   std::size_t ahead = 2;
   /// After so many deaths of an order's workers, when it travelled alone, the order is lost.
   int deaths = 3;

@@ -53,28 +53,58 @@ bool fits(const PartsDraw& draw, const PartsDrawer& drawer) {
                      [&](const auto& u) { return u.size() == drawer.dimensions(); });
 }
 
+/// Draws that are sent together.
+using Batch = std::vector<PartsDraw>;
+
+/// As many batches as keep some ten processes busy: each costs a fraction of a millisecond to send,
+/// and a draw may take as little.
+std::vector<Batch> batches_of(const std::vector<PartsDraw>& draws) {
+  constexpr std::size_t kMost = 128;
+  const std::size_t size = (draws.size() + kMost - 1) / kMost;
+  std::vector<Batch> batches;
+  for (std::size_t first = 0; first < draws.size(); first += size) {
+    const auto begin = draws.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::size_t count = std::min(size, draws.size() - first);
+    batches.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count));
+  }
+  return batches;
+}
+
 /// The draws of a round.
 class Draws final : public Errands {
  public:
-  /// `share`: the share of the whole work that was done before, and that of one draw.
+  /// `share`: the share of the whole work that was done before, and that of the round.
   Draws(const std::vector<PartsDraw>& draws, std::pair<double, double> share, std::size_t limits,
         const std::function<bool()>& stopped)
-      : draws_(draws), share_(share), limits_(limits), stopped_(stopped), counted_(draws.size()) {}
+      : batches_(batches_of(draws)),
+        share_(share),
+        limits_(limits),
+        stopped_(stopped),
+        counted_(batches_.size()) {}
 
   std::optional<std::size_t> next() override {
-    if (next_ == draws_.size() || is_done()) return {};
+    if (next_ == batches_.size() || is_done()) return {};
     return next_++;
   }
-  std::optional<std::string> order(std::size_t number) override { return bytes_of(draws_[number]); }
+  std::optional<std::string> order(std::size_t number) override {
+    return bytes_of(batches_[number]);
+  }
   void answered(std::size_t number, const std::string& answer) override {
     if (answer.empty() && stopped_()) return;  // it was cut short
-    counted_[number] = value_of_bytes<PartsCount>(answer);
-    if (counted_[number] && counted_[number]->by_limit.size() == limits_) return;
-    lost(number, "the process answered with something that is not a count of parts");
+    auto counted = value_of_bytes<std::vector<PartsCount>>(answer);
+    const bool is_whole = counted && counted->size() == batches_[number].size() &&
+                          std::all_of(counted->begin(), counted->end(), [&](const auto& one) {
+                            return one.by_limit.size() == limits_;
+                          });
+    if (!is_whole) {
+      return lost(number, "the process answered with something that is not a count of parts");
+    }
+    counted_[number] = std::move(*counted);
   }
   void lost(std::size_t, const std::string& why) override { failure_ = why; }
   double share() const override {
-    return share_.first + share_.second * static_cast<double>(next_);
+    const auto given = static_cast<double>(next_) / static_cast<double>(batches_.size());
+    return share_.first + share_.second * given;
   }
   bool is_done() const override { return !failure_.empty() || stopped_(); }
 
@@ -82,20 +112,20 @@ class Draws final : public Errands {
   std::vector<PartsCount> in_order() {
     if (!failure_.empty()) throw std::runtime_error(fmt::format("yield: {}", failure_));
     std::vector<PartsCount> result;
-    for (auto& one : counted_) {
-      if (!one) break;
-      result.push_back(std::move(*one));
+    for (auto& batch : counted_) {
+      if (batch.empty()) break;
+      for (PartsCount& one : batch) result.push_back(std::move(one));
     }
     return result;
   }
 
  private:
-  const std::vector<PartsDraw>& draws_;
+  std::vector<Batch> batches_;
   std::pair<double, double> share_;
   std::size_t limits_;
   const std::function<bool()>& stopped_;
   std::size_t next_ = 0;
-  std::vector<std::optional<PartsCount>> counted_;
+  std::vector<std::vector<PartsCount>> counted_;  ///< of each batch; empty: not yet
   std::string failure_;
 };
 
@@ -103,11 +133,16 @@ class Draws final : public Errands {
 
 Service parts_service(const PartsDrawer& drawer) {
   return [&drawer](const std::string& order, const Bench& bench) -> std::optional<std::string> {
-    const auto draw = value_of_bytes<PartsDraw>(order);
-    if (!draw || !fits(*draw, drawer)) return "";
-    const auto counted =
-        drawer.count(*draw, [&] { return bench.stop != nullptr && bench.stop->load(); });
-    return counted ? bytes_of(*counted) : "";
+    const auto draws = value_of_bytes<Batch>(order);
+    if (!draws) return "";
+    const auto stopped = [&] { return bench.stop != nullptr && bench.stop->load(); };
+    std::vector<PartsCount> counted;
+    for (const PartsDraw& draw : *draws) {
+      auto one = fits(draw, drawer) ? drawer.count(draw, stopped) : std::nullopt;
+      if (!one) return "";
+      counted.push_back(std::move(*one));
+    }
+    return bytes_of(counted);
   };
 }
 
@@ -119,8 +154,8 @@ CountParts counted_by(const Hands& hands, const PartsDrawer& drawer, std::size_t
     std::size_t parts = 0;
     for (const PartsDraw& draw : draws) parts += draw.count;
     const auto all = static_cast<double>(std::max(planned, *done + parts));
-    const double each = static_cast<double>(parts) / static_cast<double>(draws.size()) / all;
-    Draws errands(draws, {static_cast<double>(*done) / all, each}, drawer.limits(), stopped);
+    const double before = static_cast<double>(*done) / all;
+    Draws errands(draws, {before, static_cast<double>(parts) / all}, drawer.limits(), stopped);
     hands(errands, parts_service(drawer));
     *done += parts;
     return errands.in_order();

@@ -17,7 +17,8 @@ namespace {
 using Numbers = std::vector<double>;
 
 constexpr std::size_t kRepetitions = 32;
-constexpr std::size_t kMostInRound = 4096;
+/// A stop loses the round that it comes in; between two rounds workers have nothing to do.
+constexpr std::size_t kMostInRound = 4096, kRounds = 16;
 
 Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}}; }
 
@@ -162,7 +163,8 @@ class Estimator {
   bool draw_to(std::size_t each) {
     while (done_ < each) {
       const std::size_t wanted = std::max<std::size_t>(done_, 1);
-      const std::size_t round = std::min({each - done_, wanted, kMostInRound});
+      const std::size_t most = std::max(kMostInRound, each / kRounds);
+      const std::size_t round = std::min({each - done_, wanted, most});
       const std::vector<PartsDraw> draws = round_of(mixture_, round, seed_, from_);
       const std::vector<PartsCount> counted = count_(draws);
       if (counted.size() < draws.size()) return false;  // a round counts as a whole, or not at all

@@ -157,3 +157,12 @@ def test_files_that_cannot_be_written_are_os_errors(tmp_path):
     assert str(refused.value) == "[Errno 2] No such file or directory: '/nowhere/law.json'"
     with pytest.raises(IsADirectoryError):
         PROBLEM.report(tmp_path)
+
+
+def test_sentences_name_keywords_and_not_the_programs_switches():
+    problem = cl.Problem.example("cams/roller_least_base")
+    with pytest.raises(cl.InputError, match="^format is missing"):
+        problem.export()
+    with pytest.raises(cl.InputError, match="form_tolerance") as said:
+        problem.export(format="csv", form_tolerance="0.01 mm")
+    assert "--" not in str(said.value)

@@ -101,3 +101,14 @@ def test_a_study_compares_laws():
     assert same(found.facts, program_json("study", "spine-cutter", "--table", "--set", "h=1.0 mm"))
     with pytest.raises(cl.InputError, match="no study is called"):
         cl.study("loom")
+
+
+def test_few_rows_are_fitted_or_refused_in_a_sentence():
+    for rows in range(3, 9):
+        angle = np.linspace(0, 80, rows)
+        lift = 10 * cl.law("cycloidal")(angle / 80).s + 0.01 * np.cos(7 * angle)
+        try:
+            found = cl.fit({"angle [deg]": angle, "lift [mm]": lift})
+            assert rows > 6 or not found.trusted
+        except cl.InputError as refused:
+            assert "rows of numbers are needed" in str(refused)
