@@ -183,3 +183,42 @@ def test_what_is_no_formula_is_refused():
             ],
             responses={"wrong": cl.Response(lambda m: m.mass + m.stroke, "kg")},
         )
+
+
+def test_formulas_that_cannot_be_recorded_are_refused_in_a_sentence():
+    def doubled(m):
+        e = m.contact_force
+        for _ in range(60):
+            e = e + e
+        return e
+
+    with pytest.raises(cl.InputError, match="response of its own"):
+        cl.Problem(
+            mechanism="disc-cam-roller",
+            constants={"stroke": "30 mm"},
+            program=[{"name": "rise", "angle": "120 deg", "law": "cycloidal"}, {"name": "low"}],
+            variables={"base_radius": ("20 mm", "90 mm")},
+            responses={"q": cl.Response(doubled, unit="N")},
+            objective="peak q",
+        )
+    for number in (float("nan"), float("inf")):
+        with pytest.raises(cl.InputError, match="finite number"):
+            f.expression(number)
+        with pytest.raises(cl.InputError, match="finite number"):
+            f.quantity(number, "N")
+    pint = pytest.importorskip("pint")
+    u = pint.UnitRegistry()
+    assert f.quantity(3.0 * u.N).text == f.quantity("3 N").text == f.quantity(3.0, "N").text
+    machine = cl.Machine("toggle", moved_by="law", parameters={"mass": {"unit": "kg", "default": 1}})
+    with pytest.raises(cl.InputError, match="unit"):
+
+        @machine.response
+        def force(m):
+            return m.mass
+
+    @machine.response(unit="kg")
+    def weight(m):
+        return m.mass
+
+    with pytest.raises(cl.InputError, match="has a response 'weight' already"):
+        machine.response(unit="kg")(weight)

@@ -156,3 +156,21 @@ def test_tables_are_columns_without_pandas(monkeypatch):
     assert len(repr(curves).splitlines()) == 43 and "(721 rows)" in repr(curves)
     assert "<table>" in margins._repr_html_()
     assert pickle.loads(pickle.dumps(some))["name"] == some["name"]
+
+
+def test_a_changed_file_shows_what_its_design_is(tmp_path):
+    found = cl.Problem.example("cams/roller_least_base").optimize()
+    found.save(tmp_path / "r.json")
+    value = repr(found["base_radius"])
+    text = (tmp_path / "r.json").read_text()
+    assert value in text
+    (tmp_path / "t.json").write_text(text.replace(value, "50.0"))
+    changed = cl.Result.load(tmp_path / "t.json")
+    assert changed.review
+    assert changed.verdict not in ("certified optimum", "feasible") and not changed.is_global
+    limits = {row["name"]: row for row in changed.facts["constraints"]}
+    assert limits["pressure_angle"]["margin"] < -0.9
+    with pytest.warns(UserWarning, match="limit not met: pressure_angle"):
+        assert "judged again" in changed.export(format="json")
+    whole = cl.Result.load(tmp_path / "r.json")
+    assert whole.certified and whole.review == []
