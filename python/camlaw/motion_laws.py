@@ -258,16 +258,16 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
 
 
 def name_of(law: Law, what: str) -> str:
-    """The name by which the library finds this very law. Raises InputError for a law of a file, which
-    has none, though it may be called as one of the catalogue is."""
+    """The name by which the library finds this very law. Raises InputError for a law of a file and for
+    a motion program, which have none, though they may be called as one of the catalogue is."""
     try:
         if Law(native.law(law.name, [])) == law:
             return law.name
     except Error:
         pass
     raise InputError(
-        f"{what}: '{law.name}' is the law of a file, which has no name here; a law of the catalogue, or "
-        "the path of a law's file, is accepted"
+        f"{what}: '{law.name}' is the law of a file or a motion program, which has no name here; a law of "
+        "the catalogue, or the path of a law's file, is accepted"
     )
 
 
