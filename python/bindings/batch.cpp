@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 
-#include "optim/cycle/extremes.h"
 #include "problems/statement/parameters.h"
 #include "python/bindings/curve_blocks.h"
 #include "python/bindings/module.h"
@@ -94,6 +93,25 @@ void check_values(const std::vector<VariableStatement>& variables,
 struct BatchColumn {
   std::string name, unit;
   std::vector<double> values;
+};
+
+/// A curve of one design, sampled by itself.
+class SampledCurve {
+ public:
+  explicit SampledCurve(std::unique_ptr<const optim::Trace> trace)
+      : trace_(std::move(trace)),
+        places_(trace_->breaks()),
+        values_(trace_->values(places_.places)) {}
+
+  double extreme(optim::Part part) const {
+    const auto at = [&](optim::Place place, std::size_t) { return trace_->at(place); };
+    return Summits(places_, values_, at).extreme(part);
+  }
+
+ private:
+  std::unique_ptr<const optim::Trace> trace_;
+  SampledPlaces places_;
+  std::vector<double> values_;
 };
 
 /// The values of responses and limits at many designs.
@@ -194,17 +212,18 @@ class Batch {
 
     double extreme(std::size_t k, optim::Part part) const {
       const std::optional<std::size_t>& block = batch_.in_blocks_[k];
-      if (together_ && block) return together_->extreme(*block, part);
-      if (!single_[k]) single_[k] = batch_.responses_[k].curve().trace(x_);
-      const double value = optim::extreme_of(*single_[k], part).value;
-      return part == optim::Part::Magnitude ? std::abs(value) : value;
+      if (together_ && block) {
+        if (const auto found = together_->extreme(*block, part)) return *found;
+      }
+      if (!single_[k]) single_[k].emplace(batch_.responses_[k].curve().trace(x_));
+      return single_[k]->extreme(part);
     }
 
    private:
     const Batch& batch_;
     optim::Design x_;
     std::optional<CurveBlocks::At> together_;
-    mutable std::vector<std::unique_ptr<const optim::Trace>> single_;
+    mutable std::vector<std::optional<SampledCurve>> single_;
   };
 
   /// Which curves are worked out together.
@@ -212,7 +231,7 @@ class Batch {
     std::vector<const problems::MechanismResponse*> curves;
     in_blocks_.resize(responses_.size());
     for (std::size_t k = 0; k < responses_.size(); ++k) {
-      if (known_[k] == nullptr || !CurveBlocks::takes(binding_, *known_[k])) continue;
+      if (known_[k] == nullptr || !CurveBlocks::takes(*known_[k])) continue;
       in_blocks_[k] = curves.size();
       curves.push_back(known_[k]);
     }

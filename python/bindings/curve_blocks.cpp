@@ -14,13 +14,18 @@ namespace {
 
 using problems::Binding, problems::MechanismResponse;
 
-std::vector<Formula> formulas_of(const Binding& binding,
-                                 const std::vector<const MechanismResponse*>& curves) {
-  std::vector<Formula> formulas;
+std::vector<problems::Recorded> records_of(const Binding& binding,
+                                           const std::vector<const MechanismResponse*>& curves) {
+  std::vector<problems::Recorded> records;
   for (const MechanismResponse* curve : curves) {
-    formulas.push_back(
-        problems::recorded_for(binding, curve->write, problems::kOfPlace, {}).formula);
+    records.push_back(problems::recorded_for(binding, curve->write, problems::kOfPlace, {}));
   }
+  return records;
+}
+
+std::vector<Formula> formulas_of(const std::vector<problems::Recorded>& records) {
+  std::vector<Formula> formulas;
+  for (const problems::Recorded& record : records) formulas.push_back(record.formula);
   return formulas;
 }
 
@@ -41,12 +46,9 @@ bool same_cycle(const problems::Cycle& a, const problems::Cycle& b) {
 
 }  // namespace
 
-bool CurveBlocks::takes(const Binding& binding, const MechanismResponse& response) {
-  const bool is_plain = response.curve && response.write && response.cycle && !response.turn &&
-                        !response.domain && response.inner.empty() && !response.cam &&
-                        response.held.empty();
-  return is_plain && !problems::may_jump(
-                         problems::recorded_for(binding, response.write, problems::kOfPlace, {}));
+bool CurveBlocks::takes(const MechanismResponse& response) {
+  return response.curve && response.write && response.cycle && !response.turn && !response.domain &&
+         response.inner.empty() && !response.cam && response.held.empty();
 }
 
 std::unique_ptr<const CurveBlocks> CurveBlocks::of(
@@ -69,7 +71,8 @@ CurveBlocks::CurveBlocks(const Binding& binding, Law<double> law,
       cycle_(*curves.front()->cycle),
       law_(std::move(law)),
       places_(breaks_of(cycle_, law_)),
-      formulas_(formulas_of(binding, curves)),
+      records_(records_of(binding, curves)),
+      formulas_(formulas_of(records_)),
       blocks_(formulas_, binding.parameters.size()) {
   for (const MechanismResponse* curve : curves) possible_.push_back(curve->is_possible);
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) {
@@ -78,6 +81,19 @@ CurveBlocks::CurveBlocks(const Binding& binding, Law<double> law,
     }
   }
   add_rows();
+  const std::vector<double> anything(binding.parameters.size(), 1.0);
+  for (const problems::Recorded& record : records_) {
+    jumps_.emplace_back(record);
+    const problems::Jumps& own = jumps_.back();
+    always_jumps_.push_back(own.possible() && own.moved_by().empty() &&
+                            !own.places(cycle_, law_, anything).empty());
+  }
+}
+
+bool CurveBlocks::jumps(std::size_t curve, std::span<const double> arguments) const {
+  const problems::Jumps& own = jumps_[curve];
+  if (own.moved_by().empty()) return always_jumps_[curve];
+  return !own.places(cycle_, law_, arguments).empty();
 }
 
 std::vector<double> CurveBlocks::breaks_of(const problems::Cycle& cycle, const Law<double>& law) {
@@ -126,6 +142,7 @@ std::optional<CurveBlocks::At> CurveBlocks::at(optim::Design x) const {
   for (const problems::IsPossible& possible : possible_) {
     result.possible_.push_back(!possible || possible(all));
   }
+  result.jumps_.resize(formulas_.size());
   result.values_.assign(formulas_.size(), std::vector<double>(places_.places.size()));
   std::vector<std::span<double>> values(result.values_.begin(), result.values_.end());
   const std::vector<std::span<const double>> rows{rows_.s, rows_.v, rows_.a, rows_.j, rows_.x};
@@ -133,8 +150,11 @@ std::optional<CurveBlocks::At> CurveBlocks::at(optim::Design x) const {
   return result;
 }
 
-double CurveBlocks::At::extreme(std::size_t curve, optim::Part part) const {
+std::optional<double> CurveBlocks::At::extreme(std::size_t curve, optim::Part part) const {
   if (!possible_[curve]) return std::nan("");
+  std::optional<bool>& jumps = jumps_[curve];
+  if (!jumps) jumps = blocks_->jumps(curve, arguments_);
+  if (*jumps) return {};
   const FormulaAlong<double> formula(blocks_->formulas_[curve], arguments_);
   const auto derivatives = [&](optim::Place place, std::size_t section) {
     const auto [motion, x] = blocks_->place_at(place, section);

@@ -8,6 +8,7 @@
 
 #include "machines/model/curve_formula.h"
 #include "machines/model/cycle.h"
+#include "machines/model/jumps.h"
 #include "machines/model/mechanism.h"
 #include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/formula.h"
@@ -19,9 +20,8 @@ namespace camlaw::python {
 
 class CurveBlocks {
  public:
-  /// Whether a curve can be one of those: it is a formula of the motion, with a value everywhere,
-  /// and jumps nowhere between the samples.
-  static bool takes(const problems::Binding& binding, const problems::MechanismResponse& response);
+  /// Whether a curve can be one of those: it is a formula of the motion, with a value everywhere.
+  static bool takes(const problems::MechanismResponse& response);
 
   /// None where the motion varies with the design, or jumps.
   static std::unique_ptr<const CurveBlocks> of(
@@ -31,7 +31,8 @@ class CurveBlocks {
   /// The samples of every curve at a design.
   class At {
    public:
-    double extreme(std::size_t curve, optim::Part part) const;
+    /// None where the curve jumps between samples at this design.
+    std::optional<double> extreme(std::size_t curve, optim::Part part) const;
 
    private:
     friend class CurveBlocks;
@@ -39,6 +40,7 @@ class CurveBlocks {
     std::vector<double> arguments_;
     std::vector<std::vector<double>> values_;
     std::vector<bool> possible_;
+    mutable std::vector<std::optional<bool>> jumps_;  ///< of each curve, once it was asked
   };
   /// None at designs that the records do not hold for: an argument that is 0 has a record of its
   /// own.
@@ -52,6 +54,7 @@ class CurveBlocks {
               const std::vector<const problems::MechanismResponse*>& curves);
   static std::vector<double> breaks_of(const problems::Cycle& cycle, const Law<double>& law);
   void add_rows();
+  bool jumps(std::size_t curve, std::span<const double> arguments) const;
   problems::PlaceSeries<double, 3> place_at(optim::Place place, std::size_t section) const;
 
   problems::Binding binding_;
@@ -60,7 +63,10 @@ class CurveBlocks {
   std::vector<Section> sections_;
   SampledPlaces places_;
   problems::PlaceRows rows_;
+  std::vector<problems::Recorded> records_;
   std::vector<Formula> formulas_;
+  std::vector<problems::Jumps> jumps_;
+  std::vector<bool> always_jumps_;  ///< of curves whose jumps no design moves
   std::vector<problems::IsPossible> possible_;
   FormulaBlocks blocks_;
 };
