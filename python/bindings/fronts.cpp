@@ -299,6 +299,12 @@ void add_fronts(nb::module_& module) {
              return dict_of(whole(
                  f, [](const cli::FrontAnswer& answer) { return cli::front_figure(answer); }));
            })
+      .def("svg",
+           [](const FoundFront& f) {
+             return whole(f, [](const cli::FrontAnswer& answer) {
+               return cli::to_svg(cli::front_figure(answer));
+             });
+           })
       .def("sensitivity", &sensitivity_of, nb::arg("point"), nb::arg("tolerances"))
       .def("report",
            [](const FoundFront& f, const std::string& name) {

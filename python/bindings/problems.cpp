@@ -15,6 +15,7 @@
 #include "output/answers/mechanism_output.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
+#include "output/document/markdown.h"
 #include "output/document/printing.h"
 #include "output/figure/profile_figure.h"
 #include "output/report/html.h"
@@ -421,6 +422,17 @@ void add_problems(nb::module_& module) {
              return dict_of(
                  run_whole([&](const Work& work) { return cli::profile_figure(p.within(work)); }));
            })
+      .def("curves_svg",
+           [](const StatedProblem& p) {
+             return run_whole(
+                 [&](const Work& work) { return cli::to_svg(cli::curves_figure(p.within(work))); });
+           })
+      .def("profile_svg",
+           [](const StatedProblem& p) {
+             return run_whole([&](const Work& work) {
+               return cli::to_svg(cli::profile_figure(p.within(work)));
+             });
+           })
       .def("__getstate__", &state_of)
       .def("__setstate__", [](StatedProblem& problem, const ProblemState& state) {
         new (&problem) StatedProblem(problem_of(state));
@@ -445,6 +457,10 @@ void add_problems(nb::module_& module) {
   module.def("mechanism_names", &mechanism_names);
   module.def("formula", [](const std::string& mechanism, const std::string& response) {
     return formula_of(problems::find_mechanism(mechanism), response);
+  });
+  module.def("formulas_page", [](const std::string& mechanism) {
+    return without_lock(
+        [&] { return cli::markdown_of(cli::formulas_page(problems::find_mechanism(mechanism))); });
   });
   module.def("mechanism",
              [](const std::string& name) { return dict_of(problems::find_mechanism(name)); });

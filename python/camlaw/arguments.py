@@ -9,6 +9,7 @@ import os
 from collections.abc import Mapping, Sequence
 from operator import index
 from typing import Any
+from unicodedata import category
 
 import numpy as np
 
@@ -40,6 +41,14 @@ def text(value: Any, what: str) -> str:
     except UnicodeEncodeError:
         raise InputError(f"{what}: {shown(value)} has a character that is not text") from None
     return str(value)
+
+
+def word(value: Any, what: str) -> str:
+    """A text on one line, as names are."""
+    said = text(value, what)
+    if any(category(character) == "Cc" for character in said):
+        raise InputError(f"{what}: {shown(said)} has control characters")
+    return said
 
 
 def optional_text(value: Any, what: str) -> str | None:

@@ -110,6 +110,12 @@ class Front(Answer):
             raise InputError("plot draws fronts of two or three objectives")
         return plots.draw(figure)
 
+    def svg(self, path: str | Path | None = None) -> str:
+        """The same as a picture in SVG, as 'camlaw front --svg' draws it; written to `path` if given."""
+        if not self._native.figure()["panels"]:
+            raise InputError("svg draws fronts of two or three objectives")
+        return written(self._native.svg(), path)
+
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser with the front and the curves of its designs; written to `path` if given."""
         return written(self._native.report(self._native.file or "front"), path)

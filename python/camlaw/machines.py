@@ -43,6 +43,10 @@ class Mechanism:
         """The formula of a response, in the grammar of docs/formulas.md."""
         return native.formula(self.name, text(response, "response"))
 
+    def formulas(self) -> str:
+        """The formulas of all responses in LaTeX, as a page in Markdown."""
+        return native.formulas_page(self.name)
+
     def __repr__(self) -> str:
         return f"<camlaw mechanism {self.name}: {self.title}>"
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import plots, tables, units
-from .arguments import flag, numbers, shown, text, whole
+from .arguments import flag, numbers, text, whole, word
 from .arguments import path as checked_path
 from .errors import Error, InputError
 from .native import native
@@ -205,11 +205,13 @@ class Law:
         """Draws s, v, a and j one above the other with matplotlib; returns the axes."""
         return plots.draw(self._native.figure(400))
 
+    def svg(self, path: str | Path | None = None) -> str:
+        """The same as a picture in SVG, as 'camlaw law --svg' draws it; written to `path` if given."""
+        return written(self._native.svg(), path)
+
     def save(self, path: str | Path, title: str = "") -> None:
         """Writes the law to a file, which law_file(path) and problem files read."""
-        if not text(title, "title").isprintable():
-            raise InputError(f"title: {shown(title)} has control characters")
-        written(self._native.file_text(title or self._native.label), checked_path(path))
+        written(self._native.file_text(word(title, "title") or self._native.label), checked_path(path))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Law):
@@ -253,7 +255,7 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
     """
     if isinstance(name, Law) and not coefficients:
         return Law(name._native)
-    known = name_of(name, "law") if isinstance(name, Law) else text(name, "law")
+    known = name_of(name, "law") if isinstance(name, Law) else word(name, "law")
     return Law(native.law(known, units.settings_of(coefficients)))
 
 

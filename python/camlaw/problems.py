@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from . import plots, tables, units
-from .arguments import is_pint, mapping, numbers, texts, whole
+from .arguments import flag, is_pint, mapping, numbers, texts, whole
 from .arguments import path as checked_path
 from .arguments import text as _text
 from .errors import InputError
@@ -221,6 +221,10 @@ class Problem(Searches):
         )
         return Problem(_native=self._native.with_settings(settings))
 
+    def _counted(self) -> str:
+        count = len(self._native.variables())
+        return f"{count} variable{'' if count == 1 else 's'}"
+
     def check(self) -> Check:
         """The problem in words, with what depends on what and in which shape."""
         facts, text, html = self._native.check()
@@ -297,6 +301,12 @@ class Problem(Searches):
         """Draws the cam's profile, its pitch curve and the cutter-centre path; returns the axes."""
         return plots.draw(self._native.profile_figure(), equal=True)
 
+    def svg(self, path: str | Path | None = None, *, profile: bool = False) -> str:
+        """Every curve over the cycle as a picture in SVG; written to `path` if given. profile: the cam's
+        profile, its pitch curve and the cutter-centre path instead."""
+        native_svg = self._native.profile_svg if flag(profile, "profile") else self._native.curves_svg
+        return written(native_svg(), path)
+
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser about the design at the variables' starts; written to `path` if given."""
         return written(native.report_of_problem(self._native), path)
@@ -319,7 +329,7 @@ class Problem(Searches):
         return text, *rest
 
     def __repr__(self) -> str:
-        return f"<camlaw problem {self.title or self.mechanism}: {len(self._native.variables())} variables>"
+        return f"<camlaw problem {self.title or self.mechanism}: {self._counted()}>"
 
     def _repr_html_(self) -> str:
         return f"<p><b>{escape(self.title or self.mechanism)}</b></p>{self.check().html}"

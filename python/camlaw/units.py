@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from .arguments import is_pint, shown
+from .arguments import is_pint, shown, word
 from .errors import InputError
 from .native import native
 
@@ -41,7 +41,7 @@ def value_text(value: Any, what: str = "") -> str:
     """A number to its last digit, a text as it is, a quantity as "30 mm". `what` names it in errors."""
     said = f"{what}: " if what else ""
     if isinstance(value, str):
-        return str(value)
+        return word(value, what or "value")
     if is_pint(value):
         number, unit = _of_pint(value)
         return f"{value_text(number, what)} {unit}"

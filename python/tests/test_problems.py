@@ -344,3 +344,21 @@ def test_memory_and_records_that_cannot_be():
         problem.pareto(memory=-1)
     with pytest.raises(FileNotFoundError):
         problem.pareto(record="/nowhere/study.db")
+
+
+def test_pictures_are_those_of_the_program(tmp_path):
+    name = PROBLEMS / "cams/roller_least_base.toml"
+    program("evaluate", str(name), "--svg", str(tmp_path / "c.svg"), "--profile", str(tmp_path / "p.svg"))
+    problem = cl.Problem.load(name)
+    assert problem.svg() == (tmp_path / "c.svg").read_text()
+    assert problem.svg(tmp_path / "q.svg", profile=True) == (tmp_path / "p.svg").read_text()
+    assert (tmp_path / "q.svg").read_text() == (tmp_path / "p.svg").read_text()
+    program("law", "cycloidal", "--svg", str(tmp_path / "l.svg"))
+    assert cl.law("cycloidal").svg() == (tmp_path / "l.svg").read_text()
+    page = program("mechanisms", "disc-cam-roller", "--formulas")
+    assert cl.mechanism("disc-cam-roller").formulas() == page
+    front = cl.Problem.example("spine_cutter/front").pareto(points=4)
+    assert front.svg().startswith("<svg") or "<svg" in front.svg()
+    for wrong in (lambda: cl.law("x\n"), lambda: problem.set(stroke="30 mm\n")):
+        with pytest.raises(cl.InputError, match="control characters"):
+            wrong()
