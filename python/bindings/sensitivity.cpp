@@ -52,10 +52,15 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
         const optim::Deadline deadline(time_limit, work.stop());
         const problems::VariedDesign varied = problems::varied_design(
             design, problems::asked_variations(design, tolerances), deadline);
+        const optim::Hands hands =
+            hands_of(labour, problems::tolerance_program(design, tolerances));
         const problems::ToleranceOptions options{
             .samples = samples,
             .seed = seed,
-            .hands = hands_of(labour, problems::tolerance_program(design, tolerances))};
+            .hands = [&](optim::Errands& errands, const optim::Service& service) {
+              hands(errands, service);
+              work.tell(errands.share(), "parts of the yield");
+            }};
         return cli::variation_document(varied, problems::tolerance_of(varied, options));
       },
       progress));

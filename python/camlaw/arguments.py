@@ -150,14 +150,20 @@ def _real(value: Any) -> float:
     """One of an array of objects: whole numbers of any size, fractions and so on."""
     if value is None or isinstance(value, (str, bytes, bool, np.bool_)):
         raise TypeError
-    return float(value)
+    try:
+        return float(value)
+    except Exception:  # whatever a type of somebody's own raises
+        raise TypeError from None
 
 
 def _has_flags(values: Any) -> bool:
     """Whether a list has True or False among its numbers, which NumPy takes for 1 and 0."""
-    return isinstance(values, (list, tuple)) and any(
-        isinstance(value, (bool, np.bool_)) or _has_flags(value) for value in values
-    )
+    if not isinstance(values, (list, tuple)):
+        return False
+    kinds = set(map(type, values))
+    if kinds & {bool, np.bool_}:
+        return True
+    return bool(kinds & {list, tuple}) and any(map(_has_flags, values))
 
 
 def numbers(values: Any, what: str, most_dimensions: int = 1) -> np.ndarray:

@@ -126,12 +126,18 @@ class Tolerance(_Told):
     @property
     def failing(self) -> float:
         """The estimated fraction of parts that break a limit."""
-        return float(self.facts["failing"])
+        return self._of_yield("failing")
 
     @property
     def standard_error(self) -> float:
         """The standard error of `failing`."""
-        return float(self.facts["standard_error"])
+        return self._of_yield("standard_error")
+
+    def _of_yield(self, name: str) -> float:
+        found = self.facts.get(name)
+        if found is None:
+            raise InputError("there is no yield: no part can break a limit, or the work was cut short")
+        return float(found)
 
 
 class Check(NamedTuple):

@@ -25,7 +25,7 @@ from typing import Any
 
 from .arguments import is_pint, mapping, optional_text, shown, text
 from .errors import InputError
-from .units import pint_unit
+from .units import of_pint
 
 _SUM, _TERM, _SIGN, _POWER, _PRIMARY = range(1, 6)
 
@@ -125,7 +125,7 @@ def expression(value: Any) -> Expression:
     if isinstance(value, Expression):
         return value
     if is_pint(value):
-        return quantity(value.magnitude, pint_unit(value.units))
+        return quantity(value)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (int, float)) and not isinstance(value, bool):
@@ -153,7 +153,8 @@ def quantity(value: Any, unit: str | None = None) -> Expression:
     if is_pint(value):
         if unit is not None:
             raise InputError(f"quantity: {shown(value)} has a unit already; leave out '{unit}'")
-        value, unit = value.magnitude, pint_unit(value.units)
+        value, unit = of_pint(value)
+        unit = None if unit == "1" else unit
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, (int, float)) or isinstance(value, bool) or not isfinite(value):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import threading
@@ -21,15 +22,23 @@ def written(text: str, path: str | Path | None) -> str:
     """Writes a text, all of it or nothing, where a path is given; returns it."""
     if path is not None:
         named = checked_path(path)
-        place = Path(named).resolve()  # of a link the file that it leads to
         try:
-            if place.exists() and not place.is_file():  # a pipe, a terminal
-                place.write_text(text, encoding="utf-8")
+            if os.path.exists(named) and not _is_replaced(named):
+                with open(named, "a", encoding="utf-8") as open_one:
+                    open_one.write(text)
             else:
-                _replace(place, text)
+                _replace(Path(named).resolve(), text)  # of a link the file that it leads to
+        except RuntimeError:  # so resolve() says that links go in a circle
+            raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), named) from None
         except OSError as error:
             raise type(error)(error.errno, error.strerror, named) from None
     return text
+
+
+def _is_replaced(named: str) -> bool:
+    """Whether a file takes the place of what is there: not that of a pipe, a terminal or an open file."""
+    place = os.path.abspath(named)
+    return os.path.isfile(place) and not place.startswith(("/dev/", "/proc/"))
 
 
 def _replace(place: Path, text: str) -> None:

@@ -147,7 +147,7 @@ class Problem(Searches):
         place = Path(checked_path(path))
         files = {place.parent / name: text for name, text in self._native.held_files().items()}
         for file, text in files.items():
-            if not file.resolve().is_relative_to(place.parent.resolve()):
+            if not file.exists() and not file.resolve().is_relative_to(place.parent.resolve()):
                 raise InputError(
                     f"{file} is outside the folder of {place}, where a problem's files are saved with it"
                 )

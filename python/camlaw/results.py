@@ -18,6 +18,10 @@ from .outputs import export_options, exported, written
 from .problems import Problem
 
 
+#: What a search says of its answer, which a design alone does not tell.
+_CLAIMS = {"active", "best_possible", "kkt_residual", "objective_proved", "second_order"}
+
+
 class Verification(NamedTuple):
     """A result's claim judged again by its own problem, without a search.
 
@@ -72,13 +76,25 @@ class Result(Answer):
     def _judge_again(self) -> None:
         """Puts what the design is in place of what a file claims of it."""
         found = self.verify()
-        limits = self.design.evaluate()._limits
-        self.facts = self.facts | {
+        limits = [
+            {**limit, "worst_angle_deg": limit["at"], "multiplier": None, "at_rest": None}
+            for limit in self.design.evaluate()._limits
+        ]
+        for limit in limits:
+            del limit["at"]
+        starts = {row["name"]: row["start"] for row in self._native.design().variables()}
+        claims = set(self.facts) & _CLAIMS
+        remarks = "; ".join(self.review)
+        self.facts = self.facts | dict.fromkeys(claims) | {
+            "status": None,
             "verdict": found.verdict,
-            "reason": " ".join([found.reason, *(f"{remark}." for remark in self.review)]).strip(),
+            "reason": f"{found.reason}; {remarks}" if found.reason else remarks,
             "global": False,
             "objective": found.objective,
-            "constraints": [{**limit, "worst_angle_deg": limit["at"]} for limit in limits],
+            "constraints": limits,
+            "variables": {
+                name: starts.get(name, value) for name, value in self.variables.items()
+            },
         }
 
     def save(self, path: str | Path) -> None:

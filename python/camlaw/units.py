@@ -18,7 +18,7 @@ def pint_unit(units: Any) -> str:
     return f"{units:~C}".replace("**", "^").replace("µ", "u").replace("Δ", "")
 
 
-def _of_pint(value: Any) -> tuple[Any, str]:
+def of_pint(value: Any) -> tuple[Any, str]:
     """Number and unit of a quantity of pint. If a symbol is another unit's here ("ct" is pint's carat
     and a hundredth of a tonne), the quantity goes in SI units. One without a unit has the unit "1", so
     that it is no size."""
@@ -29,7 +29,8 @@ def _of_pint(value: Any) -> tuple[Any, str]:
         base = (1 * value.units).to_base_units()
         si = pint_unit(base.units) or "1"
         here = native.quantity(f"1 {unit}", si, si, "")
-        if abs(here - base.magnitude) <= 1e-9 * abs(base.magnitude):
+        known = float(base.magnitude)
+        if abs(here - known) <= 1e-9 * abs(known):
             return value.magnitude, unit
     except (InputError, ValueError):
         pass
@@ -43,7 +44,7 @@ def value_text(value: Any, what: str = "") -> str:
     if isinstance(value, str):
         return word(value, what or "value")
     if is_pint(value):
-        number, unit = _of_pint(value)
+        number, unit = of_pint(value)
         return f"{value_text(number, what)} {unit}"
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -75,13 +76,22 @@ _SIZES = {
 }
 
 
+def _bytes_of_pint(memory: Any) -> Any:
+    try:
+        return memory.to("byte").magnitude
+    except Exception:  # pint's own kinds
+        raise InputError(f"memory: {shown(memory)} is not a size") from None
+
+
 def size_in_bytes(memory: Any) -> float | None:
     """Memory, bytes or such as "4 GB" or "2 GiB"; None where none is named."""
     if memory is None:
         return None
+    if is_pint(memory):
+        memory = _bytes_of_pint(memory)
     found = re.fullmatch(r"\s*([-+.0-9eE]+)\s*([A-Za-z]*)\s*", value_text(memory, "memory"))
     try:
-        if found is not None and float(found[1]) > 0:
+        if found is not None and 0 < float(found[1]) < float("inf"):
             return float(found[1]) * _SIZES[found[2]]
     except (KeyError, ValueError):
         pass

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 import math
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import camlaw as cl
@@ -158,3 +161,18 @@ def test_numbers_are_never_guessed():
     assert not view.flags.aligned
     with pytest.raises(cl.Error, match="aligned"):
         cl.law("cycloidal")(view)
+
+
+def test_writing_to_a_pipe_goes_through_it(tmp_path):
+    code = "import camlaw as cl; print('before', flush=True); cl.law('cycloidal').save('/dev/stdout')"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    said = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment
+    ).stdout
+    assert said.startswith("before\n{")
+    with open(tmp_path / "out.txt", "w") as out:
+        subprocess.run([sys.executable, "-c", code], stdout=out, check=True, env=environment)
+    assert (tmp_path / "out.txt").read_text() == said
+    (tmp_path / "loop").symlink_to(tmp_path / "loop")
+    with pytest.raises(OSError):
+        cl.law("cycloidal").save(tmp_path / "loop")

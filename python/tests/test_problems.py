@@ -5,6 +5,7 @@ import tomllib
 import camlaw as cl
 import numpy as np
 import pytest
+from camlaw import units
 from conftest import PROBLEMS, program, program_json, same
 
 ROLLER = PROBLEMS / "cams/roller_least_base.toml"
@@ -333,9 +334,26 @@ def test_files_in_folders_are_saved_with_a_problem(tmp_path):
     (tmp_path / "p.toml").write_text(text.replace('law = "', 'law = "laws/mine.json" # "', 1))
     problem = cl.Problem.load(tmp_path / "p.toml")
     problem.save(tmp_path / "elsewhere.toml")
+    (tmp_path / "a").mkdir()
+    outside = text.replace('law = "', 'law = "../laws/mine.json" # "', 1)
+    (tmp_path / "a/p.toml").write_text(outside)
+    cl.Problem.load(tmp_path / "a/p.toml").save(tmp_path / "a/p2.toml")
+    (tmp_path / "b/c").mkdir(parents=True)
+    with pytest.raises(cl.InputError, match="outside the folder"):
+        cl.Problem.load(tmp_path / "a/p.toml").save(tmp_path / "b/c/p.toml")
     (tmp_path / "new").mkdir()
     problem.save(tmp_path / "new/p.toml")
     assert cl.Problem.load(tmp_path / "new/p.toml").law.C_a == problem.law.C_a
+
+
+def test_memory_as_a_quantity():
+    pint = pytest.importorskip("pint")
+    size = pint.UnitRegistry().Quantity(4, "GB")
+    assert units.size_in_bytes(size) == 4e9
+    with pytest.raises(cl.InputError, match="is not a size"):
+        units.size_in_bytes(pint.UnitRegistry().Quantity(4, "m"))
+    with pytest.raises(cl.InputError, match="is not a size above zero"):
+        units.size_in_bytes("1e999 GB")
 
 
 def test_memory_and_records_that_cannot_be():

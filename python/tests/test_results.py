@@ -172,5 +172,13 @@ def test_a_changed_file_shows_what_its_design_is(tmp_path):
     assert limits["pressure_angle"]["margin"] < -0.9
     with pytest.warns(UserWarning, match="limit not met: pressure_angle"):
         assert "judged again" in changed.export(format="json")
+    assert set(found.margins.columns) == set(changed.margins.columns)
+    claim = json.loads(text)
+    claim["variables"]["base_radius"] = -1
+    claim["best_possible"] = 1
+    (tmp_path / "v.json").write_text(json.dumps(claim))
+    false = cl.Result.load(tmp_path / "v.json")
+    assert false.variables["base_radius"] == found["base_radius"]
+    assert false.facts["best_possible"] is None
     whole = cl.Result.load(tmp_path / "r.json")
     assert whole.certified and whole.review == []

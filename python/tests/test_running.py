@@ -155,3 +155,12 @@ def test_several_threads_get_the_bits_that_one_gets():
     for thread in threads:
         thread.join()
     assert found == [alone] * 4
+
+
+def test_a_yield_tells_how_far_it_is():
+    told = []
+    cl.Problem.load(PROBLEMS / "cams/tolerances.toml").tolerance(
+        samples=400_000, progress=lambda done, words: told.append((done, words))
+    )
+    assert told and all(0 <= done <= 1 for done, _ in told)
+    assert told[-1][1] == "parts of the yield"
