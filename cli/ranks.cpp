@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fitting/motions/law_fit_service.h"
+#include "optim/crew/hands.h"
 #include "optim/study/parcel_executor.h"
 #include "optim/study/workers.h"
 
@@ -48,16 +49,10 @@ std::unique_ptr<optim::Executor> executor_of(optim::Service service,
 }
 
 optim::Hands hands_of(const optim::WorkerProgram& program, int count, optim::MpiRanks* ranks) {
-  if (ranks != nullptr) {
-    ranks->give(program.problem);
-    const auto force = std::make_shared<optim::ParcelForce>(*ranks);
-    return [force](optim::Errands& errands, const optim::Service&) { force->run(errands); };
-  }
-  const auto crew =
-      std::make_shared<optim::Crew>(optim::CrewRules{.workers = count, .program = program});
-  return [crew](optim::Errands& errands, const optim::Service& service) {
-    crew->run(errands, service);
-  };
+  if (ranks == nullptr) return optim::hands_of_crew({.workers = count, .program = program});
+  ranks->give(program.problem);
+  // The ranks stay with whoever began them.
+  return optim::hands_beyond({std::shared_ptr<void>(), ranks});
 }
 
 }  // namespace camlaw::cli

@@ -72,8 +72,7 @@ CurveBlocks::CurveBlocks(const Binding& binding, Law<double> law,
       law_(std::move(law)),
       places_(breaks_of(cycle_, law_)),
       records_(records_of(binding, curves)),
-      formulas_(formulas_of(records_)),
-      blocks_(formulas_, binding.parameters.size()) {
+      blocks_(formulas_of(records_), binding.parameters.size()) {
   for (const MechanismResponse* curve : curves) possible_.push_back(curve->is_possible);
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) {
     for (std::size_t piece = 0; piece < law_.pieces().size(); ++piece) {
@@ -142,8 +141,8 @@ std::optional<CurveBlocks::At> CurveBlocks::at(optim::Design x) const {
   for (const problems::IsPossible& possible : possible_) {
     result.possible_.push_back(!possible || possible(all));
   }
-  result.jumps_.resize(formulas_.size());
-  result.values_.assign(formulas_.size(), std::vector<double>(places_.places.size()));
+  result.jumps_.resize(records_.size());
+  result.values_.assign(records_.size(), std::vector<double>(places_.places.size()));
   std::vector<std::span<double>> values(result.values_.begin(), result.values_.end());
   const std::vector<std::span<const double>> rows{rows_.s, rows_.v, rows_.a, rows_.j, rows_.x};
   blocks_(result.arguments_, rows, values);
@@ -155,7 +154,7 @@ std::optional<double> CurveBlocks::At::extreme(std::size_t curve, optim::Part pa
   std::optional<bool>& jumps = jumps_[curve];
   if (!jumps) jumps = blocks_->jumps(curve, arguments_);
   if (*jumps) return {};
-  const FormulaAlong<double> formula(blocks_->formulas_[curve], arguments_);
+  const FormulaAlong<double> formula(blocks_->records_[curve].formula, arguments_);
   const auto derivatives = [&](optim::Place place, std::size_t section) {
     const auto [motion, x] = blocks_->place_at(place, section);
     const std::array others{motion.s, motion.v, motion.a, motion.j, x};

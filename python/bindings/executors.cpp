@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fitting/motions/law_fit_service.h"
+#include "optim/crew/hands.h"
 #include "optim/study/parcel_executor.h"
 #include "optim/study/workers.h"
 #include "python/bindings/module.h"
@@ -134,21 +135,10 @@ std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Servic
 }
 
 optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program) {
-  if (!labour.carrier.is_none()) {
-    struct Carried {
-      PythonTransport transport;
-      optim::ParcelForce force{transport};
-    };
-    const auto carried =
-        std::make_shared<Carried>(PythonTransport(labour.carrier, program.problem));
-    return
-        [carried](optim::Errands& errands, const optim::Service&) { carried->force.run(errands); };
+  if (labour.carrier.is_none()) {
+    return optim::hands_of_crew({.workers = labour.workers, .program = program});
   }
-  const auto crew = std::make_shared<optim::Crew>(
-      optim::CrewRules{.workers = labour.workers, .program = program});
-  return [crew](optim::Errands& errands, const optim::Service& service) {
-    crew->run(errands, service);
-  };
+  return optim::hands_beyond(std::make_shared<PythonTransport>(labour.carrier, program.problem));
 }
 
 void add_executors(nb::module_& module) {

@@ -261,7 +261,7 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
 
 def name_of(law: Law, what: str) -> str:
     """The name by which the library finds this very law. Raises InputError for a law of a file and for
-    a motion program, which have none, though they may be called as one of the catalogue is."""
+    a motion program, which have none: what they are named may be another law's name in the catalogue."""
     try:
         if Law(native.law(law.name, [])) == law:
             return law.name
