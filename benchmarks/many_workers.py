@@ -23,7 +23,7 @@ ROOT = Path(__file__).parent.parent
 PROGRAM = ROOT / "build/release/cli/camlaw"
 FRONT = ROOT / "problems/cams/roller_front.toml"
 PARTS = ROOT / "problems/cams/tolerances.toml"
-SAMPLES = 10_000_000
+SAMPLES = 20_000_000
 
 
 def seconds(action: Callable[[], object]) -> float:

@@ -35,7 +35,7 @@ struct ClusterRules {
   std::uint64_t seed = 1;
 };
 
-class SimulatedCluster final : public optim::Transport {
+class SimulatedCluster : public optim::Transport {
  public:
   explicit SimulatedCluster(ClusterRules rules);
 

@@ -6,28 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/text/utf8.h"
+
 namespace camlaw::problems {
 namespace {
 
 unsigned char as_byte(char c) { return static_cast<unsigned char>(c); }
-
-/// How many bytes of UTF-8 follow one that begins a character; -1 where it begins none.
-int following(unsigned char first) {
-  if (first < 0x80) return 0;
-  if (first >= 0xC2 && first < 0xE0) return 1;
-  if (first >= 0xE0 && first < 0xF0) return 2;
-  if (first >= 0xF0 && first < 0xF5) return 3;
-  return -1;
-}
-
-bool is_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    for (int left = following(as_byte(text[i])); left != 0; --left) {
-      if (left < 0 || ++i == text.size() || (as_byte(text[i]) & 0xC0) != 0x80) return false;
-    }
-  }
-  return true;
-}
 
 /// A character's bytes in UTF-8.
 std::string utf8(std::uint32_t code) {

@@ -69,8 +69,7 @@ class ParcelForce::Run {
   /// behind another while other workers have nothing to do.
   std::size_t ahead(std::size_t workers) const {
     const bool are_last = next_is_none_ && waiting_.size() < workers && alone_.empty();
-    const double is_long = std::max(rules_.least_seconds, rules_.costs * force_.seconds_to_send_);
-    return are_last && force_.seconds_per_order_ > is_long ? 1 : rules_.ahead;
+    return are_last && force_.seconds_per_order_ > work_of_parcel() ? 1 : rules_.ahead;
   }
 
   /// The numbers of the next parcel; empty: there is nothing to send now.
@@ -102,13 +101,18 @@ class ParcelForce::Run {
     return numbers;
   }
 
+  /// Seconds, where the sender does not fall behind.
+  double work_of_parcel() const {
+    const double least = std::max(rules_.least_seconds, transport_.least_work());
+    return std::clamp(rules_.costs * force_.seconds_to_send_, least,
+                      std::max(least, rules_.seconds));
+  }
+
   /// How many orders a worker is measured to carry out in the time that a parcel should take.
   std::size_t usual_size(std::size_t workers) const {
     if (force_.seconds_per_order_ <= 0) return 1;
     const double pace = static_cast<double>(workers) * force_.seconds_to_send_ / rules_.sending;
-    const double own =
-        std::clamp(rules_.costs * force_.seconds_to_send_, rules_.least_seconds, rules_.seconds);
-    const double count = std::floor(std::max(own, pace) / force_.seconds_per_order_);
+    const double count = std::floor(std::max(work_of_parcel(), pace) / force_.seconds_per_order_);
     return static_cast<std::size_t>(
         std::clamp(count, 1.0, static_cast<double>(rules_.most_orders)));
   }

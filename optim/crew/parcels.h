@@ -39,6 +39,9 @@ class Transport {
   virtual void cancel() = 0;
   /// Seconds from some beginning, of the clock by which wait() waits.
   virtual double now() const = 0;
+  /// Seconds of work that a parcel has at least, where the engine takes more of this machine's time
+  /// for it than send() does.
+  virtual double least_work() const { return 0; }
 };
 
 struct ParcelRules {

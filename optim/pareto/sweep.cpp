@@ -33,10 +33,19 @@ Sweep::Sweep(const ProblemSpace& its_space, const ParetoOptions& its_options, Ex
 
 std::vector<Outcome> Sweep::carry_out(std::vector<Task>& tasks) {
   for (Task& task : tasks) task.seed = options.seed;
-  std::vector<Outcome> outcomes = executor_.run(tasks, [this](const auto&, const auto&) {
+  Outcomes all = executor_.run(tasks, [this](const auto&, const auto&) {
     ++progress_.tasks;
     if (options.progress) options.progress(progress_);
   });
+  std::vector<Task> done;
+  std::vector<Outcome> outcomes;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (!all[i]) continue;
+    done.push_back(std::move(tasks[i]));
+    outcomes.push_back(std::move(*all[i]));
+  }
+  front.stopped = front.stopped || done.size() < tasks.size();
+  tasks = std::move(done);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     front.evaluations += outcomes[i].evaluations;
     const bool is_search = tasks[i].kind != Task::Kind::Scout;
@@ -45,7 +54,6 @@ std::vector<Outcome> Sweep::carry_out(std::vector<Task>& tasks) {
     front.failures.push_back({front.tasks + i, tasks[i].part, outcomes[i].failure});
   }
   front.tasks += outcomes.size();
-  front.stopped = front.stopped || outcomes.size() < tasks.size();
   return outcomes;
 }
 

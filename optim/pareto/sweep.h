@@ -12,8 +12,8 @@ class Sweep {
   /// Throws std::invalid_argument for a problem that is not well posed.
   Sweep(const ProblemSpace& space, const ParetoOptions& options, Executor& executor);
 
-  /// Carries tasks out, all with the study's seed, and counts them. Where fewer outcomes come than
-  /// there are tasks, the front is stopped.
+  /// Carries tasks out, all with the study's seed, and counts them. Where some are not carried out
+  /// the front is stopped, and the others stay in `tasks`, in their order.
   std::vector<Outcome> carry_out(std::vector<Task>& tasks);
   /// Carries tasks out, and gives the outcomes to their parts.
   void carry_on(std::vector<Task> tasks);

@@ -315,16 +315,14 @@ Outcome carry_out_safely(const Task& task, const ProblemSpace& space,
   return safely([&] { return carry_out(task, space, options); });
 }
 
-std::vector<Outcome> DirectExecutor::run(const std::vector<Task>& tasks,
-                                         const OnOutcome& on_outcome) {
+Outcomes DirectExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
   const auto stopped = [&] { return options_.stop != nullptr && *options_.stop; };
-  std::vector<Outcome> outcomes;
-  for (const Task& task : tasks) {
-    if (stopped()) break;
-    Outcome outcome = carry_out_safely(task, space_, options_);
+  Outcomes outcomes(tasks.size());
+  for (std::size_t i = 0; i < tasks.size() && !stopped(); ++i) {
+    Outcome outcome = carry_out_safely(tasks[i], space_, options_);
     if (stopped()) break;  // cut short: not what the task gives
-    if (on_outcome) on_outcome(task, outcome);
-    outcomes.push_back(std::move(outcome));
+    if (on_outcome) on_outcome(tasks[i], outcome);
+    outcomes[i] = std::move(outcome);
   }
   return outcomes;
 }

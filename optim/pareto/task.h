@@ -86,6 +86,9 @@ Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOpt
 /// A design looked at, not searched for: its objectives and standing, with proofs.
 FrontPoint looked_at(const Problem& problem, std::size_t part, Design x);
 
+/// Of tasks, in their order; none of one that was not carried out.
+using Outcomes = std::vector<std::optional<Outcome>>;
+
 /// Called with each outcome as soon as it is there, in any order.
 using OnOutcome = std::function<void(const Task&, const Outcome&)>;
 
@@ -93,9 +96,9 @@ using OnOutcome = std::function<void(const Task&, const Outcome&)>;
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// The outcomes in the order of the tasks; of as many as were done, from the first on: fewer only
-  /// where the study is to stop.
-  virtual std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) = 0;
+  /// One for each task, in their order; none of a task that was not carried out, as the study is to
+  /// stop.
+  virtual Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) = 0;
   /// What a user should know of how tasks were carried out, such as that they were not carried out
   /// side by side; empty: nothing. The outcomes are the same.
   virtual std::string remark() const { return {}; }
@@ -106,7 +109,7 @@ class DirectExecutor final : public Executor {
  public:
   DirectExecutor(const ProblemSpace& space, const OptimiseOptions& options)
       : space_(space), options_(options) {}
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
 
  private:
   const ProblemSpace& space_;

@@ -3,6 +3,7 @@
 
 #include "optim/crew/parcels.h"
 #include "optim/pareto/task.h"
+#include "optim/study/efforts.h"
 
 namespace camlaw::optim {
 
@@ -14,11 +15,12 @@ class ParcelExecutor final : public Executor {
   ParcelExecutor(const OptimiseOptions& options, Transport& transport)
       : options_(options), force_(transport) {}
 
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
 
  private:
   const OptimiseOptions& options_;
   ParcelForce force_;
+  Efforts efforts_;
 };
 
 }  // namespace camlaw::optim

@@ -66,9 +66,8 @@ std::optional<Outcome> RecordedExecutor::find(const Task& task) {
   return {};
 }
 
-std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
-                                           const OnOutcome& on_outcome) {
-  std::vector<std::optional<Outcome>> outcomes;
+Outcomes RecordedExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
+  Outcomes outcomes;
   std::vector<Task> missing;
   for (const Task& task : tasks) {
     outcomes.push_back(find(task));
@@ -78,20 +77,16 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
       on_outcome(task, *outcomes.back());
     }
   }
-  std::vector<Outcome> fresh;
-  if (others_ != nullptr && !missing.empty()) {
-    fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
-      record_.add(task, outcome, problem(task.part, outcome));
-      if (on_outcome) on_outcome(task, outcome);
-    });
-  }
-  std::vector<Outcome> in_order;
+  if (others_ == nullptr || missing.empty()) return outcomes;
+  Outcomes fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
+    record_.add(task, outcome, problem(task.part, outcome));
+    if (on_outcome) on_outcome(task, outcome);
+  });
   auto next = fresh.begin();
   for (auto& outcome : outcomes) {
-    if (!outcome && next == fresh.end()) break;
-    in_order.push_back(outcome ? std::move(*outcome) : std::move(*next++));
+    if (!outcome) outcome = std::move(*next++);
   }
-  return in_order;
+  return outcomes;
 }
 
 std::vector<RecordFault> RecordedExecutor::faults() const {

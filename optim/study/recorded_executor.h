@@ -24,7 +24,7 @@ class RecordedExecutor final : public Executor {
   /// recorded.
   using ProblemOf = std::function<Problem(std::size_t part, Design x)>;
   RecordedExecutor(ProblemOf problem, StudyRecord& record, Executor* others);
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
 
   /// What was not believed so far, by number; with another executor it is carried out again.

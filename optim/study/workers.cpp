@@ -16,12 +16,18 @@ namespace {
 /// The tasks of one run and what has come of them.
 class Tasks final : public Errands {
  public:
-  Tasks(const std::vector<Task>& tasks, const OptimiseOptions& options, const OnOutcome& on_outcome)
-      : tasks_(tasks), options_(options), on_outcome_(on_outcome), outcomes_(tasks.size()) {}
+  Tasks(const std::vector<Task>& tasks, const OptimiseOptions& options, const OnOutcome& on_outcome,
+        Efforts& efforts)
+      : tasks_(tasks),
+        options_(options),
+        on_outcome_(on_outcome),
+        efforts_(efforts),
+        order_(efforts.longest_first(tasks)),
+        outcomes_(tasks.size()) {}
 
   std::optional<std::size_t> next() override {
-    if (next_ == tasks_.size()) return {};
-    return next_++;
+    if (next_ == order_.size()) return {};
+    return order_[next_++];
   }
   std::optional<std::string> order(std::size_t number) override {
     return encoded({tasks_[number], options_});
@@ -41,17 +47,11 @@ class Tasks final : public Errands {
   const std::atomic<bool>* stop() const override { return options_.stop; }
   std::string confined() const override { return why_confined(options_); }
 
-  std::vector<Outcome> in_order() {
-    std::vector<Outcome> result;
-    for (auto& outcome : outcomes_) {
-      if (!outcome) break;
-      result.push_back(std::move(*outcome));
-    }
-    return result;
-  }
+  Outcomes take_outcomes() { return std::move(outcomes_); }
 
  private:
   void end(std::size_t number, Outcome outcome) {
+    efforts_.learn(tasks_[number], outcome);
     if (on_outcome_) on_outcome_(tasks_[number], outcome);
     outcomes_[number] = std::move(outcome);
   }
@@ -59,8 +59,10 @@ class Tasks final : public Errands {
   const std::vector<Task>& tasks_;
   const OptimiseOptions& options_;
   const OnOutcome& on_outcome_;
+  Efforts& efforts_;
+  std::vector<std::size_t> order_;  ///< in which they are handed out
   std::size_t next_ = 0;
-  std::vector<std::optional<Outcome>> outcomes_;
+  Outcomes outcomes_;
 };
 
 }  // namespace
@@ -81,11 +83,10 @@ Service study_service(ProblemSpace space) {
   });
 }
 
-std::vector<Outcome> ParcelExecutor::run(const std::vector<Task>& tasks,
-                                         const OnOutcome& on_outcome) {
-  Tasks errands(tasks, options_, on_outcome);
+Outcomes ParcelExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
+  Tasks errands(tasks, options_, on_outcome, efforts_);
   force_.run(errands);
-  return errands.in_order();
+  return errands.take_outcomes();
 }
 
 ProcessExecutor::ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options,
@@ -98,11 +99,10 @@ ProcessExecutor::ProcessExecutor(Service service, const OptimiseOptions& options
       options_(options),
       crew_({.workers = workers, .program = std::move(program), .at_once = true}) {}
 
-std::vector<Outcome> ProcessExecutor::run(const std::vector<Task>& tasks,
-                                          const OnOutcome& on_outcome) {
-  Tasks errands(tasks, options_, on_outcome);
+Outcomes ProcessExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
+  Tasks errands(tasks, options_, on_outcome, efforts_);
   crew_.run(errands, service_);
-  return errands.in_order();
+  return errands.take_outcomes();
 }
 
 }  // namespace camlaw::optim

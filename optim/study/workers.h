@@ -8,6 +8,7 @@
 
 #include "optim/crew/crew.h"
 #include "optim/pareto/task.h"
+#include "optim/study/efforts.h"
 
 /// Searches of a front in processes side by side.
 namespace camlaw::optim {
@@ -25,13 +26,14 @@ class ProcessExecutor final : public Executor {
   ProcessExecutor(Service service, const OptimiseOptions& options, int workers,
                   std::optional<WorkerProgram> program = {});
 
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return crew_.remark(); }
 
  private:
   Service service_;
   const OptimiseOptions& options_;
   Crew crew_;
+  Efforts efforts_;
 };
 
 /// What becomes of a task.

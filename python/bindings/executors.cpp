@@ -65,8 +65,8 @@ class CarriedExecutor final : public optim::Executor {
   CarriedExecutor(nb::handle carrier, const std::string& problem,
                   const optim::OptimiseOptions& options)
       : transport_(carrier, problem), parcels_(options, transport_) {}
-  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
-                                  const optim::OnOutcome& on_outcome) override {
+  optim::Outcomes run(const std::vector<optim::Task>& tasks,
+                      const optim::OnOutcome& on_outcome) override {
     return parcels_.run(tasks, on_outcome);
   }
 
@@ -94,6 +94,7 @@ PythonTransport::PythonTransport(nb::handle carrier, const std::string& problem)
     : carrier_(carrier), arrivals_(std::make_shared<Arrivals>()) {
   const nb::gil_scoped_acquire held;
   carrier_.attr("begin")(arrivals_, nb::bytes(problem.data(), problem.size()));
+  least_work_ = nb::cast<double>(carrier_.attr("least_work")());
 }
 
 std::size_t PythonTransport::workers() {

@@ -45,10 +45,12 @@ class PythonTransport final : public optim::Transport {
   std::vector<optim::Arrival> wait(double seconds) override;
   void cancel() override;
   double now() const override;
+  double least_work() const override { return least_work_; }
 
  private:
   nb::handle carrier_;
   std::shared_ptr<Arrivals> arrivals_;
+  double least_work_ = 0;
 };
 
 /// Who carries a study's searches out: processes of this machine, or what `carrier` reaches.

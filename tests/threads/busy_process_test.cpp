@@ -378,9 +378,9 @@ TEST_CASE("a worker that is killed takes its own task with it only", "[threads][
   REQUIRE(outcomes.size() == expected.size());
   std::size_t died = 0;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    died += outcomes[i].died;
-    if (outcomes[i].died) {
-      CHECK_THAT(outcomes[i].failure, Catch::Contains("killed by signal 9"));
+    died += outcomes[i]->died;
+    if (outcomes[i]->died) {
+      CHECK_THAT(outcomes[i]->failure, Catch::Contains("killed by signal 9"));
     } else {
       CHECK(bits(outcomes[i]) == bits(expected[i]));
     }

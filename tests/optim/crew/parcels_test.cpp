@@ -74,6 +74,22 @@ TEST_CASE("orders travel in parcels of the time that they are measured to take",
   CHECK(cluster.now() < 1.02 * 1000 / 10);
 }
 
+TEST_CASE("an engine that takes long for a parcel gets fewer of them", "[crew]") {
+  class Slow final : public SimulatedCluster {
+   public:
+    using SimulatedCluster::SimulatedCluster;
+    double least_work() const override { return 0.5; }
+  };
+  Slow cluster(quick(10));
+  Counted errands(100'000);
+  ParcelForce force(cluster);
+  force.run(errands);
+  check_answers(errands, 100'000);
+  CHECK(cluster.sent() >= 2000);  // of 50 orders
+  CHECK(cluster.sent() < 2200);
+  CHECK(cluster.now() < 1.03 * 1000 / 10);
+}
+
 TEST_CASE("few orders are shared out among all workers", "[crew]") {
   SimulatedCluster cluster(quick(8, 1e-4));
   Counted known(4000), errands(16);

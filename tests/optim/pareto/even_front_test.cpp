@@ -122,15 +122,15 @@ TEST_CASE("a front that was stopped or is uneven is not complete", "[front]") {
   class Deaf final : public Executor {
    public:
     explicit Deaf(const ProblemSpace& space) : direct_(space, options_) {}
-    std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& told) override {
-      std::vector<Outcome> outcomes = direct_.run(tasks, told);
+    Outcomes run(const std::vector<Task>& tasks, const OnOutcome& told) override {
+      Outcomes outcomes = direct_.run(tasks, told);
       for (std::size_t i = 0; i < tasks.size(); ++i) {
         // All that would lie near the middle of the front fails.
-        if (tasks[i].kind != Task::Kind::Toward || outcomes[i].points.empty()) continue;
-        const Costs& c = outcomes[i].points.front().costs;
+        if (tasks[i].kind != Task::Kind::Toward || outcomes[i]->points.empty()) continue;
+        const Costs& c = outcomes[i]->points.front().costs;
         if (*std::max_element(c.begin(), c.end()) > 0.9) continue;
-        outcomes[i] = {};
-        outcomes[i].failure = "no answer";
+        outcomes[i] = Outcome{};
+        outcomes[i]->failure = "no answer";
       }
       return outcomes;
     }

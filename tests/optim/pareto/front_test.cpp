@@ -114,12 +114,12 @@ class Failing final : public Executor {
  public:
   Failing(const ProblemSpace& space, std::set<std::size_t> which)
       : which_(std::move(which)), others_(space, options_) {}
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
-    std::vector<Outcome> outcomes = others_.run(tasks, on_outcome);
-    for (Outcome& outcome : outcomes) {
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    Outcomes outcomes = others_.run(tasks, on_outcome);
+    for (auto& outcome : outcomes) {
       if (which_.count(count_++) == 0) continue;
-      outcome = {};
-      outcome.failure = "no answer";
+      outcome = Outcome{};
+      outcome->failure = "no answer";
     }
     return outcomes;
   }

@@ -45,9 +45,11 @@ inline std::string bits(const Outcome& o) {
   return text;
 }
 
-inline std::string bits(const std::vector<Outcome>& outcomes) {
+inline std::string bits(const std::optional<Outcome>& o) { return o ? bits(*o) : "none"; }
+
+inline std::string bits(const Outcomes& outcomes) {
   std::string text;
-  for (const Outcome& o : outcomes) text += bits(o) + "\n";
+  for (const auto& o : outcomes) text += bits(o) + "\n";
   return text;
 }
 

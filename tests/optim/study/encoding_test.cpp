@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "optim/study/encoding.h"
 
-#include <cstring>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
 
+#include "optim/crew/bytes.h"
 #include "tests/optim/pareto/outcomes.h"
 
 namespace camlaw::optim::encoding_test {
@@ -23,11 +27,47 @@ TEST_CASE("an outcome comes back from its bytes to the last bit", "[study]") {
   }
 }
 
-TEST_CASE("the sign of zero and the bits of a NaN are kept", "[study]") {
+TEST_CASE("the sign of zero is kept, and a NaN is one", "[study]") {
   Outcome outcome;
   outcome.points.resize(1);
-  outcome.points[0].x = {-0.0, std::bit_cast<double>(std::uint64_t{0xfff8dead'beef0001})};
+  outcome.points[0].x = {-0.0, kNan, 0.1, -0.1F};
   CHECK(bits(*decoded(encoded(outcome))) == bits(outcome));
+  outcome.points[0].x = {std::bit_cast<double>(std::uint64_t{0xfff8dead'beef0001})};
+  CHECK(std::isnan(decoded(encoded(outcome))->points[0].x[0]));
+}
+
+TEST_CASE("bytes are CBOR, behind their version", "[study]") {
+  // After RFC 8949: lists begin with 0x80 and their length, 1.5 in 32 bits is fa 3f c0 00 00, and
+  // 0.1 in 64 bits fb 3f b9 99 99 99 99 99 9a.
+  CHECK(bytes_of(std::vector<double>{1.5, 0.1}) ==
+        std::string("\x82\x01\x82\xfa\x3f\xc0\x00\x00\xfb\x3f\xb9\x99\x99\x99\x99\x99\x9a", 17));
+  CHECK(bytes_of(std::optional<bool>()) == "\x82\x01\xf6");
+  CHECK(bytes_of(true) == "\x82\x01\xf5");
+  CHECK(bytes_of(-3) == "\x82\x01\x22");
+  CHECK(bytes_of(std::string("\xc3\xa4")) == "\x82\x01\x62\xc3\xa4");
+  // What is not UTF-8 is a byte string.
+  CHECK(bytes_of(std::string("\xe4")) == "\x82\x01\x41\xe4");
+  CHECK(value_of_bytes<std::string>("\x82\x01\x41\xe4") == "\xe4");
+  // Another writer may use 64 bits for every number, and lists that end with a break.
+  CHECK(value_of_bytes<std::vector<double>>(std::string(
+            "\x9f\x01\x9f\xfb\x3f\xf8\0\0\0\0\0\0\xff\xff", 14)) == std::vector<double>{1.5});
+}
+
+TEST_CASE("what is not ours, or of another version, is not read", "[study]") {
+  CHECK(value_of_bytes<int>("\x82\x01\x05") == 5);
+  CHECK_FALSE(value_of_bytes<int>("\x82\x02\x05"));
+  CHECK_FALSE(value_of_bytes<int>("\x05"));
+  CHECK_FALSE(value_of_bytes<int>("\x81\x01"));
+  CHECK_FALSE(value_of_bytes<int>("\x83\x01\x05\x05"));
+  CHECK_FALSE(value_of_bytes<int>("\x82\x01\xa1\x05\x05"));
+  CHECK_FALSE(value_of_bytes<int>("\x82\x01\xf5"));
+  CHECK_FALSE(value_of_bytes<bool>("\x82\x01\x01"));
+  CHECK_FALSE(value_of_bytes<std::uint64_t>("\x82\x01\x22"));
+  CHECK_FALSE(value_of_bytes<int>("\x82\x01\x1b\x01\x02\x03\x04\x05\x06\x07\x08"));
+  CHECK_FALSE(value_of_bytes<std::vector<double>>("\x82\x01\xf6"));
+  CHECK_FALSE(decoded(""));
+  // The parser takes stack for each level.
+  CHECK_FALSE(decoded(std::string(10'000'000, '\x81')));
 }
 
 TEST_CASE("a long outcome goes through", "[study]") {
@@ -89,16 +129,18 @@ TEST_CASE("bytes of a yes or no and of a verdict must be such", "[study]") {
 }
 
 TEST_CASE("a list that is said to be longer than the bytes is not made", "[study]") {
-  std::string bytes = encoded(Outcome{});
+  const auto list_of = [](std::uint64_t size) {
+    std::string bytes = "\x82\x01\x9b";
+    for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(size >> shift);
+    return bytes;
+  };
   for (const std::uint64_t size : {std::uint64_t{1}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
-    std::memcpy(bytes.data(), &size, sizeof size);
-    CHECK_FALSE(decoded(bytes));
+    CHECK_FALSE(value_of_bytes<std::vector<double>>(list_of(size)));
   }
-  // Each of a million points would need far more than the bytes that are there.
-  std::string many(1'000'000, '\0');
-  const std::uint64_t size = 999'000;
-  std::memcpy(many.data(), &size, sizeof size);
-  CHECK_FALSE(decoded(many));
+  CHECK(value_of_bytes<std::vector<int>>(list_of(1) + '\x05') == std::vector<int>{5});
+  // A million empty lists, of which two million were said to come.
+  CHECK_FALSE(value_of_bytes<std::vector<std::vector<double>>>(list_of(2'000'000) +
+                                                               std::string(1'000'000, '\x80')));
 }
 
 TEST_CASE("an order comes back from its bytes to the last bit", "[study]") {
@@ -133,8 +175,10 @@ TEST_CASE("an order comes back from its bytes to the last bit", "[study]") {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     CHECK_FALSE(decoded_order(std::string_view(bytes).substr(0, size)));
   }
+  // The order, its task and the task's kind follow the version.
+  REQUIRE(bytes.starts_with("\x82\x01\x82\x8a\x01"));
   std::string no_kind = bytes;
-  no_kind[0] = 9;
+  no_kind[4] = 9;
   CHECK_FALSE(decoded_order(no_kind));
 }
 

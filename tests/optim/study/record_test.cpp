@@ -62,11 +62,13 @@ std::string complaint(const std::string& path) {
 class Interrupted final : public Executor {
  public:
   Interrupted(Executor& executor, std::size_t tasks) : executor_(executor), left_(tasks) {}
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
     std::vector<Task> some(
         tasks.begin(), tasks.begin() + static_cast<std::ptrdiff_t>(std::min(left_, tasks.size())));
     left_ -= some.size();
-    return executor_.run(some, on_outcome);
+    Outcomes outcomes = executor_.run(some, on_outcome);
+    outcomes.resize(tasks.size());
+    return outcomes;
   }
 
  private:
@@ -416,15 +418,15 @@ namespace {
 class Lying final : public Executor {
  public:
   explicit Lying(Executor& executor) : executor_(executor) {}
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
-    std::vector<Outcome> outcomes = executor_.run(tasks, {});
+  Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    Outcomes outcomes = executor_.run(tasks, {});
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      if (++count_ == 3 && !outcomes[i].points.empty()) {
-        FrontPoint& point = outcomes[i].points.front();
+      if (++count_ == 3 && !outcomes[i]->points.empty()) {
+        FrontPoint& point = outcomes[i]->points.front();
         point.objectives[1] *= 0.99;
         point.costs[1] *= 0.99;
       }
-      on_outcome(tasks[i], outcomes[i]);
+      on_outcome(tasks[i], *outcomes[i]);
     }
     return outcomes;
   }

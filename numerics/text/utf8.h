@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace camlaw {
+
+/// Whether each character is as UTF-8 writes characters.
+bool is_utf8(std::string_view text);
+
+}  // namespace camlaw
