@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: MIT
 """How much of two workers is of use: time by one process over twice the time by two workers.
 
+Of use beside another: the same with the time of one process while a second one does the same work
+beside it. Two cores of one machine share its memory, and may share more: no two workers are quicker.
+
     ./run python benchmarks/many_workers.py [ROUNDS] [POINTS]
 
 Processes, the ranks of MPI (two that search, beside the one that hands out), and Dask's workers with
@@ -45,6 +48,13 @@ def ran(*words: str) -> None:
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env=os.environ | settings)
 
 
+def beside(*words: str) -> None:
+    """Two programs at once, which share nothing."""
+    both = [subprocess.Popen(words, stdout=subprocess.DEVNULL) for _ in range(2)]
+    if any([process.wait() for process in both]):
+        raise SystemExit("a program failed: " + " ".join(words))
+
+
 def ways(points: int, client: object) -> dict[str, dict[str, Callable[[], object]]]:
     """Of each study who carries it out; the first of each is one process."""
     front, parts = cl.Problem.load(FRONT), cl.Problem.load(PARTS)
@@ -54,12 +64,14 @@ def ways(points: int, client: object) -> dict[str, dict[str, Callable[[], object
     studies: dict[str, dict[str, Callable[[], object]]] = {
         f"front of {points} points": {
             "one process": lambda: ran(str(PROGRAM), *said, "--workers", "1"),
+            "one beside another": lambda: beside(str(PROGRAM), *said, "--workers", "1"),
             "two processes": lambda: ran(str(PROGRAM), *said, "--workers", "2"),
             "two ranks of MPI": lambda: ran(*mpi, *said, "--executor", "mpi"),
             "Dask, two workers": lambda: front.pareto(points=points, executor=client),
         },
         f"yield of {SAMPLES} parts": {
             "one process": lambda: ran(str(PROGRAM), *counted, "--workers", "1"),
+            "one beside another": lambda: beside(str(PROGRAM), *counted, "--workers", "1"),
             "two processes": lambda: ran(str(PROGRAM), *counted, "--workers", "2"),
             "two ranks of MPI": lambda: ran(*mpi, *counted, "--executor", "mpi"),
             "Dask, two workers": lambda: parts.tolerance(samples=SAMPLES, executor=client),
@@ -87,11 +99,11 @@ def main() -> None:
             for _ in range(rounds):
                 for who, action in carried.items():
                     least[who] = min(least[who], seconds(action))
-            alone = least["one process"]
+            alone, together = least["one process"], least["one beside another"]
             print(study)
             for who, took in least.items():
-                use = "" if who == "one process" else f"{alone / (2 * took):6.0%} of use"
-                print(f"  {who:20}{took:8.2f} s{use}")
+                use = f"{alone / (2 * took):6.0%} of use, {together / (2 * took):.0%} beside another"
+                print(f"  {who:20}{took:8.2f} s{'' if who.startswith('one') else use}")
 
 
 if __name__ == "__main__":

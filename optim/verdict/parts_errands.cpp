@@ -56,10 +56,10 @@ bool fits(const PartsDraw& draw, const PartsDrawer& drawer) {
 /// Draws that are sent together.
 using Batch = std::vector<PartsDraw>;
 
-/// As many batches as keep some ten processes busy: each costs a fraction of a millisecond to send,
-/// and a draw may take as little.
+/// As many batches as keep some fifty processes busy: each costs a fraction of a millisecond to
+/// send, and a draw may take as little.
 std::vector<Batch> batches_of(const std::vector<PartsDraw>& draws) {
-  constexpr std::size_t kMost = 128;
+  constexpr std::size_t kMost = 512;
   const std::size_t size = (draws.size() + kMost - 1) / kMost;
   std::vector<Batch> batches;
   for (std::size_t first = 0; first < draws.size(); first += size) {

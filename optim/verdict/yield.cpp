@@ -17,8 +17,11 @@ namespace {
 using Numbers = std::vector<double>;
 
 constexpr std::size_t kRepetitions = 32;
-/// A stop loses the round that it comes in; between two rounds workers have nothing to do.
+/// A stop loses the round that it comes in.
 constexpr std::size_t kMostInRound = 4096, kRounds = 16;
+/// Rounds are counted together, a quarter of all points at a time, but no more than such a list of
+/// draws takes little memory for: at its end workers wait for each other.
+constexpr std::size_t kTogether = 4, kMostTogether = std::size_t{1} << 20;
 
 Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}}; }
 
@@ -162,15 +165,18 @@ class Estimator {
   /// Draws until each repetition has so many points. Whether it was not stopped.
   bool draw_to(std::size_t each) {
     while (done_ < each) {
-      const std::size_t wanted = std::max<std::size_t>(done_, 1);
-      const std::size_t most = std::max(kMostInRound, each / kRounds);
-      const std::size_t round = std::min({each - done_, wanted, most});
-      const std::vector<PartsDraw> draws = round_of(mixture_, round, seed_, from_);
-      const std::vector<PartsCount> counted = count_(draws);
-      if (counted.size() < draws.size()) return false;  // a round counts as a whole, or not at all
-      const std::size_t of_each = draws.size() / all_.size();
-      for (std::size_t k = 0; k < draws.size(); ++k) all_[k / of_each].add(counted[k]);
-      done_ += round;
+      std::vector<Round> rounds;
+      std::vector<PartsDraw> draws;
+      const std::size_t until = done_ + std::clamp(each / kTogether, kMostInRound, kMostTogether);
+      for (std::size_t at = done_; at < std::min(each, until); at += rounds.back().points) {
+        const std::size_t most = std::max(kMostInRound, each / kRounds);
+        const std::size_t points = std::min({each - at, std::max<std::size_t>(at, 1), most});
+        for (PartsDraw& draw : round_of(mixture_, points, seed_, from_)) {
+          draws.push_back(std::move(draw));
+        }
+        rounds.push_back({points, draws.size()});
+      }
+      if (!add(rounds, count_(draws))) return false;
     }
     return true;
   }
@@ -184,6 +190,26 @@ class Estimator {
   }
 
  private:
+  struct Round {
+    std::size_t points = 0;  ///< of each repetition
+    std::size_t end = 0;     ///< of its draws
+  };
+
+  /// A round counts as a whole, or not at all. Whether all are there.
+  bool add(const std::vector<Round>& rounds, const std::vector<PartsCount>& counted) {
+    std::size_t begin = 0;
+    for (const Round& round : rounds) {
+      if (counted.size() < round.end) return false;
+      const std::size_t of_each = (round.end - begin) / all_.size();
+      for (std::size_t k = begin; k < round.end; ++k) {
+        all_[(k - begin) / of_each].add(counted[k]);
+      }
+      done_ += round.points;
+      begin = round.end;
+    }
+    return true;
+  }
+
   Mixture mixture_;
   std::uint64_t seed_;
   const CountParts& count_;
