@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/files.h"
@@ -10,14 +13,17 @@
 #include "cli/interrupt.h"
 #include "cli/ranks.h"
 #include "cli/run_limits.h"
+#include "cli/study_file.h"
 #include "cli/workers.h"
 #include "optim/study/record.h"
+#include "optim/study/recorded_hands.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/tolerance/tolerance.h"
+#include "problems/tolerance/tolerance_study.h"
 #include "problems/tolerance/tolerance_worker.h"
 
 namespace camlaw::cli {
@@ -27,10 +33,10 @@ using problems::ProblemStatement;
 
 struct ToleranceCommand {
   std::string file;
-  std::optional<std::string> point, samples, seed, workers, executor;
+  std::optional<std::string> point, samples, seed, workers, executor, db;
   std::vector<std::string> settings, tolerances;
   RunLimits limits;
-  bool json = false;
+  bool resume = false, json = false;
 };
 
 /// The design of a point of a study's front.
@@ -70,6 +76,11 @@ int run_tolerance(const ToleranceCommand& options) {
         problems::parse_integer(*options.seed, 0, std::int64_t{1} << 53, "--seed"));
   }
   const std::optional<double> limit = time_limit_of(options.limits);
+  const auto path = study_file(options.db, {}, options.resume);
+  if (options.resume && !std::filesystem::exists(*path)) {
+    throw std::invalid_argument(
+        fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", *path));
+  }
   ProblemStatement design = design_of(options);
   problems::set_values(design, options.settings);
   const Interruptible interruptible;
@@ -78,8 +89,16 @@ int run_tolerance(const ToleranceCommand& options) {
       design, problems::asked_variations(design, options.tolerances), deadline);
   wanted.hands =
       hands_of(problems::tolerance_program(design, options.tolerances), workers, ranks.get());
+  auto record = record_of(
+      path, problems::ToleranceStudy(design, options.tolerances, wanted.samples, wanted.seed),
+      options.resume);
+  if (record) wanted.hands = optim::recorded_hands(std::move(wanted.hands), *record);
   const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
   print(variation_document(varied, answer), options.json);
+  if (path && !options.json && !is_quiet()) {
+    say("study {}\n", *path);
+    if (!answer.cut_short.empty()) say("--resume goes on with it\n");
+  }
   return answer.cut_short.empty() ? kDone : kNotSolved;
 }
 
@@ -109,13 +128,20 @@ Command tolerance_command() {
            {"--seed", &options->seed, takes::kNumber, "of the samples; unless stated 1"},
            workers_option(options->workers),
            executor_option(options->executor),
+           {"--db", &options->db, takes::kFile,
+            "record in this file which parts of the yield have been counted"},
+           {"--resume", &options->resume, takes::kNothing,
+            "go on with the study of --db; what is damaged in it is counted again"},
            time_limit_option(options->limits),
            json_switch(options->json)},
       .examples = {{"camlaw tolerance problems/cams/tolerances.toml",
                     "the worst case with its proof, and the yield"},
                    {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
                     "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
-                    "the same of a file that states no variations"}},
+                    "the same of a file that states no variations"},
+                   {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
+                    "results/yield.db",
+                    "recorded: --resume goes on where it was cut short"}},
       .run = [options] { return run_tolerance(*options); }};
 }
 

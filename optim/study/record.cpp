@@ -311,6 +311,14 @@ void StudyRecord::add(const Task& task, const Outcome& outcome, const Problem& p
   writing([&](StudyTables& tables) { tables.add(task, outcome, problem); });
 }
 
+std::optional<std::string> StudyRecord::answer(const std::string& order) const {
+  return reading([&](StudyTables& tables) { return tables.answer(order); });
+}
+
+void StudyRecord::put_answer(const std::string& order, const std::string& answer) {
+  writing([&](StudyTables& tables) { tables.put_answer(order, answer); });
+}
+
 std::size_t StudyRecord::size() const {
   return reading([&](StudyTables&) {
     return static_cast<std::size_t>(

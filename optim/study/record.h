@@ -69,6 +69,12 @@ class StudyRecord {
   void add(const Task& task, const Outcome& outcome, const Problem& problem);
   /// Removes tasks, so that they are carried out again.
   void forget(const std::vector<std::int64_t>& numbers);
+  /// Of work that is not made of searches (recorded_hands.h): the answer to an order. None where
+  /// there is none, or its row is not as it was written.
+  std::optional<std::string> answer(const std::string& order) const;
+  /// Throws as add() does.
+  void put_answer(const std::string& order, const std::string& answer);
+  /// Of tasks.
   std::size_t size() const;
   /// Whether NSGA-II chose its first designs; none while there is no task.
   std::optional<bool> scouted() const;

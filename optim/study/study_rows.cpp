@@ -35,6 +35,8 @@ CREATE TABLE margin (
   design INTEGER NOT NULL REFERENCES design(id), place INTEGER NOT NULL, name TEXT NOT NULL,
   unit TEXT NOT NULL, margin REAL, angle REAL, met INTEGER NOT NULL, proved INTEGER NOT NULL,
   price REAL, PRIMARY KEY (design, place)) WITHOUT ROWID;
+CREATE TABLE answer (
+  question BLOB PRIMARY KEY, answer BLOB NOT NULL, checksum INTEGER NOT NULL) WITHOUT ROWID;
 )";
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -229,6 +231,25 @@ std::int64_t checksum_of(const std::string& name, const std::string& value) {
   checksum.add('t', std::string_view(name));
   checksum.add('t', std::string_view(value));
   return as_stored(checksum);
+}
+
+void write_answer(SQLite::Database& base, const std::string& question, const std::string& answer) {
+  SQLite::Statement row(base, "INSERT OR REPLACE INTO answer VALUES (?, ?, ?)");
+  row.bind(1, question.data(), static_cast<int>(question.size()));
+  row.bind(2, answer.data(), static_cast<int>(answer.size()));
+  row.bind(3, checksum_of(question, answer));
+  row.exec();
+}
+
+std::optional<std::string> read_answer(SQLite::Database& base, const std::string& question) {
+  SQLite::Statement row(base, "SELECT answer, checksum FROM answer WHERE question = ?");
+  row.bind(1, question.data(), static_cast<int>(question.size()));
+  if (!row.executeStep()) return {};
+  const SQLite::Column bytes = row.getColumn(0);
+  std::string answer(static_cast<const char*>(bytes.getBlob()),
+                     static_cast<std::size_t>(bytes.getBytes()));
+  if (row.getColumn(1).getInt64() != checksum_of(question, answer)) return {};
+  return answer;
 }
 
 }  // namespace camlaw::optim

@@ -5,6 +5,8 @@
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "optim/pareto/task.h"
@@ -41,7 +43,12 @@ void remove_rows(SQLite::Database& base, const TaskRows& rows);
 
 /// Works out the checksum of rows, as it is stored beside them.
 std::int64_t checksum_of(SQLite::Database& base, const TaskRows& rows);
-/// Works out that of one setting.
+/// Works out that of one setting, or of a question and its answer.
 std::int64_t checksum_of(const std::string& name, const std::string& value);
+
+/// Writes an answer, in place of an earlier one to the same question.
+void write_answer(SQLite::Database& base, const std::string& question, const std::string& answer);
+/// None where there is none, or it is not as it was written.
+std::optional<std::string> read_answer(SQLite::Database& base, const std::string& question);
 
 }  // namespace camlaw::optim

@@ -157,6 +157,14 @@ void StudyTables::add(const Task& task, const Outcome& outcome, const Problem& p
   places_[text] = entries_.size() - 1;  // of a study of 10^4 tasks the others stay as they are
 }
 
+std::optional<std::string> StudyTables::answer(const std::string& question) {
+  return read_answer(base_, question);
+}
+
+void StudyTables::put_answer(const std::string& question, const std::string& answer) {
+  write_answer(base_, question, answer);
+}
+
 void StudyTables::place() {
   places_.clear();
   for (std::size_t i = 0; i < entries_.size(); ++i) {

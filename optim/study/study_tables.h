@@ -44,6 +44,9 @@ class StudyTables {
   std::optional<std::int64_t> number(const std::string& text);
   void add(const Task& task, const Outcome& outcome, const Problem& problem);
   void forget(const std::vector<std::int64_t>& numbers);
+  /// None where there is no answer, or it is not as it was written.
+  std::optional<std::string> answer(const std::string& question);
+  void put_answer(const std::string& question, const std::string& answer);
   /// Counts the task as damaged: it cannot be what was written.
   void doubt(const std::string& text);
 

@@ -98,6 +98,11 @@ std::vector<std::string> set_of(const optim::StudySettings& settings) {
   return set.get<std::vector<std::string>>();
 }
 
+std::string_view kind_of_study(const optim::StudySettings& settings) {
+  if (settings.contains(kSweepSetting)) return "a sweep";
+  return settings.contains(kYieldSetting) ? "a yield" : "a front";
+}
+
 optim::StudySettings problem_settings(const ProblemStatement& statement) {
   optim::StudySettings result{
       {"problem", statement.text},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "optim/study/record.h"
@@ -16,6 +17,12 @@ namespace camlaw::problems {
 optim::StudySettings problem_settings(const ProblemStatement& statement);
 /// The problem of such settings. Throws std::invalid_argument where a law file is not what it was.
 ProblemStatement stated_problem(const optim::StudySettings& settings);
+
+/// The settings that only a sweep, and only a yield, has.
+inline constexpr const char* kSweepSetting = "sweep";
+inline constexpr const char* kYieldSetting = "yield";
+/// What a study of such settings is of: "a sweep", "a yield", else "a front".
+std::string_view kind_of_study(const optim::StudySettings& settings);
 
 /// "camlaw 0.1.0, ipopt 3.11.9, ...".
 std::string problem_versions();

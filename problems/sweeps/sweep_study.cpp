@@ -17,7 +17,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr const char* kSweep = "sweep";
+constexpr const char* kSweep = kSweepSetting;
 
 ProblemStatement read_and_set(const std::string& text, const std::string& source,
                               const std::vector<std::string>& set, HeldFiles files) {
@@ -109,7 +109,7 @@ void SweepStudy::check_same(const optim::StudyRecord& record) const {
   const auto refuse = [](const std::string& why) {
     throw std::invalid_argument("the study cannot be resumed: " + why);
   };
-  if (!is_sweep(its)) refuse("it is of a front, not of a sweep");
+  if (!is_sweep(its)) refuse(fmt::format("it is of {}, not of a sweep", kind_of_study(its)));
   if (find_setting(its, "problem") != statement_.text) {
     refuse("the problem file is not the one that it was made with");
   }

@@ -41,13 +41,18 @@ bool same_design(const ProblemStatement& a, const ProblemStatement& b) {
 
 }  // namespace
 
-optim::WorkerProgram tolerance_program(const ProblemStatement& design,
-                                       const std::vector<std::string>& tolerances) {
+ProblemStatement restated_design(const ProblemStatement& design) {
   ProblemStatement stated = read_problem(design.text, design.source, design.files);
   set_values(stated, restated_settings(design));
   if (!same_design(stated, design)) {
     throw std::invalid_argument("this design cannot be sent to other processes");
   }
+  return stated;
+}
+
+optim::WorkerProgram tolerance_program(const ProblemStatement& design,
+                                       const std::vector<std::string>& tolerances) {
+  const ProblemStatement stated = restated_design(design);
   std::vector<std::string> texts{kToleranceWork, fmt::format("{}", tolerances.size())};
   texts.insert(texts.end(), tolerances.begin(), tolerances.end());
   add_settings_to(texts, problem_settings(stated));

@@ -11,6 +11,10 @@
 /// Yields sent to processes that are started afresh (problems/fronts/study_worker.h).
 namespace camlaw::problems {
 
+/// A design as its problem's text and settings give it: what can be sent, and recorded. Throws
+/// std::invalid_argument where they give another one.
+ProblemStatement restated_design(const ProblemStatement& design);
+
 /// How a process is started that counts parts of a design. `tolerances` as asked_variations() takes
 /// them. Throws std::invalid_argument for a design that its problem's text and settings do not
 /// give.

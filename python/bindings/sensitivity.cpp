@@ -3,11 +3,16 @@
 
 #include <nanobind/stl/tuple.h>
 
+#include <stdexcept>
+#include <utility>
+
+#include "optim/study/recorded_hands.h"
 #include "output/answers/sensitivity_output.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
 #include "output/report/html.h"
 #include "problems/tolerance/tolerance.h"
+#include "problems/tolerance/tolerance_study.h"
 #include "problems/tolerance/tolerance_worker.h"
 #include "python/bindings/executors.h"
 #include "python/bindings/module.h"
@@ -43,8 +48,10 @@ nb::tuple sensitivity_of(const StatedProblem& problem, const std::vector<std::st
 
 nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::string>& tolerances,
                        std::optional<std::size_t> samples, std::uint64_t seed,
-                       std::optional<int> workers, nb::handle carrier,
-                       std::optional<double> time_limit, nb::handle progress) {
+                       std::optional<int> workers, nb::handle carrier, const std::string& record,
+                       bool resume, std::optional<double> time_limit, nb::handle progress) {
+  if (resume && record.empty())
+    throw std::invalid_argument("resume: it goes with record, the file of the study");
   const Labour labour{workers_of(workers), carrier};
   return tuple_of(run_whole(
       [&](Work& work) {
@@ -52,8 +59,10 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
         const optim::Deadline deadline(time_limit, work.stop());
         const problems::VariedDesign varied = problems::varied_design(
             design, problems::asked_variations(design, tolerances), deadline);
-        const optim::Hands hands =
-            hands_of(labour, problems::tolerance_program(design, tolerances));
+        optim::Hands hands = hands_of(labour, problems::tolerance_program(design, tolerances));
+        auto file =
+            record_of(record, problems::ToleranceStudy(design, tolerances, samples, seed), resume);
+        if (file) hands = optim::recorded_hands(std::move(hands), *file);
         const problems::ToleranceOptions options{
             .samples = samples,
             .seed = seed,
@@ -73,7 +82,8 @@ void add_sensitivity(nb::module_& module) {
              nb::arg("samples"), nb::arg("seed"), nb::arg("progress").none());
   module.def("tolerance", &tolerance_of, nb::arg("problem"), nb::arg("tolerances"),
              nb::arg("samples").none(), nb::arg("seed"), nb::arg("workers").none(),
-             nb::arg("carrier").none(), nb::arg("time_limit").none(), nb::arg("progress").none());
+             nb::arg("carrier").none(), nb::arg("record"), nb::arg("resume"),
+             nb::arg("time_limit").none(), nb::arg("progress").none());
 }
 
 }  // namespace camlaw::python

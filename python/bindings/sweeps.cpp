@@ -16,6 +16,7 @@
 #include "output/document/printing.h"
 #include "output/report/html.h"
 #include "output/report/report.h"
+#include "problems/fronts/problem_settings.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/parameters.h"
@@ -148,8 +149,10 @@ SweepOwner sweep_file(const std::string& path) {
   return run_whole([&](const Work& work) {
     optim::StudyRecord record = optim::StudyRecord::read(path);
     if (!SweepStudy::is_sweep(record.settings())) {
+      const std::string_view kind = problems::kind_of_study(record.settings());
       throw std::invalid_argument(
-          path + ": the study is one of a front, not of a sweep; Front.load reads it");
+          fmt::format("{}: the study is one of {}, not of a sweep; {} reads it", path, kind,
+                      kind == "a front" ? "Front.load" : "tolerance with resume"));
     }
     SweepOwner found(new FoundSweep{SweepStudy::of(record.settings())});
     found->study.options().stop = work.stop();

@@ -269,6 +269,8 @@ class Searches:
         seed: int = 1,
         workers: int | None = None,
         executor: Any = None,
+        record: str | Path | None = None,
+        resume: bool = False,
         time_limit: Any = None,
         progress: Progress = None,
         **more: Any,
@@ -279,7 +281,8 @@ class Searches:
         problem's variations count. samples: the number of parts from which the yield is estimated, by
         default 100000, and fewer if a limit must be searched anew for each part. workers and executor:
         who counts the parts, as in pareto(), if that takes longer than a few seconds; the yield does not
-        depend on them. time_limit: seconds, or a text such as "1 min", after which the answer is what is
+        depend on them. record and resume: a file that keeps which parts have been counted, as in
+        pareto(). time_limit: seconds, or a text such as "1 min", after which the answer is what is
         known.
         """
         from .executors import labour
@@ -297,6 +300,8 @@ class Searches:
                     whole(seed, "seed", 0, _MOST_SEED),
                     optional_whole(workers, "workers", 1, _MOST_WORKERS),
                     carrier,
+                    record_path(record),
+                    flag(resume, "resume"),
                     units.seconds(time_limit),
                     tell,
                 )

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/tolerance_study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "problems/fronts/problem_settings.h"
+#include "problems/tolerance/tolerance_worker.h"
+
+namespace camlaw::problems {
+
+ToleranceStudy::ToleranceStudy(const ProblemStatement& design,
+                               const std::vector<std::string>& tolerances,
+                               std::optional<std::size_t> samples, std::uint64_t seed)
+    : settings_(problem_settings(restated_design(design))) {
+  settings_[kYieldSetting] = fmt::format("{}", fmt::join(tolerances, "\n"));
+  settings_["samples"] = samples ? fmt::format("{}", *samples) : "as many as usual";
+  settings_["seed"] = fmt::format("{}", seed);
+}
+
+void ToleranceStudy::check_same(const optim::StudyRecord& record) const {
+  const optim::StudySettings its = record.settings();
+  const auto refuse = [](const std::string& why) {
+    throw std::invalid_argument("the study cannot be resumed: " + why);
+  };
+  if (kind_of_study(its) != kind_of_study(settings_)) {
+    refuse(fmt::format("it is of {}, not of a yield", kind_of_study(its)));
+  }
+  if (find_setting(its, "problem") != settings_.at("problem")) {
+    refuse("the problem file is not the one that it was made with");
+  }
+  if (find_setting(its, "set") != settings_.at("set")) {
+    refuse("it is of another design: what is set differs");
+  }
+  if (its.at(kYieldSetting) != settings_.at(kYieldSetting)) {
+    refuse("it was made with other tolerances");
+  }
+  check_laws(find_setting(its, "laws"), settings_.at("laws"));
+  for (const char* name : {"versions", "samples", "seed"}) {
+    if (find_setting(its, name) == settings_.at(name)) continue;
+    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
+                       settings_.at(name)));
+  }
+  const auto text_of = [](const optim::StudySettings& settings, const char* name) {
+    const auto at = settings.find(name);
+    return at == settings.end() ? std::string() : at->second;
+  };
+  for (const char* name : {"law_files", "tables"}) {
+    if (text_of(its, name) == text_of(settings_, name)) continue;
+    refuse("a file that the problem names is not as it was");
+  }
+}
+
+}  // namespace camlaw::problems
