@@ -78,6 +78,22 @@ def test_others_count_the_parts_of_a_yield():
     assert shared.facts == found.tolerance(sizes, samples=4096, workers=2).facts
 
 
+def test_a_yield_goes_on_with_its_record(tmp_path):
+    problem = cl.Problem.example("cams/tolerances")
+    record = tmp_path / "yield.db"
+    first = problem.tolerance(samples=8000, record=record)
+    assert first.facts == problem.tolerance(samples=8000).facts
+    with pytest.raises(cl.InputError, match="exists already"):
+        problem.tolerance(samples=8000, record=record)
+    with ThreadPoolExecutor(2) as threads:
+        again = problem.tolerance(samples=8000, record=record, resume=True, executor=threads)
+    assert again.facts == first.facts
+    with pytest.raises(cl.InputError, match="made with seed 1, now it is 2"):
+        problem.tolerance(samples=8000, seed=2, record=record, resume=True)
+    with pytest.raises(cl.InputError, match="of a yield, not of a sweep"):
+        cl.Sweep.load(record)
+
+
 @pytest.mark.full
 def test_a_scheduler_and_workers_of_their_own(facts, tmp_path):
     """As on a cluster: each a program, over TCP; one worker joins late, and one is killed."""

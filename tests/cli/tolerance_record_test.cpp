@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// 'camlaw tolerance --db': a yield that goes on where it was cut short.
+#include <csignal>
+
+#include "tests/cli/program_runner.h"
+#include "tests/paths.h"
+
+namespace camlaw::cli::tolerance_record_test {
+namespace {
+
+const std::string kFile = testing::source("problems/cams/tolerances.toml");
+
+Words yield(const Words& more) {
+  Words words{"tolerance", kFile, "--samples", "400000", "--workers", "1"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+}  // namespace
+
+TEST_CASE("a yield that was cut short goes on where it stood", "[program][study]") {
+  const Folder folder;
+  const std::string db = folder / "yield.db";
+  const std::string expected = done(yield({"--json"}));
+  const Outcome cut = run(yield({"--db", db, "--time-limit", "0.4"}));
+  if (cut.status != 0) {  // on a quick machine it is done by then
+    CHECK_THAT(cut.out, Contains("stopped early"));
+    CHECK_THAT(cut.err, Contains("--resume goes on with it"));
+  }
+  CHECK(done(yield({"--db", db, "--resume", "--json"})) == expected);
+  CHECK(done(yield({"--db", db, "--resume", "--json"})) == expected);  // from the record alone
+  CHECK(folder.content() == std::set<std::string>{"yield.db"});
+}
+
+TEST_CASE("a yield whose program was killed goes on with what is recorded", "[program][study]") {
+  const Folder folder;
+  const std::string db = folder / "yield.db";
+  const Running running(yield({"--db", db, "--json"}));
+  while (!fs::exists(db) && kill(running.id(), 0) == 0) usleep(1000);
+  usleep(50'000);
+  kill(running.id(), SIGKILL);
+  running.wait();
+  CHECK(done(yield({"--db", db, "--resume", "--json"})) == done(yield({"--json"})));
+}
+
+TEST_CASE("the record of another yield, or of none, is refused", "[program][study]") {
+  const Folder folder;
+  const std::string db = folder / "yield.db";
+  const auto small = [&](const Words& more) {
+    Words words{"tolerance", kFile, "--db", db};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  done(small({"--samples", "1000"}));
+  const std::string before = read(db);
+  CHECK_THAT(failed(small({"--samples", "1000"}), 2), Contains("the file exists already"));
+  CHECK_THAT(failed(small({"--samples", "2000", "--resume"}), 2),
+             Contains("it was made with samples 1000, now it is 2000"));
+  CHECK_THAT(failed(small({"--samples", "1000", "--seed", "2", "--resume"}), 2),
+             Contains("it was made with seed 1, now it is 2"));
+  CHECK_THAT(failed(small({"--samples", "1000", "--set", "speed=150 rpm", "--resume"}), 2),
+             Contains("what is set differs"));
+  CHECK_THAT(
+      failed(small({"--samples", "1000", "--tolerance", "base_radius=0.1 mm", "--resume"}), 2),
+      Contains("other tolerances"));
+  CHECK_THAT(failed({"tolerance", testing::source("problems/cams/robust_force.toml"), "--samples",
+                     "1000", "--db", db, "--resume"},
+                    2),
+             Contains("the problem file is not the one"));
+  CHECK_THAT(failed({"front", db}, 2), Contains("of a yield, not of a front"));
+  CHECK_THAT(failed({"sweep", kFile, "--set", "speed=100,150 rpm", "--db", db, "--resume"}, 2),
+             Contains("of a yield, not of a sweep"));
+  CHECK_THAT(
+      failed({"pareto", testing::source("problems/cams/roller_front.toml"), "--db", db, "--resume"},
+             2),
+      Contains("of a yield, not of a front"));
+  CHECK(read(db) == before);
+  CHECK_THAT(failed({"tolerance", kFile, "--resume"}, 2), Contains("--db FILE"));
+  CHECK_THAT(failed({"tolerance", kFile, "--db", folder / "none.db", "--resume"}, 2),
+             Contains("there is no study"));
+}
+
+}  // namespace camlaw::cli::tolerance_record_test
