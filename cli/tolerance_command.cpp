@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "cli/commands.h"
@@ -77,10 +75,6 @@ int run_tolerance(const ToleranceCommand& options) {
   }
   const std::optional<double> limit = time_limit_of(options.limits);
   const auto path = study_file(options.db, {}, options.resume);
-  if (options.resume && !std::filesystem::exists(*path)) {
-    throw std::invalid_argument(
-        fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", *path));
-  }
   ProblemStatement design = design_of(options);
   problems::set_values(design, options.settings);
   const Interruptible interruptible;

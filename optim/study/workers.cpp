@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "optim/search/options_bytes.h"
+#include "optim/study/efforts.h"
 #include "optim/study/encoding.h"
 #include "optim/study/parcel_executor.h"
 
@@ -97,10 +98,11 @@ ProcessExecutor::ProcessExecutor(Service service, const OptimiseOptions& options
                                  std::optional<WorkerProgram> program)
     : service_(std::move(service)),
       options_(options),
-      crew_({.workers = workers, .program = std::move(program), .at_once = true}) {}
+      crew_({.workers = workers, .program = std::move(program), .at_once = true}),
+      efforts_(std::make_shared<Efforts>()) {}
 
 Outcomes ProcessExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
-  Tasks errands(tasks, options_, on_outcome, efforts_);
+  Tasks errands(tasks, options_, on_outcome, *efforts_);
   crew_.run(errands, service_);
   return errands.take_outcomes();
 }

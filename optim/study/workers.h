@@ -2,16 +2,18 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "optim/crew/crew.h"
 #include "optim/pareto/task.h"
-#include "optim/study/efforts.h"
 
 /// Searches of a front in processes side by side.
 namespace camlaw::optim {
+
+class Efforts;
 
 /// Carries tasks out in processes of their own, `workers` at a time (optim/crew/crew.h). A process
 /// that dies takes its task with it and nothing else: the outcome is a failure that says how it
@@ -33,7 +35,7 @@ class ProcessExecutor final : public Executor {
   Service service_;
   const OptimiseOptions& options_;
   Crew crew_;
-  Efforts efforts_;
+  std::shared_ptr<Efforts> efforts_;  ///< this executor's own
 };
 
 /// What becomes of a task.

@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "optim/study/efforts.h"
 #include "optim/study/recorded_executor.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
