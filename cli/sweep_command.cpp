@@ -151,7 +151,7 @@ int run_sweep(const SweepCommand& options) {
   if (path && !options.json && !is_quiet()) say("study {}\n", *path);
   if (options.out) write_out(possible, sweep_files(answer, document, out), !options.json);
   if (path && !options.json) {
-    if (answer.is_stopped) say("--resume goes on with it\n");
+    if (answer.is_stopped) say("--resume continues it\n");
     say_next("report " + shell_word(*path));
   }
   return status_of(answer);

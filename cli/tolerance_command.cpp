@@ -17,6 +17,7 @@
 #include "optim/study/recorded_hands.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
+#include "output/document/terminal.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
@@ -83,15 +84,17 @@ int run_tolerance(const ToleranceCommand& options) {
       design, problems::asked_variations(design, options.tolerances), deadline);
   wanted.hands =
       hands_of(problems::tolerance_program(design, options.tolerances), workers, ranks.get());
-  auto record = record_of(
-      path, problems::ToleranceStudy(design, options.tolerances, wanted.samples, wanted.seed),
-      options.resume);
+  auto record = path ? record_of(path,
+                                 problems::ToleranceStudy(design, options.tolerances,
+                                                          wanted.samples, wanted.seed),
+                                 options.resume)
+                     : std::nullopt;
   if (record) wanted.hands = optim::recorded_hands(std::move(wanted.hands), *record);
   const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
   print(variation_document(varied, answer), options.json);
   if (path && !options.json && !is_quiet()) {
     say("study {}\n", *path);
-    if (!answer.cut_short.empty()) say("--resume goes on with it\n");
+    if (!answer.cut_short.empty()) say("--resume continues it\n");
   }
   return answer.cut_short.empty() ? kDone : kNotSolved;
 }

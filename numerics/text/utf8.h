@@ -5,7 +5,7 @@
 
 namespace camlaw {
 
-/// Whether each character is as UTF-8 writes characters.
+/// Whether each character is as UTF-8 writes characters (RFC 3629).
 bool is_utf8(std::string_view text);
 
 }  // namespace camlaw

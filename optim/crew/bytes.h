@@ -15,8 +15,9 @@
 #include <variant>
 #include <vector>
 
-/// Values as bytes, every number to the last bit, for processes of one version: numbers, texts,
-/// lists, what may be missing, and structs that say by visit(archive, value) what they are made of.
+/// Values as bytes, every number to the last bit (NaN is one), for processes of one version:
+/// numbers, texts, lists, what may be missing, and structs that say by visit(archive, value) what
+/// they are made of.
 ///
 /// The bytes are CBOR (RFC 8949), which libraries of most languages read: a list that begins with
 /// kBytesVersion and holds the values after it. A struct is a list of its members in the order of

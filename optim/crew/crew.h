@@ -47,6 +47,10 @@ class Errands {
   /// None where it is not needed any more.
   virtual std::optional<std::string> order(std::size_t number) = 0;
   virtual void answered(std::size_t number, const std::string& answer) = 0;
+  /// Whether it is an answer to this errand: only such a one is recorded, and believed of a record.
+  virtual bool is_answer(std::size_t /*number*/, const std::string& answer) const {
+    return !answer.empty();
+  }
   /// The process that had it died.
   virtual void lost(std::size_t number, const std::string& why) = 0;
   virtual void told(std::size_t, const std::string& /*news*/) {}

@@ -46,8 +46,8 @@ class Transport {
 
 struct ParcelRules {
   /// Work in a parcel, s: `costs` times what it takes to send it (some milliseconds by Dask), but
-  /// at least and at most so much. More where there are so many workers that the sender would fall
-  /// behind.
+  /// at least and at most so much, and no less than Transport::least_work(). More where there are
+  /// so many workers that the sender would fall behind.
   double seconds = 0.2, least_seconds = 0.02, costs = 150;
   double sending = 0.25;  ///< share of the sender's time that sending may take
   std::size_t most_orders = 1000;

@@ -7,6 +7,7 @@
 namespace camlaw::optim {
 
 void Efforts::learn(const Task& task, const Outcome& outcome) {
+  if (!outcome.failure.empty()) return;  // its evaluations are not known
   Mean& mean = known_[{task.kind, task.part}];
   mean.sum += static_cast<double>(outcome.evaluations);
   mean.count += 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "optim/study/recorded_hands.h"
 
+#include <map>
+#include <string>
 #include <utility>
 
 namespace camlaw::optim {
@@ -13,21 +15,36 @@ class Unrecorded final : public Errands {
 
   std::optional<std::size_t> next() override {
     while (const auto number = all_.next()) {
-      const auto order = all_.order(*number);
+      auto order = all_.order(*number);
       const auto known = order ? record_.answer(*order) : std::nullopt;
-      if (!known) return number;
-      all_.answered(*number, *known);
+      if (known && all_.is_answer(*number, *known)) {
+        all_.answered(*number, *known);
+        continue;
+      }
+      if (order) orders_[*number] = std::move(*order);
+      return number;
     }
     return {};
   }
-  std::optional<std::string> order(std::size_t number) override { return all_.order(number); }
+  std::optional<std::string> order(std::size_t number) override {
+    const auto at = orders_.find(number);
+    return at == orders_.end() ? std::nullopt : std::optional(at->second);
+  }
   void answered(std::size_t number, const std::string& answer) override {
-    // One that is empty was cut short.
-    const auto order = answer.empty() ? std::nullopt : all_.order(number);
-    if (order) record_.put_answer(*order, answer);
+    const auto at = orders_.find(number);
+    if (at != orders_.end() && all_.is_answer(number, answer)) {
+      record_.put_answer(at->second, answer);
+    }
+    orders_.erase(number);
     all_.answered(number, answer);
   }
-  void lost(std::size_t number, const std::string& why) override { all_.lost(number, why); }
+  bool is_answer(std::size_t number, const std::string& answer) const override {
+    return all_.is_answer(number, answer);
+  }
+  void lost(std::size_t number, const std::string& why) override {
+    orders_.erase(number);
+    all_.lost(number, why);
+  }
   void told(std::size_t number, const std::string& news) override { all_.told(number, news); }
   double share() const override { return all_.share(); }
   const std::atomic<bool>* stop() const override { return all_.stop(); }
@@ -38,6 +55,7 @@ class Unrecorded final : public Errands {
  private:
   Errands& all_;
   StudyRecord& record_;
+  std::map<std::size_t, std::string> orders_;  ///< under way
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace camlaw::optim {
 
-/// Hands that take answers from a record where it has them, and put down those that others give.
-/// The record stays as long as what is returned. What it throws where it cannot be written passes.
+/// Hands that take answers from a record where it has them, and record those that others give. The
+/// record stays as long as what is returned. Exceptions from writing the record pass through.
 Hands recorded_hands(Hands others, StudyRecord& record);
 
 }  // namespace camlaw::optim

@@ -99,7 +99,9 @@ ProcessExecutor::ProcessExecutor(Service service, const OptimiseOptions& options
     : service_(std::move(service)),
       options_(options),
       crew_({.workers = workers, .program = std::move(program), .at_once = true}),
-      efforts_(std::make_shared<Efforts>()) {}
+      efforts_(std::make_unique<Efforts>()) {}
+
+ProcessExecutor::~ProcessExecutor() = default;
 
 Outcomes ProcessExecutor::run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) {
   Tasks errands(tasks, options_, on_outcome, *efforts_);

@@ -30,12 +30,13 @@ class ProcessExecutor final : public Executor {
 
   Outcomes run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return crew_.remark(); }
+  ~ProcessExecutor() override;
 
  private:
   Service service_;
   const OptimiseOptions& options_;
   Crew crew_;
-  std::shared_ptr<Efforts> efforts_;  ///< this executor's own
+  std::unique_ptr<Efforts> efforts_;
 };
 
 /// What becomes of a task.

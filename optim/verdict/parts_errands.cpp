@@ -91,15 +91,14 @@ class Draws final : public Errands {
   }
   void answered(std::size_t number, const std::string& answer) override {
     if (answer.empty() && stopped_()) return;  // it was cut short
-    auto counted = value_of_bytes<std::vector<PartsCount>>(answer);
-    const bool is_whole = counted && counted->size() == batches_[number].size() &&
-                          std::all_of(counted->begin(), counted->end(), [&](const auto& one) {
-                            return one.by_limit.size() == limits_;
-                          });
-    if (!is_whole) {
+    auto counted = counts_in(number, answer);
+    if (!counted) {
       return lost(number, "the process answered with something that is not a count of parts");
     }
     counted_[number] = std::move(*counted);
+  }
+  bool is_answer(std::size_t number, const std::string& answer) const override {
+    return counts_in(number, answer).has_value();
   }
   void lost(std::size_t, const std::string& why) override { failure_ = why; }
   double share() const override {
@@ -120,6 +119,20 @@ class Draws final : public Errands {
   }
 
  private:
+  /// None where it is not a count of these draws.
+  std::optional<std::vector<PartsCount>> counts_in(std::size_t number,
+                                                   const std::string& answer) const {
+    auto counted = value_of_bytes<std::vector<PartsCount>>(answer);
+    const auto fits = [&](const PartsCount& one, const PartsDraw& draw) {
+      return one.by_limit.size() == limits_ && one.samples == draw.count;
+    };
+    const Batch& batch = batches_[number];
+    const bool is_whole = counted && counted->size() == batch.size() &&
+                          std::equal(counted->begin(), counted->end(), batch.begin(), fits);
+    if (!is_whole) return {};
+    return counted;
+  }
+
   std::vector<Batch> batches_;
   std::pair<double, double> share_;
   std::size_t limits_;

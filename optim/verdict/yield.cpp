@@ -17,10 +17,10 @@ namespace {
 using Numbers = std::vector<double>;
 
 constexpr std::size_t kRepetitions = 32;
-/// A stop loses the round that it comes in.
+/// Whole rounds count: a stop loses those from the first draw on that is not there.
 constexpr std::size_t kMostInRound = 4096, kRounds = 16;
-/// Rounds are counted together, a quarter of all points at a time, but no more than such a list of
-/// draws takes little memory for: at its end workers wait for each other.
+/// Rounds are handed out together, a quarter of all points at a time, as workers wait for each
+/// other at the end; but no more points than whose draws fit into some 100 MB.
 constexpr std::size_t kTogether = 4, kMostTogether = std::size_t{1} << 20;
 
 Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}}; }
@@ -169,7 +169,7 @@ class Estimator {
       std::vector<PartsDraw> draws;
       const std::size_t until = done_ + std::clamp(each / kTogether, kMostInRound, kMostTogether);
       for (std::size_t at = done_; at < std::min(each, until); at += rounds.back().points) {
-        const std::size_t most = std::max(kMostInRound, each / kRounds);
+        const std::size_t most = std::clamp(each / kRounds, kMostInRound, kMostTogether);
         const std::size_t points = std::min({each - at, std::max<std::size_t>(at, 1), most});
         for (PartsDraw& draw : round_of(mixture_, points, seed_, from_)) {
           draws.push_back(std::move(draw));

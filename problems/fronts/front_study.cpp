@@ -95,9 +95,12 @@ FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
   if (const std::string_view kind = kind_of_study(settings); kind != "a front") {
     throw std::invalid_argument(
-        fmt::format("the study is of {}, not of a front; {}", kind,
-                    kind == "a sweep" ? "'camlaw report' shows it"
-                                      : "'camlaw tolerance' with --db and --resume shows it"));
+        kind == "a sweep"
+            ? "the study is of a sweep, not of a front; 'camlaw report' shows it"
+            : fmt::format(
+                  "the study is of a yield, not of a front; 'camlaw tolerance' shows it, of "
+                  "{} with --db and --resume",
+                  find_setting(settings, "source")));
   }
   return {points_of(find_setting(settings, "points")),
           parse_method(find_setting(settings, "method")),
@@ -120,9 +123,6 @@ void FrontStudy::check_same(const optim::StudyRecord& record) const {
   const auto refuse = [](const std::string& why) {
     throw std::invalid_argument("the study cannot be resumed: " + why);
   };
-  if (const std::string_view kind = kind_of_study(its); kind != "a front") {
-    refuse(fmt::format("it is of {}, not of a front", kind));
-  }
   if (find_setting(its, "problem") != bound_.statement().text) {
     refuse("the problem file is not the one that it was made with");
   }

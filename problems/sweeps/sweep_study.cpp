@@ -17,8 +17,6 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr const char* kSweep = kSweepSetting;
-
 ProblemStatement read_and_set(const std::string& text, const std::string& source,
                               const std::vector<std::string>& set, HeldFiles files) {
   ProblemStatement statement = read_problem(text, source, std::move(files));
@@ -85,20 +83,21 @@ SweepStudy::SweepStudy(const std::string& text, const std::string& source,
 }
 
 bool SweepStudy::is_sweep(const optim::StudySettings& settings) {
-  return settings.contains(kSweep);
+  return settings.contains(kSweepSetting);
 }
 
 SweepStudy SweepStudy::of(const optim::StudySettings& settings) {
-  SweepStudy study(find_setting(settings, "problem"), find_setting(settings, "source"),
-                   sweep_settings(parse_json(find_setting(settings, kSweep)), set_of(settings)),
-                   files_of(settings));
+  SweepStudy study(
+      find_setting(settings, "problem"), find_setting(settings, "source"),
+      sweep_settings(parse_json(find_setting(settings, kSweepSetting)), set_of(settings)),
+      files_of(settings));
   check_laws(find_setting(settings, "laws"), study.settings().at("laws"));
   return study;
 }
 
 optim::StudySettings SweepStudy::settings() const {
   optim::StudySettings result = problem_settings(statement_);
-  result[kSweep] = to_json(plan_.settings()).dump();
+  result[kSweepSetting] = to_json(plan_.settings()).dump();
   result["seed"] = fmt::format("{}", options_.seed);
   result["solver"] = options_.solver;
   return result;
@@ -113,7 +112,8 @@ void SweepStudy::check_same(const optim::StudyRecord& record) const {
   if (find_setting(its, "problem") != statement_.text) {
     refuse("the problem file is not the one that it was made with");
   }
-  if (find_setting(its, "set") != mine.at("set") || find_setting(its, kSweep) != mine.at(kSweep)) {
+  if (find_setting(its, "set") != mine.at("set") ||
+      find_setting(its, kSweepSetting) != mine.at(kSweepSetting)) {
     refuse("it is of another sweep: what is set or swept differs");
   }
   check_laws(find_setting(its, "laws"), mine.at("laws"));
