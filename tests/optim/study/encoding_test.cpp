@@ -48,6 +48,14 @@ TEST_CASE("bytes are CBOR, behind their version", "[study]") {
   // What is not UTF-8 is a byte string.
   CHECK(bytes_of(std::string("\xe4")) == "\x82\x01\x41\xe4");
   CHECK(value_of_bytes<std::string>("\x82\x01\x41\xe4") == "\xe4");
+  // So is what UTF-8 does not write so: longer than it need be, half of a pair, beyond the last.
+  CHECK(bytes_of(std::string("\xe0\x80\x80")) == "\x82\x01\x43\xe0\x80\x80");
+  CHECK(bytes_of(std::string("\xed\xa0\x80")) == "\x82\x01\x43\xed\xa0\x80");
+  CHECK(bytes_of(std::string("\xf0\x80\x80\x80")) == "\x82\x01\x44\xf0\x80\x80\x80");
+  CHECK(bytes_of(std::string("\xf4\x90\x80\x80")) == "\x82\x01\x44\xf4\x90\x80\x80");
+  CHECK(bytes_of(std::string("\xed\x9f\xbf")) == "\x82\x01\x63\xed\x9f\xbf");
+  CHECK(bytes_of(std::string("\xf4\x8f\xbf\xbf")) == "\x82\x01\x64\xf4\x8f\xbf\xbf");
+  CHECK(bytes_of(std::string("\xe2\x82")) == "\x82\x01\x42\xe2\x82");
   // Another writer may use 64 bits for every number, and lists that end with a break.
   CHECK(value_of_bytes<std::vector<double>>(std::string(
             "\x9f\x01\x9f\xfb\x3f\xf8\0\0\0\0\0\0\xff\xff", 14)) == std::vector<double>{1.5});

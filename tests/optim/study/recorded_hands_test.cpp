@@ -29,6 +29,9 @@ class Squares final : public Errands {
   void answered(std::size_t number, const std::string& answer) override {
     answers[number] = answer;
   }
+  bool is_answer(std::size_t, const std::string& answer) const override {
+    return answer.starts_with(std::string("\0 ", 2));
+  }
   void lost(std::size_t, const std::string&) override {}
   bool is_done() const override { return answers.size() >= most; }
 
@@ -90,6 +93,24 @@ TEST_CASE("an answer that is not as it was written is asked for again", "[study]
   CHECK(run(path, again) == std::vector<std::size_t>{3, 4});
   CHECK(again.answers == first.answers);
   CHECK(run(path, last).empty());
+}
+
+TEST_CASE("what is not an answer is neither recorded nor believed of a record", "[study]") {
+  const Folder folder;
+  StudyRecord record = StudyRecord::create(folder / "s.db", {{"problem", "squares"}});
+  Squares wrong(3), right(3);
+  record.put_answer(*right.order(1), "of another program");
+  recorded_hands(
+      [](Errands& errands, const Service&) {
+        while (const auto number = errands.next()) errands.answered(*number, "nonsense");
+      },
+      record)(wrong, {});
+  CHECK(wrong.answers.size() == 3);
+  CHECK_FALSE(record.answer(*right.order(0)));
+  Counting others;
+  recorded_hands(others.hands(), record)(right, {});
+  CHECK(others.served == std::vector<std::size_t>{0, 1, 2});
+  CHECK(*record.answer(*right.order(1)) == right.answers[1]);
 }
 
 TEST_CASE("an answer that is empty, as it was cut short, is not recorded", "[study]") {
