@@ -60,11 +60,11 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
         const problems::VariedDesign varied = problems::varied_design(
             design, problems::asked_variations(design, tolerances), deadline);
         optim::Hands hands = hands_of(labour, problems::tolerance_program(design, tolerances));
-        auto file = record.empty()
-                        ? std::nullopt
-                        : record_of(record,
-                                    problems::ToleranceStudy(design, tolerances, samples, seed),
-                                    resume);
+        auto file =
+            record.empty()
+                ? std::nullopt
+                : record_of(record, problems::ToleranceStudy(design, tolerances, samples, seed),
+                            resume);
         if (file) hands = optim::recorded_hands(std::move(hands), *file);
         const problems::ToleranceOptions options{
             .samples = samples,
