@@ -1,43 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/text/utf8.h"
 
-#include <cstddef>
+#include <array>
 
 namespace camlaw {
-namespace {
 
-/// How a character goes on after its first byte.
-struct Rest {
-  int bytes = 0;                               ///< that follow; -1: no character begins so
-  unsigned char least = 0x80, largest = 0xBF;  ///< of the second byte
-};
-
-/// No character is written longer than it need be, none is half of a pair of UTF-16, and none lies
-/// beyond U+10FFFF (RFC 3629).
-Rest after(unsigned char first) {
-  if (first < 0x80) return {};
-  if (first < 0xC2 || first > 0xF4) return {-1};
-  if (first < 0xE0) return {1};
-  if (first < 0xF0) {
-    return {2, static_cast<unsigned char>(first == 0xE0 ? 0xA0 : 0x80),
-            static_cast<unsigned char>(first == 0xED ? 0x9F : 0xBF)};
+Utf8Character first_character(std::string_view text) {
+  if (text.empty()) return {};
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || length > text.size()) return {};
+  std::uint32_t code = first & (0xffU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80U) return {};
+    code = code << 6U | (byte(i) & 0x3fU);
   }
-  return {3, static_cast<unsigned char>(first == 0xF0 ? 0x90 : 0x80),
-          static_cast<unsigned char>(first == 0xF4 ? 0x8F : 0xBF)};
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
+  if (code < kLeast[length] || code > 0x10ffff || surrogate) return {};
+  return {code, length};
 }
 
-}  // namespace
-
 bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    Rest rest = after(static_cast<unsigned char>(text[i]));
-    if (rest.bytes < 0) return false;
-    for (; rest.bytes > 0; --rest.bytes) {
-      if (++i == text.size()) return false;
-      const auto byte = static_cast<unsigned char>(text[i]);
-      if (byte < rest.least || byte > rest.largest) return false;
-      rest.least = 0x80, rest.largest = 0xBF;
-    }
+  while (!text.empty()) {
+    const std::size_t length = first_character(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
   }
   return true;
 }

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <utility>
+
+#include "numerics/text/utf8.h"
 
 namespace camlaw::cli {
 namespace {
@@ -56,24 +56,6 @@ std::string code_of(char mark, bool colours) {
 
 bool is_mark(char c) { return c >= '\x11' && c <= kShadeEnds; }
 
-/// The character that begins at `at`, and how many bytes it takes; 0 bytes: it is not UTF-8.
-std::pair<std::uint32_t, std::size_t> character_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80) return {first, 1};
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || at + length > text.size()) return {0, 0};
-  std::uint32_t code = first & (0xffU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xc0U) != 0x80U) return {0, 0};
-    code = code << 6U | (byte(at + i) & 0x3fU);
-  }
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  if (code < kLeast[length] || code > 0x10ffff || surrogate) return {0, 0};
-  return {code, length};
-}
-
 /// Controls but newline and tab, line and paragraph separators, and the marks of direction of
 /// Unicode's bidirectional algorithm (UAX 9).
 bool is_hidden(std::uint32_t code) {
@@ -89,7 +71,7 @@ std::string shown(std::string_view text, bool keeps_marks) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
-    const auto [code, length] = character_at(text, i);
+    const auto [code, length] = first_character(text.substr(i));
     if (length == 0) {
       result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
     } else if (is_hidden(code) && !(keeps_marks && is_mark(text[i]))) {

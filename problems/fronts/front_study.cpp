@@ -120,26 +120,16 @@ optim::StudySettings FrontStudy::settings() const {
 
 void FrontStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings mine = settings(), its = record.settings();
-  const auto refuse = [](const std::string& why) {
-    throw std::invalid_argument("the study cannot be resumed: " + why);
-  };
-  if (find_setting(its, "problem") != bound_.statement().text) {
-    refuse("the problem file is not the one that it was made with");
-  }
+  check_same_problem(its, mine);
   if (set_of(its) != bound_.statement().settings) {
     const auto words = [](const std::vector<std::string>& set) {
       return set.empty() ? std::string("nothing set")
                          : fmt::format("--set '{}'", fmt::join(set, "' --set '"));
     };
-    refuse(fmt::format("it was made with {}, now it is {}", words(set_of(its)),
-                       words(bound_.statement().settings)));
+    refuse_to_resume(fmt::format("it was made with {}, now it is {}", words(set_of(its)),
+                                 words(bound_.statement().settings)));
   }
-  check_laws(find_setting(its, "laws"), mine.at("laws"));
-  for (const char* name : {"versions", "seed", "solver"}) {
-    if (find_setting(its, name) == mine.at(name)) continue;
-    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
-                       mine.at(name)));
-  }
+  check_same_settings(its, mine, {"versions", "seed", "solver"});
 }
 
 optim::Front FrontStudy::run(optim::Executor& executor) const {

@@ -124,4 +124,23 @@ ProblemStatement stated_problem(const optim::StudySettings& settings) {
   return statement;
 }
 
+void refuse_to_resume(const std::string& why) {
+  throw std::invalid_argument("the study cannot be resumed: " + why);
+}
+
+void check_same_problem(const optim::StudySettings& its, const optim::StudySettings& mine) {
+  if (find_setting(its, "problem") == mine.at("problem")) return;
+  refuse_to_resume("the problem file is not the one that it was made with");
+}
+
+void check_same_settings(const optim::StudySettings& its, const optim::StudySettings& mine,
+                         std::initializer_list<const char*> names) {
+  check_laws(find_setting(its, "laws"), mine.at("laws"));
+  for (const char* name : names) {
+    if (find_setting(its, name) == mine.at(name)) continue;
+    refuse_to_resume(fmt::format("it was made with {} {}, now it is {}", name,
+                                 find_setting(its, name), mine.at(name)));
+  }
+}
+
 }  // namespace camlaw::problems

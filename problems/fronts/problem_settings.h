@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,5 +37,13 @@ std::vector<std::string> set_of(const optim::StudySettings& settings);
 HeldFiles files_of(const optim::StudySettings& settings);
 /// Throws std::invalid_argument where the laws of two settings differ.
 void check_laws(const std::string& its, const std::string& now);
+
+/// Throws std::invalid_argument: "the study cannot be resumed: " and why.
+[[noreturn]] void refuse_to_resume(const std::string& why);
+/// Refuses a study that was made with another problem file.
+void check_same_problem(const optim::StudySettings& its, const optim::StudySettings& mine);
+/// Refuses one that was made with other laws, or where one of these settings was another.
+void check_same_settings(const optim::StudySettings& its, const optim::StudySettings& mine,
+                         std::initializer_list<const char*> names);
 
 }  // namespace camlaw::problems

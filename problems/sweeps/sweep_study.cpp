@@ -105,23 +105,14 @@ optim::StudySettings SweepStudy::settings() const {
 
 void SweepStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings mine = settings(), its = record.settings();
-  const auto refuse = [](const std::string& why) {
-    throw std::invalid_argument("the study cannot be resumed: " + why);
-  };
-  if (!is_sweep(its)) refuse(fmt::format("it is of {}, not of a sweep", kind_of_study(its)));
-  if (find_setting(its, "problem") != statement_.text) {
-    refuse("the problem file is not the one that it was made with");
-  }
+  if (!is_sweep(its))
+    refuse_to_resume(fmt::format("it is of {}, not of a sweep", kind_of_study(its)));
+  check_same_problem(its, mine);
   if (find_setting(its, "set") != mine.at("set") ||
       find_setting(its, kSweepSetting) != mine.at(kSweepSetting)) {
-    refuse("it is of another sweep: what is set or swept differs");
+    refuse_to_resume("it is of another sweep: what is set or swept differs");
   }
-  check_laws(find_setting(its, "laws"), mine.at("laws"));
-  for (const char* name : {"versions", "seed", "solver"}) {
-    if (find_setting(its, name) == mine.at(name)) continue;
-    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
-                       mine.at(name)));
-  }
+  check_same_settings(its, mine, {"versions", "seed", "solver"});
 }
 
 Possible<ProblemStatement> SweepStudy::stated(std::size_t combination) const {

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <stdexcept>
-
 #include "problems/fronts/problem_settings.h"
 #include "problems/tolerance/tolerance_worker.h"
 
@@ -22,31 +20,21 @@ ToleranceStudy::ToleranceStudy(const ProblemStatement& design,
 
 void ToleranceStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings its = record.settings();
-  const auto refuse = [](const std::string& why) {
-    throw std::invalid_argument("the study cannot be resumed: " + why);
-  };
   if (kind_of_study(its) != kind_of_study(settings_)) {
-    refuse(fmt::format("it is of {}, not of a yield", kind_of_study(its)));
+    refuse_to_resume(fmt::format("it is of {}, not of a yield", kind_of_study(its)));
   }
-  if (find_setting(its, "problem") != settings_.at("problem")) {
-    refuse("the problem file is not the one that it was made with");
-  }
+  check_same_problem(its, settings_);
   if (find_setting(its, "set") != settings_.at("set")) {
-    refuse("it is of another design: what is set differs");
+    refuse_to_resume("it is of another design: what is set differs");
   }
   if (its.at(kYieldSetting) != settings_.at(kYieldSetting)) {
-    refuse("its tolerances were stated otherwise");
+    refuse_to_resume("its tolerances were stated otherwise");
   }
-  check_laws(find_setting(its, "laws"), settings_.at("laws"));
-  for (const char* name : {"versions", "seed"}) {
-    if (find_setting(its, name) == settings_.at(name)) continue;
-    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
-                       settings_.at(name)));
-  }
+  check_same_settings(its, settings_, {"versions", "seed"});
   if (const std::string& samples = find_setting(its, "samples");
       samples != settings_.at("samples")) {
-    refuse(samples.empty() ? "it was begun without --samples"
-                           : fmt::format("it was begun with --samples {}", samples));
+    refuse_to_resume(samples.empty() ? "it was begun without --samples"
+                                     : fmt::format("it was begun with --samples {}", samples));
   }
   const auto text_of = [](const optim::StudySettings& settings, const char* name) {
     const auto at = settings.find(name);
@@ -54,7 +42,7 @@ void ToleranceStudy::check_same(const optim::StudyRecord& record) const {
   };
   for (const char* name : {"law_files", "tables"}) {
     if (text_of(its, name) == text_of(settings_, name)) continue;
-    refuse("a file that the problem names is not as it was");
+    refuse_to_resume("a file that the problem names is not as it was");
   }
 }
 

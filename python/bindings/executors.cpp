@@ -142,6 +142,11 @@ optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program)
   return optim::hands_beyond(std::make_shared<PythonTransport>(labour.carrier, program.problem));
 }
 
+void check_resume(bool resume, const std::string& record) {
+  if (!resume || !record.empty()) return;
+  throw std::invalid_argument("resume: it goes with record, the file of the study");
+}
+
 void add_executors(nb::module_& module) {
   nb::class_<Arrivals>(module, "Arrivals")
       .def("put", &put, nb::arg("parcel"), nb::arg("answers") = nb::list(),

@@ -68,6 +68,9 @@ std::unique_ptr<optim::Executor> executor_of(const Labour& labour, optim::Servic
 /// The same for errands that are no searches of a study.
 optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program);
 
+/// Throws std::invalid_argument where a study without a record is to be resumed.
+void check_resume(bool resume, const std::string& record);
+
 /// The record of a study, which has settings() and check_same(); an empty path: nothing is
 /// recorded. Throws as optim::StudyRecord::begin.
 template <class Study>

@@ -100,8 +100,7 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
         fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
   }
   Labour labour{workers_of(workers), carrier};
-  if (resume && record.empty())
-    throw std::invalid_argument("resume: it goes with record, the file of the study");
+  check_resume(resume, record);
   const problems::ProblemStatement& statement = problem.statement;
   problems::FrontSettings settings{points, problems::parse_method(method),
                                    problems::restated_settings(statement)};

@@ -3,7 +3,6 @@
 
 #include <nanobind/stl/tuple.h>
 
-#include <stdexcept>
 #include <utility>
 
 #include "optim/study/recorded_hands.h"
@@ -50,8 +49,7 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
                        std::optional<std::size_t> samples, std::uint64_t seed,
                        std::optional<int> workers, nb::handle carrier, const std::string& record,
                        bool resume, std::optional<double> time_limit, nb::handle progress) {
-  if (resume && record.empty())
-    throw std::invalid_argument("resume: it goes with record, the file of the study");
+  check_resume(resume, record);
   const Labour labour{workers_of(workers), carrier};
   return tuple_of(run_whole(
       [&](Work& work) {

@@ -116,8 +116,7 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
                 bool resume, std::optional<double> time_limit, std::optional<double> memory,
                 nb::handle progress) {
   const Labour labour{workers_of(workers), carrier};
-  if (resume && record.empty())
-    throw std::invalid_argument("resume: it goes with record, the file of the study");
+  check_resume(resume, record);
   const problems::ProblemStatement& statement = problem.statement;
   const SweepWords words{set, over, std::move(sample), seed, evaluates, is_cold};
   SweepOwner found(new FoundSweep{
