@@ -11,15 +11,21 @@ namespace {
 constexpr std::size_t kLanes = kDualWidth;
 using Parts = std::vector<std::vector<LinearLaw::Part>>;
 
-/// Whether anything of a piece changes with the parameters of its lanes. Of a law that is linear in
-/// them breaks, frequencies and shapes do not.
-bool moves(const Piece<Dual>& piece) {
-  const auto changes = [](const Dual& c) { return !c.v.isZero(0); };
-  return std::any_of(piece.polynomial.begin(), piece.polynomial.end(), changes) ||
-         std::any_of(piece.harmonics.begin(), piece.harmonics.end(),
-                     [&](const auto& h) { return changes(h.sine) || changes(h.cosine); }) ||
+bool changes(const Dual& c) { return !c.v.isZero(0); }
+
+/// Whether the terms of a piece that are not its polynomial change with the parameters of its
+/// lanes. Of a law that is linear in them breaks, frequencies and shapes do not.
+bool moves_beside_polynomial(const Piece<Dual>& piece) {
+  return std::any_of(piece.harmonics.begin(), piece.harmonics.end(),
+                     [](const auto& h) { return changes(h.sine) || changes(h.cosine); }) ||
          std::any_of(piece.curves.begin(), piece.curves.end(),
-                     [&](const auto& c) { return changes(c.amplitude); });
+                     [](const auto& c) { return changes(c.amplitude); });
+}
+
+/// Whether anything of a piece does.
+bool moves(const Piece<Dual>& piece) {
+  return std::any_of(piece.polynomial.begin(), piece.polynomial.end(), changes) ||
+         moves_beside_polynomial(piece);
 }
 
 /// A law for each kLanes parameters, as few as move a piece kept of each.
@@ -114,12 +120,6 @@ void take(std::size_t input, const Piece<Dual>& from, int lane,
   }
 }
 
-bool is_polynomial(const Law<Dual>& law) {
-  return std::all_of(law.pieces().begin(), law.pieces().end(), [](const Piece<Dual>& piece) {
-    return piece.harmonics.empty() && piece.curves.empty();
-  });
-}
-
 /// Many parameters at a time, those that are far from each other: each piece tells which of them
 /// moves it (Curtis, Powell and Reid 1974). None where some piece is moved by two of them.
 std::optional<Parts> parts_by_colours(const LawBinding& binding, const std::vector<double>& own,
@@ -136,7 +136,8 @@ std::optional<Parts> parts_by_colours(const LawBinding& binding, const std::vect
       values[i].v[lane + 1] = static_cast<double>(i + 1);
     }
     const auto law = binding.possible_law_of<Dual>(std::span<const Dual>(values));
-    if (!law || !is_polynomial(*law)) return {};
+    if (!law || std::any_of(law->pieces().begin(), law->pieces().end(), moves_beside_polynomial))
+      return {};
     parts.resize(law->pieces().size());
     for (std::size_t piece = 0; piece < parts.size(); ++piece) {
       const Piece<Dual>& its = law->pieces()[piece];

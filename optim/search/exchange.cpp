@@ -176,6 +176,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const Solution solution = solver.solve(program, left, warm ? &*warm : nullptr);
     attempt.told.clear();
     const double auxiliary = take(problem, program, solution, attempt);
+    working.take_multipliers(solution.rows);
     const bool stalled = attempt.status == Status::Stalled && !solver.solves_linear_programs();
     const bool usable =
         went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;

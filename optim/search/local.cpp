@@ -15,7 +15,9 @@
 #include "optim/search/proof.h"
 #include "optim/search/told.h"
 #include "optim/search/with_numbers.h"
+#include "optim/verdict/conditions.h"
 #include "optim/verdict/limits.h"
+#include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -80,6 +82,23 @@ int count_of_starts(const Setting& setting) {
   return has_many_variables(setting.problem) ? kStartsOfMany : kStarts;
 }
 
+/// Whether the box of few variables, divided into a few parts, holds nothing better than where the
+/// first start has ended, so that no others are needed.
+bool leaves_nothing(const Setting& setting, const Trail& trail) {
+  constexpr int kFewBoxes = 300;
+  const OptimiseOptions& how = setting.options;
+  const bool has_others = !how.starts && count_of_starts(setting) > 1;
+  if (!how.divides || !has_others || !is_settled(trail.found.assessment)) return false;
+  const Problem guarded = interruptible(setting.original, setting.deadline);
+  const std::vector<double>& x = trail.found.x;
+  const Sizes there = sizes(guarded, x);
+  const auto division = subdivided(
+      guarded, there, x, [&] { return setting.deadline.passed(); }, kFewBoxes);
+  if (!division || division->better) return false;
+  const double gain = std::abs(trail.found.assessment.objective.value - division->best_possible);
+  return gain <= kBoundTolerance * there.objective * objective_measure(guarded, there, x);
+}
+
 /// Searches from one start, whatever came of the others.
 FromStart search_one(const Setting& setting, int number, FirstStart first) {
   FromStart result;
@@ -99,6 +118,7 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
     trail.sizes = sizes(setting.problem, start);
     const Assessment end = search_from_start(start, setting, trail);
     if (is_feasible(end)) result.objective = end.objective.value;
+    if (number == 0 && leaves_nothing(setting, trail)) result.end = StartEnd::BestOfAll;
   } catch (const Interrupted&) {
     result.end = StartEnd::CutShort;
   } catch (...) {

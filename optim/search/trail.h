@@ -49,9 +49,10 @@ struct Trail {
   void fail(const std::string& why);
 };
 
-/// How a search from one start ended. Where nothing is to be searched for, such as with a limit
-/// that no variable moves, it does not begin.
-enum class StartEnd { Itself, CutShort, Thrown, NotBegun };
+/// How a search from one start ended; BestOfAll: a lower bound leaves nothing better to other
+/// starts. Where nothing is to be searched for, such as with a limit that no variable moves, it
+/// does not begin.
+enum class StartEnd { Itself, BestOfAll, CutShort, Thrown, NotBegun };
 
 /// What later starts know of the first: it led to a design within the limits, to none, or to none
 /// in all its iterations.

@@ -2,7 +2,6 @@
 #include "optim/search/working_set.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "optim/search/exchange.h"
@@ -13,7 +12,8 @@ namespace {
 /// Whether a place is in the set but for rounding: asking again would not move the solver.
 bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
-  return std::any_of(side.places.begin(), side.places.end(), [&](const Place& other) {
+  return std::any_of(side.places.begin(), side.places.end(), [&](const HeldPlace& held) {
+    const Place& other = held.place;
     return other.from_left == place.from_left && other.joint == place.joint &&
            (place.joint >= 0 || std::abs(other.angle - place.angle) <= near);
   });
@@ -23,71 +23,47 @@ bool is_known(const CurveSide& side, Place place, const std::vector<double>& bre
 /// bounded.
 int steps_at_first(std::size_t breaks) {
   constexpr std::size_t kFewStretches = 16;
-  return breaks <= kFewStretches ? 8 : 2;
+  return breaks <= kFewStretches ? 8 : 1;
 }
 
-/// Tells rows that say the same: where a linear curve is level, or joins smoothly, neighbouring
-/// places of it give one row.
-class Repeats {
- public:
-  Repeats(const Curve& curve, Design x)
-      : curve_(curve), x_(x), tells_(curve.shape() == Shape::Linear && !curve.breaks_move()) {}
+/// Whether rows of a curve can be told to say the same.
+bool tells(const Curve& curve) { return curve.shape() == Shape::Linear && !curve.breaks_move(); }
 
-  /// Whether one of the last few places that were not repeats has the row of this one.
-  bool operator()(Place place) {
-    if (!tells_) return false;
-    Line line = line_at(place);
-    const bool repeats = std::any_of(latest_.begin(), latest_.end(),
-                                     [&](const Line& other) { return alike(line, other); });
-    if (!repeats) {
-      latest_[next_] = std::move(line);
-      next_ = (next_ + 1) % latest_.size();
-    }
-    return repeats;
-  }
-
- private:
-  /// A linear function: its value at the design and its slopes.
-  struct Line {
-    double value = 0;
-    std::vector<std::size_t> inputs;
-    std::vector<double> slopes;
-
-    double slope(std::size_t input) const {
-      const auto at = std::lower_bound(inputs.begin(), inputs.end(), input);
-      const bool there = at != inputs.end() && *at == input;
-      return there ? slopes[static_cast<std::size_t>(at - inputs.begin())] : 0;
-    }
-  };
-
-  Line line_at(Place place) const {
-    const Function function = curve_.at(place);
-    Line line{0, function.inputs(), std::vector<double>(function.inputs().size())};
-    line.value = function.gradient(x_, line.slopes);
-    return line;
-  }
-
-  /// To rounding, slopes that vanish but for rounding included.
-  static bool alike(const Line& a, const Line& b) {
-    constexpr double kRounding = 1e-12;
-    double steepest = 0;
-    for (const double slope : a.slopes) steepest = std::max(steepest, std::abs(slope));
-    const double slack = kRounding * steepest;
-    const auto all_near = [&](const Line& one, const Line& other) {
-      for (std::size_t k = 0; k < one.inputs.size(); ++k) {
-        if (!(std::abs(one.slopes[k] - other.slope(one.inputs[k])) <= slack)) return false;
-      }
-      return true;
-    };
-    return steepest > 0 && std::abs(a.value - b.value) <= slack && all_near(a, b) && all_near(b, a);
-  }
-
-  const Curve& curve_;
-  Design x_;
-  bool tells_;
-  std::array<Line, 4> latest_;
-  std::size_t next_ = 0;
+/// Where one row would hold a peak as the two rows nearest to it do together.
+struct Balance {
+  double before, after;  ///< the two
+  double angle;
 };
+
+/// None where no two rows hold the peak.
+std::optional<Balance> balance(const CurveSide& side, Place peak) {
+  constexpr double kIdle = 1e-9;
+  const HeldPlace *before = nullptr, *after = nullptr;
+  for (const HeldPlace& held : side.places) {
+    if (!(std::abs(held.multiplier) > kIdle)) continue;
+    const double angle = held.place.angle;
+    if (angle < peak.angle && (before == nullptr || angle > before->place.angle)) before = &held;
+    if (angle >= peak.angle && (after == nullptr || angle < after->place.angle)) after = &held;
+  }
+  if (before == nullptr || after == nullptr) return {};
+  const double from = before->place.angle, to = after->place.angle;
+  const double share =
+      std::abs(after->multiplier) / (std::abs(before->multiplier) + std::abs(after->multiplier));
+  return Balance{from, to, from + share * (to - from)};
+}
+
+/// The places that are to hold a peak: that of balance, or where this is known closely two beside
+/// it, which hold the slope as well. Between these the curve rises by no more than `least`.
+std::vector<double> holders(const Balance& at, const Trace& trace, double least) {
+  constexpr double kClose = 100;
+  const double half = std::sqrt(2 * least / std::abs(trace.at({at.angle})[2]));
+  const double nearest = std::min(at.angle - at.before, at.after - at.angle);
+  if (!(nearest < kClose * half)) return {at.angle};
+  std::vector<double> angles;
+  if (at.angle - half > at.before) angles.push_back(at.angle - half);
+  if (at.angle + half < at.after) angles.push_back(at.angle + half);
+  return angles;
+}
 
 }  // namespace
 
@@ -158,10 +134,20 @@ RestWeights WorkingSet::weights_of(const CurveSide& side, Design x) const {
 }
 
 void WorkingSet::begin_at(Design x) {
-  for (CurveSide& side : sides_) begin_side(side, x);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const auto same = [&](const CurveSide& other) {
+      return other.response == sides_[s].response && other.constraint == sides_[s].constraint &&
+             other.sign * other.bound == sides_[s].sign * sides_[s].bound;
+    };
+    const auto first = std::find_if(sides_.begin(), sides_.end(), same);
+    sides_[s].group = static_cast<std::size_t>(first - sides_.begin());
+  }
+  std::map<std::size_t, LinearRows> rows;
+  for (CurveSide& side : sides_) begin_side(side, x, rows);
 }
 
-void WorkingSet::begin_side(CurveSide& side, Design x) {
+void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, LinearRows>& rows) {
+  constexpr double kRounding = 1e-9;  // of slopes
   const Curve& curve = side.response->curve();
   const RestWeights weights = weights_of(side, x);
   std::size_t number = 0;
@@ -171,47 +157,80 @@ void WorkingSet::begin_side(CurveSide& side, Design x) {
       rests_.push_back({rest.leading, side.sign, size, *side.constraint, number});
     ++number;
   }
-  const auto is_moved = [&](Place place) {
+  const auto is_moved = [&](const Function& function, double weight) {
     if (side.of_peak || aim_ == Aim::LeastViolation) return true;
-    const double slope = typical_change(curve.at(place), x, sizes_.variables);
-    return !vanishes(slope / (side.size * weights.at(place)));
+    const double slope = typical_change(function, x, sizes_.variables);
+    return !vanishes(slope / (side.size * weight));
   };
+  const bool tells_rows = tells(curve);
+  LinearRows& known = rows.try_emplace(side.group, x, kRounding).first->second;
   const auto breaks = curve.trace(x)->breaks();
   const int steps = steps_at_first(breaks.size());
-  Repeats repeats(curve, x);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     for (int i = 0; i <= steps; ++i) {
       const Place place = curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x);
-      if (weights.is_rest(place) || !is_moved(place) || repeats(place)) continue;
-      side.places.push_back(place);
-      side.weights.push_back(weights.at(place));
+      if (weights.is_rest(place)) continue;
+      HeldPlace held{place, weights.at(place), curve.at(place)};
+      if (!is_moved(held.function, held.weight)) continue;
+      if (tells_rows && !known.add(held.function, side.sign, kRounding * side.size)) continue;
+      side.places.push_back(std::move(held));
     }
+  }
+}
+
+/// What sign * curve of a side is held below.
+double WorkingSet::limit_of(const CurveSide& side, double auxiliary) const {
+  const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
+  if (!side.of_peak) return side.sign * side.bound + slack;
+  // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
+  // a magnitude from both sides.
+  const bool both = problem_.objective().part == Part::Magnitude;
+  return (both ? auxiliary : side.sign * auxiliary) + slack;
+}
+
+void WorkingSet::take_multipliers(std::span<const double> rows) {
+  std::size_t next = row_groups().front();
+  for (CurveSide& side : sides_) {
+    for (HeldPlace& held : side.places) held.multiplier = rows.empty() ? 0 : rows[next++];
   }
 }
 
 std::size_t WorkingSet::add_violated(Design x, double auxiliary, double share) {
   std::size_t added = 0;
+  std::map<std::size_t, LinearRows> rows;
   for (CurveSide& side : sides_) {
-    const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
-    const double bound = side.of_peak ? auxiliary : side.bound;
-    // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
-    // a magnitude from both sides.
-    const double limit =
-        side.of_peak && problem_.objective().part == Part::Magnitude ? bound : side.sign * bound;
-    const Curve& curve = side.response->curve();
-    const auto trace = curve.trace(x);
-    const RestWeights weights = weights_of(side, x);
-    for (const Extreme& peak : local_maxima(*trace, side.sign)) {
-      const double above = side.sign * peak.value - limit - slack;
-      if (!(above > share * side.tolerance)) continue;
-      const Place place = curve.tied(peak.place, x);
-      if (weights.is_rest(place) || is_known(side, place, trace->breaks())) continue;
-      side.places.push_back(place);
-      side.weights.push_back(weights.at(place));
-      ++added;
-    }
+    added += add_violated_places(side, x, limit_of(side, auxiliary), share * side.tolerance, rows);
   }
   return added;
+}
+
+/// Adds the peaks of one side that are above `limit` by more than `least`.
+std::size_t WorkingSet::add_violated_places(CurveSide& side, Design x, double limit, double least,
+                                            std::map<std::size_t, LinearRows>& rows) {
+  constexpr double kAlike = 1e-6, kEqual = 1e-3;
+  const Curve& curve = side.response->curve();
+  const auto trace = curve.trace(x);
+  const std::vector<double> breaks = trace->breaks();
+  const RestWeights weights = weights_of(side, x);
+  LinearRows& fresh = rows.try_emplace(side.group, x, kAlike).first->second;
+  const bool tells_rows = tells(curve);
+  const std::size_t before = side.places.size();
+  const auto add = [&](Place where, double above) {
+    const Place place = curve.tied(where, x);
+    if (weights.is_rest(place) || is_known(side, place, breaks)) return false;
+    HeldPlace held{place, weights.at(place), curve.at(place)};
+    if (tells_rows && !fresh.add(held.function, side.sign, kEqual * above)) return false;
+    side.places.push_back(std::move(held));
+    return true;
+  };
+  for (const Extreme& peak : local_maxima(*trace, side.sign)) {
+    const double above = side.sign * peak.value - limit;
+    if (!(above > least) || !add(peak.place, above)) continue;
+    const auto at = balance(side, peak.place);
+    if (!at) continue;
+    for (const double angle : holders(*at, *trace, least)) add({angle}, above);
+  }
+  return side.places.size() - before;
 }
 
 Row WorkingSet::number_row(std::size_t constraint) const {
@@ -252,11 +271,11 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
                     .rest = rest.number});
   }
   for (const CurveSide& side : sides_) {
-    for (std::size_t k = 0; k < side.places.size(); ++k) {
-      Row row{.function = side.response->curve().at(side.places[k]),
-              .size = side.size * side.weights[k],
+    for (const HeldPlace& held : side.places) {
+      Row row{.function = held.function,
+              .size = side.size * held.weight,
               .constraint = side.constraint,
-              .place = side.places[k]};
+              .place = held.place};
       const bool magnitude = side.of_peak && problem_.objective().part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "optim/solvers/quadratic_step.h"
+#include "optim/solvers/read_off.h"
 #include "optim/solvers/run_end.h"
 
 namespace camlaw::optim {
@@ -191,7 +192,8 @@ class Sequence {
       const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
       multipliers_ = step->multipliers;
       if (holds) place_ = std::move(trial);
-      return passed(place_) == 0 ? Advance::Last : Advance::None;
+      if (passed(place_) > 0) return Advance::None;
+      return holds && needs_balance() ? Advance::Some : Advance::Last;
     }
     if (is_good(trial, promised)) return taken(std::move(trial), model, *step, promised);
     if (trial.is_finite()) {
@@ -205,6 +207,19 @@ class Sequence {
     }
     cut_region(step->length());
     return {};
+  }
+
+  /// Whether the multipliers of a last step leave more of the slopes there than they would after
+  /// another one: the model whose program gave them is not quite that of the place.
+  bool needs_balance() {
+    constexpr int kMost = 4;
+    constexpr double kBalanced = 1e-9;
+    if (++balances_ > kMost) return false;
+    VectorXd left(place_.y.size());
+    program_.gradient(entries_of(place_.y), {left.data(), program_.variables()});
+    left += jacobian_matrix(program_, entries_of(place_.y)).transpose() * multipliers_.rows +
+            multipliers_.upper - multipliers_.lower;
+    return left.lpNorm<Eigen::Infinity>() > kBalanced;
   }
 
   /// Whether the objective falls by a good part of what the model says, if it says that it falls by
@@ -242,7 +257,7 @@ class Sequence {
     }
     multipliers_ = step.multipliers;
     go_to(std::move(trial), model, step.d);
-    return last ? Advance::Last : Advance::Some;
+    return last && !needs_balance() ? Advance::Last : Advance::Some;
   }
 
   /// After a step to its edge that kept its promise. A region that a step had to be cut to is near
@@ -297,6 +312,7 @@ class Sequence {
   double unsolved_radius_ = kInfinity;  ///< of a region whose program was not solved from here
   double least_passed_ = kInfinity;     ///< where steps towards the rows last came to something
   int idle_ = 0;                        ///< such steps since then
+  int balances_ = 0;                    ///< steps for the multipliers alone
   int inexact_ = 0;                     ///< programs in a row that were not solved
   bool is_cut_ = false;                 ///< whether a step was refused
   double reach_ = kInfinity;            ///< rows with more room hardly come into play

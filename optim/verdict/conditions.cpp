@@ -118,14 +118,17 @@ Told columns_of(std::vector<ActiveLimit> limits, double unit, const Layout& layo
   return told;
 }
 
-/// Fitted once more, for what a method's rounding left, as far as signs allow.
+/// Fitted once more, for what a method's rounding left, as far as signs allow. Each changes by a
+/// share of itself, so that of limits that are nearly the same none takes all from another.
 Eigen::VectorXd refined(const Told& told, const std::vector<int>& pushing,
-                        const ColumnFactors& factors, const Eigen::VectorXd& target) {
+                        const Eigen::VectorXd& target) {
   Eigen::VectorXd result = told.multipliers;
-  const Eigen::VectorXd change = factors.solve(-(told.A * result + target));
+  const Eigen::SparseMatrix<double> weighted = told.A * told.multipliers.asDiagonal();
+  const Eigen::VectorXd shares =
+      cheaper_factors(weighted)(pushing)->solve(-(told.A * result + target));
   for (std::size_t k = 0; k < pushing.size(); ++k) {
     const int j = pushing[k];
-    result[j] += change[static_cast<Eigen::Index>(k)];
+    result[j] *= 1 + shares[static_cast<Eigen::Index>(k)];
     if (!told.limits[static_cast<std::size_t>(j)].is_equation) result[j] = std::max(result[j], 0.0);
   }
   return result;
@@ -192,7 +195,7 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
 }
 
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, const std::vector<Push>& pushes) {
+              const Layout& layout, const std::vector<Push>& pushes, bool wants_condition) {
   const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
   Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
   if (told.limits.empty()) return {};
@@ -208,10 +211,10 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     best.residual = residual;
   };
   consider(told.multipliers);
+  constexpr double kGood = 1e-8;  // no fit makes it better by more than rounding
   if (const std::vector<int> pushing = told.pushing(); !pushing.empty()) {
-    const auto factors = cheaper_factors(told.A)(pushing);
-    consider(refined(told, pushing, *factors, target));
-    best.condition = factors->condition();
+    if (best.residual > kGood) consider(refined(told, pushing, target));
+    if (wants_condition) best.condition = cheaper_factors(told.A)(pushing)->condition();
   }
   best.limits = std::move(told.limits);
   return best;

@@ -37,9 +37,10 @@ struct Weighed {
 /// Of the limits in the net.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, Net net);
-/// With the multipliers that were told.
+/// With the multipliers that were told; the condition, which takes as long as all the rest, only
+/// where it is wanted.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, const std::vector<Push>& pushes);
+              const Layout& layout, const std::vector<Push>& pushes, bool wants_condition);
 
 /// A multiplier that was told and is no more than this share of the largest says nothing of its
 /// limit: an interior-point method leaves some to all.

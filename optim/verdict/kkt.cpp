@@ -114,8 +114,13 @@ bool has_flat_push(const Problem& problem, const Weighed& weighed, double violat
 class Weighing {
  public:
   Weighing(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-           const Layout& layout)
-      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), layout_(layout) {}
+           const Layout& layout, bool wants_condition)
+      : problem_(problem),
+        sizes_(sizes),
+        x_(x),
+        optimality_(optimality),
+        layout_(layout),
+        wants_condition_(wants_condition) {}
 
   /// The multipliers with which the conditions hold best. Those that are told come first where the
   /// search for others is long, else last.
@@ -127,20 +132,24 @@ class Weighing {
       return holds(own) ? own : better(std::move(own), as_told(told));
     }
     Weighed given = as_told(told);
-    return holds(given) ? given : better(best_of_nets(), std::move(given));
+    if (holds(given)) return given;
+    // Where the conditions hold, others only sharpen the bound, and many places take long to weigh.
+    const bool only_sharpens = given.residual <= kKktTolerance;
+    return better(only_sharpens ? best_of_nets(1) : best_of_nets(), std::move(given));
   }
 
  private:
   static constexpr double kGood = 1e-10;  // nothing is gained by less
 
   /// A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
-  /// slack times multiplier counts against them.
-  Weighed best_of_nets() const {
+  /// slack times multiplier counts against them. Nets of more places than `most` are not cast.
+  Weighed best_of_nets(int most = 64) const {
     constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, 8}, {1e-4, 64}};
     // What is farther from optimal than this no closer look brings nearer.
     constexpr double kWorthwhile = 1e-4;
     Weighed best;
     for (const Net& net : kNets) {
+      if (net.places > most) break;
       Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, net);
       if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
       if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
@@ -175,7 +184,7 @@ class Weighing {
 
   /// The limits that the design stands at come beside those that are told, with no multiplier.
   Weighed as_told(const Teller& told) const {
-    Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, told());
+    Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, told(), wants_condition_);
     for (ActiveLimit& limit : active_limits(problem_, sizes_, x_, optimality_, {0})) {
       weighed.limits.push_back(std::move(limit));
       weighed.multipliers.push_back(0);
@@ -188,6 +197,7 @@ class Weighing {
   Design x_;
   Optimality optimality_;
   const Layout& layout_;
+  bool wants_condition_;
 };
 
 }  // namespace
@@ -203,9 +213,9 @@ bool is_global_valley(const Problem& problem, double objective_slope) {
 }
 
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-        const Teller& told) {
+        const Teller& told, bool wants_condition) {
   const Layout layout = lay_out(problem, optimality);
-  const Weighed best = Weighing(problem, sizes, x, optimality, layout).best(told);
+  const Weighed best = Weighing(problem, sizes, x, optimality, layout, wants_condition).best(told);
   const bool least_violation = optimality == Optimality::LeastViolation;
   Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);
   if (least_violation) {

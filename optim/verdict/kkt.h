@@ -72,8 +72,9 @@ bool is_global_valley(const Problem& problem, double objective_slope);
 
 /// At a design that meets every limit (for LeastViolation: any design). Of many variables the
 /// multipliers that are told are tried before others are looked for, of few where none were found
-/// with which the conditions hold.
+/// with which the conditions hold. Told ones come without their condition where it is not wanted.
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x,
-        Optimality optimality = Optimality::Objective, const Teller& told = {});
+        Optimality optimality = Optimality::Objective, const Teller& told = {},
+        bool wants_condition = true);
 
 }  // namespace camlaw::optim

@@ -12,7 +12,6 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr int kMostBoxes = 30000;
 constexpr int kMostLooks = 200;      // at designs, over the whole cycle
 constexpr double kRounding = 1e-13;  // of the terms of a sum
 
@@ -57,12 +56,12 @@ class Division {
     take_rows();
   }
 
-  std::optional<Subdivision> run(const std::function<bool()>& stop) {
+  std::optional<Subdivision> run(const std::function<bool()>& stop, int most_boxes) {
     if (!is_known()) return {};
     Box whole;
     for (const Variable& v : problem_.variables) whole.push_back({v.lower, v.upper});
     add(whole, -kInfinity);
-    while (!waiting_.empty() && !result_.better && result_.boxes < kMostBoxes && !stop()) {
+    while (!waiting_.empty() && !result_.better && result_.boxes < most_boxes && !stop()) {
       const Box box = waiting_.top().box;
       const double lower = waiting_.top().lower;
       waiting_.pop();
@@ -331,7 +330,7 @@ class Division {
 }  // namespace
 
 std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes, Design x,
-                                      const std::function<bool()>& stop) {
+                                      const std::function<bool()>& stop, int most_boxes) {
   std::size_t free = 0;
   for (const Variable& v : problem.variables) {
     if (!std::isfinite(v.upper - v.lower)) return {};
@@ -339,7 +338,7 @@ std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes
   }
   if (free == 0 || free > kMostDivided) return {};
   try {
-    return Division(problem, sizes, x).run(stop);
+    return Division(problem, sizes, x).run(stop, most_boxes);
   } catch (...) {
     return {};
   }

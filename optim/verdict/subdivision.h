@@ -25,15 +25,16 @@ inline constexpr double kBoundTolerance = 1e-6;
 
 /// More free variables than this are not divided: the number of boxes grows as a power of theirs.
 inline constexpr std::size_t kMostDivided = 3;
+inline constexpr int kMostBoxes = 30000;
 
 /// A lower bound over the whole box, whatever the shapes: the box is divided until no part can hold
 /// a design that meets every limit (to a thousandth of its tolerance) and is better than x, by
 /// ranges of the functions over boxes (Function::range; docs/optimisation.md, "Lower bounds"). Of
 /// curves some places are enough, since a limit that is passed at one is passed. Ends at the first
-/// better design, after kMostBoxes, and where `stop` says so. Empty where more than kMostDivided
+/// better design, after `most_boxes`, and where `stop` says so. Empty where more than kMostDivided
 /// variables are free, one of them has no bounds, or nothing is known of the objective's range.
 std::optional<Subdivision> subdivided(
     const Problem& problem, const Sizes& sizes, Design x,
-    const std::function<bool()>& stop = [] { return false; });
+    const std::function<bool()>& stop = [] { return false; }, int most_boxes = kMostBoxes);
 
 }  // namespace camlaw::optim

@@ -275,7 +275,7 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result = where_it_stands(problem, sizes, x, prove);
   if (result.verdict == Verdict::Failed) return result;
-  const Kkt conditions = kkt(problem, sizes, x, Optimality::Objective, told);
+  const Kkt conditions = kkt(problem, sizes, x, Optimality::Objective, told, prove);
   take_conditions(problem, sizes, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
