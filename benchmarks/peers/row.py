@@ -31,6 +31,11 @@ class Row:
     judge: Callable[[Json, Any], Outcome]
 
 
+def excess(value: float) -> str:
+    """How far something is above 0, in words."""
+    return f"{value:.0e}" if value > 0 else "0"
+
+
 def verdict(answer: Json) -> str:
     """The verdict of an answer of `camlaw optimize`."""
     return answer["verdict"] + (", global" if answer.get("global") else "")

@@ -5,7 +5,7 @@ import casadi
 import numpy as np
 
 from ipopt import solved
-from row import Json, Outcome, Row
+from row import Json, Outcome, Row, excess
 from splines import Array
 
 
@@ -54,7 +54,7 @@ def judge(answer: Json, radii: Array) -> Outcome:
         f"{theirs:.10f}",
         theirs / ours - 1,
         1e-5,
-        f"published rows by {violation(radii):.0e} (camlaw {answer['max_violation']:.0e})",
+        f"published rows by {excess(violation(radii))} (camlaw {answer['max_violation']:.0e})",
     )
 
 

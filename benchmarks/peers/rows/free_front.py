@@ -7,7 +7,7 @@ import numpy as np
 
 from least_peak import Exchange, LeastPeak, passed
 from program import problem
-from row import Json, Outcome, Row
+from row import Json, Outcome, Row, excess
 from splines import Array, FreeLaw
 
 FILE = "spine_cutter/free_front.toml"
@@ -71,7 +71,7 @@ def judge(
         f"{len(found)} points from {said(ends[0])} to {said(ends[1])}",
         max(differences, key=abs),
         tolerance,
-        f"C_v by {max(over[0], 0):.1e}, its C_a by {max(over[1], 0):.1e}",
+        f"C_v by {excess(over[0])}, its C_a by {excess(over[1])}",
     )
 
 

@@ -8,7 +8,7 @@ from scipy import sparse
 from cam import Array, Cam, bend, modified_sine, tangent
 from ipopt import solved
 from program import problem
-from row import Json, Outcome, Row, verdict
+from row import Json, Outcome, Row, excess, verdict
 from splines import FreeLaw
 
 FILE = "cams/free_rise_least_base.toml"
@@ -67,7 +67,7 @@ def solve(law: FreeLaw) -> Array:
     """The coefficients and the base radius, mm."""
     x = casadi.MX.sym("x", law.count + 1)
     prime = LENGTH * x[-1]
-    program = {"x": x, "f": x[-1], "g": limits(prime, rise(law, law.places(IN_EACH_SPAN), x[:-1]))}
+    program = {"x": x, "f": prime, "g": limits(prime, rise(law, law.places(IN_EACH_SPAN), x[:-1]))}
     values = solved(
         program,
         x0=np.r_[law.start, variable_of(START)],
@@ -89,8 +89,8 @@ def violated(law: FreeLaw, found: Array) -> str:
     undercut = (ROLLER * above / below).max() - UNDERCUT
     lack = -CAM.force(s, s2, PRELOAD).min()
     return (
-        f"pressure angle by {max(angle, 0):.1e} deg, undercut by {max(undercut, 0):.1e}, "
-        f"force by {max(lack, 0):.0f} N"
+        f"pressure angle by {excess(angle)} deg, undercut by {excess(undercut)}, "
+        f"force by {excess(lack)} N"
     )
 
 

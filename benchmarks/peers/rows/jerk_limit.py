@@ -9,7 +9,7 @@ from scipy import sparse
 
 from least_peak import LeastPeak, passed
 from program import problem
-from row import Json, Outcome, Row, verdict
+from row import Json, Outcome, Row, excess, verdict
 from splines import Array, FreeLaw
 
 FILE = "free_law/least_acceleration_at_jerk.toml"
@@ -53,7 +53,7 @@ def judge(answer: Json, found: Array, law: FreeLaw) -> Outcome:
         f"C_a = {theirs:.6f}",
         theirs / ours - 1,
         1e-4,
-        f"C_v by {max(over[0], 0):.1e}, its C_a by {max(over[1], 0):.1e}",
+        f"C_v by {excess(over[0])}, its C_a by {excess(over[1])}",
     )
 
 

@@ -8,7 +8,7 @@ from scipy.optimize import brentq, minimize
 
 from cam import Array, Cam, bend, cycloidal, modified_sine, tangent
 from program import problem
-from row import Json, Outcome, Row, verdict
+from row import Json, Outcome, Row, excess, verdict
 
 CAM = Cam()
 ROLLER, PRELOAD = 8.0, 60.0  # mm, N
@@ -86,7 +86,7 @@ def judge(answer: Json, theirs: float) -> Outcome:
         f"{theirs:.5f} mm",
         theirs / ours - 1,
         5e-4,
-        f"pressure angle by {max(angle, 0):.1e} deg, undercut by {max(undercut, 0):.1e}",
+        f"pressure angle by {excess(angle)} deg, undercut by {excess(undercut)}",
     )
 
 

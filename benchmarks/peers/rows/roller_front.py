@@ -12,7 +12,7 @@ from pymoo.optimize import minimize
 
 from cam import Array, Cam, bend, cycloidal, modified_sine, tangent
 from program import problem
-from row import Json, Outcome, Row
+from row import Json, Outcome, Row, excess
 
 CAM = Cam()
 FRICTION, OVERHANG, GUIDE = 0.12, 40.0, 60.0  # of the guide; mm
@@ -124,10 +124,9 @@ def judge(answer: Json, found: Array) -> Outcome:
 
 
 def said(limits: Array) -> str:
-    slope, undercut, force = max(limits[0], limits[1], 0), max(limits[2], 0), max(limits[3], 0)
     return (
-        f"tangent of the pressure angle by {slope:.0e}, undercut by {undercut:.0e}, "
-        f"force by {100 * force:.0e} N"
+        f"tangent of the pressure angle by {excess(max(limits[:2]))}, "
+        f"undercut by {excess(limits[2])}, force by {excess(100 * limits[3])} N"
     )
 
 
