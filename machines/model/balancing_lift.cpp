@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/balancing_lift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "machines/model/composed_number.h"
+#include "machines/model/enclosed.h"
+#include "machines/model/inner_numbers.h"
+#include "machines/model/recorded_response.h"
+#include "numerics/formula/expression.h"
+#include "optim/cycle/extremes.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// (SH8) h = (sqrt(F_0^2 + 2 k E) - F_0) / k, mm, of the energy E, J, that the spring stores: the
+/// highest work less the work.
+Write lift_of(std::size_t rate, std::size_t preload) {
+  return [rate, preload](std::span<const Expression> parameters, std::span<const Expression> work) {
+    const Expression thousand(1000.0), two(2.0);
+    const Expression k = thousand * parameters[rate], force = parameters[preload];
+    const Expression energy = work[0] - work[1];
+    return thousand * ((sqrt(force * force + two * k * energy) - force) / k);
+  };
+}
+
+class LiftTrace final : public optim::Trace {
+ public:
+  LiftTrace(const Recorded& record, const std::vector<double>& arguments,
+            std::unique_ptr<optim::Trace> work)
+      : plain_(record.formula, arguments),
+        enclosing_(record.formula, std::vector<Interval>(arguments.begin(), arguments.end())),
+        work_(std::move(work)),
+        highest_(optim::extreme_of(*work_, optim::Part::Highest).value) {}
+
+  std::vector<double> breaks() const override { return work_->breaks(); }
+  std::string why_unbounded() const override { return work_->why_unbounded(); }
+
+  std::array<double, 3> at(optim::Place place) const override {
+    using Terms = Series<double, 3>;
+    const auto work = work_->at(place);
+    const std::array<Terms, 2> inputs{Terms(std::max(highest_, work[0])),
+                                      terms(work[0], work[1], work[2] / 2)};
+    const Terms lift = plain_(std::span<const Terms>(inputs));
+    return {lift.c[0], lift.c[1], 2 * lift.c[2]};
+  }
+
+  optim::Bounds enclose(double from, double to) const override {
+    const double middle = std::midpoint(from, to);
+    const double radius = std::max(step_up(to - middle), step_up(middle - from));
+    const auto value = [&](double angle) { return over<1>(angle, angle).c[0]; };
+    return enclosed(
+        over<3>(from, to), radius, [&] { return value(from); }, [&] { return value(to); },
+        [&] { return over<2>(middle, middle); });
+  }
+  std::array<optim::Bounds, 3> expand(double from, double to) const override {
+    return by_place(over<3>(from, to), Interval(1.0));
+  }
+
+ private:
+  static Series<double, 3> terms(double value, double slope, double bend) {
+    Series<double, 3> result(value);
+    result.c[1] = slope, result.c[2] = bend;
+    return result;
+  }
+  /// Between what was found and what is proved.
+  const Interval& highest() const {
+    if (!proved_) {
+      const optim::ProvedExtreme found = optim::proved_extreme_of(*work_, optim::Part::Highest);
+      const optim::Place place = found.peak.place;
+      const optim::Bounds here = work_->enclose(place.angle, place.angle);
+      const double room = found.proved ? found.slack : optim::kInfinity;
+      proved_ = interval_of({here.lower, step_up(found.peak.value + room)});
+    }
+    return *proved_;
+  }
+  template <std::size_t N>
+  Series<Interval, N> over(double from, double to) const {
+    using Terms = Series<Interval, N>;
+    const auto bounds = work_->expand(from, to);
+    Terms work(both(interval_of(bounds[0]), interval_of(work_->enclose(from, to))));
+    for (std::size_t k = 1; k < N; ++k) work.c[k] = interval_of(bounds[k]);
+    // No work is above the highest.
+    const Interval& top = highest();
+    if (work.c[0].upper() > top.upper() && work.c[0].lower() <= top.upper()) {
+      work.c[0].assign(work.c[0].lower(), top.upper());
+    }
+    const std::array<Terms, 2> inputs{Terms(top), work};
+    return enclosing_(std::span<const Terms>(inputs));
+  }
+
+  FormulaAlong<double> plain_;
+  FormulaAlong<Interval> enclosing_;
+  std::unique_ptr<optim::Trace> work_;
+  double highest_;
+  mutable std::optional<Interval> proved_;
+};
+
+class LiftCurve final : public optim::Curve {
+ public:
+  LiftCurve(const Write& write, Binding binding, const MechanismResponse& work, optim::Shape shape)
+      : record_(recorded_for(binding, write, 2, {})),
+        binding_(std::move(binding)),
+        highest_(inner_peak(work, optim::Part::Highest)),
+        work_(work.curve(narrowed(binding_, work), optim::Shape::General)),
+        shape_(shape) {}
+
+  optim::Function at(optim::Place place) const override {
+    const InnerNumber here{"", "J", {}, [row = work_->at(place)](const Binding&) { return row; }};
+    return composed_number(record_, binding_, {highest_, here}, shape_);
+  }
+  bool breaks_move() const override { return work_->breaks_move(); }
+  optim::Place tied(optim::Place place, optim::Design x) const override {
+    return work_->tied(place, x);
+  }
+  std::unique_ptr<optim::Trace> trace(optim::Design x) const override {
+    return std::make_unique<LiftTrace>(record_, arguments_at(binding_.variables, x),
+                                       work_->trace(x));
+  }
+  optim::Shape shape() const override { return shape_; }
+  double memory() const override { return work_->memory(); }
+
+ private:
+  static std::vector<double> arguments_at(const std::vector<std::size_t>& variables,
+                                          optim::Design x) {
+    std::vector<double> result;
+    for (const std::size_t variable : variables) result.push_back(x[variable]);
+    return result;
+  }
+
+  Recorded record_;
+  Binding binding_;
+  InnerNumber highest_;
+  std::shared_ptr<const optim::Curve> work_;
+  optim::Shape shape_;
+};
+
+}  // namespace
+
+MechanismResponse balancing_lift(MechanismResponse response, const MechanismResponse& work,
+                                 std::size_t rate, std::size_t preload) {
+  response.along = work.along;
+  response.cycle = work.cycle;
+  response.sees_law = work.sees_law;
+  response.possible_by = work.possible_by;
+  response.defined_while = work.defined_while;
+  response.uses = work.uses;
+  response.uses.insert(response.uses.end(), {rate, preload});
+  std::sort(response.uses.begin(), response.uses.end());
+  response.curve = [work, write = lift_of(rate, preload)](const Binding& binding,
+                                                          optim::Shape shape) {
+    return std::make_shared<LiftCurve>(write, binding, work, shape);
+  };
+  return response;
+}
+
+}  // namespace camlaw::problems
