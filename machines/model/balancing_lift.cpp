@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <numeric>
 
+#include "machines/model/arguments.h"
 #include "machines/model/composed_number.h"
 #include "machines/model/enclosed.h"
 #include "machines/model/inner_numbers.h"
@@ -51,15 +52,21 @@ class LiftTrace final : public optim::Trace {
     const double middle = std::midpoint(from, to);
     const double radius = std::max(step_up(to - middle), step_up(middle - from));
     const auto value = [&](double angle) { return over<1>(angle, angle).c[0]; };
-    return enclosed(
+    return above_zero(enclosed(
         over<3>(from, to), radius, [&] { return value(from); }, [&] { return value(to); },
-        [&] { return over<2>(middle, middle); });
+        [&] { return over<2>(middle, middle); }));
   }
   std::array<optim::Bounds, 3> expand(double from, double to) const override {
-    return by_place(over<3>(from, to), Interval(1.0));
+    auto result = by_place(over<3>(from, to), Interval(1.0));
+    result[0] = above_zero(result[0]);
+    return result;
   }
 
  private:
+  /// No work is above the highest, whatever is known of that.
+  static optim::Bounds above_zero(const optim::Bounds& lift) {
+    return {lift.lower > 0 ? lift.lower : 0.0, lift.upper};
+  }
   static Series<double, 3> terms(double value, double slope, double bend) {
     Series<double, 3> result(value);
     result.c[1] = slope, result.c[2] = bend;
@@ -82,12 +89,7 @@ class LiftTrace final : public optim::Trace {
     const auto bounds = work_->expand(from, to);
     Terms work(both(interval_of(bounds[0]), interval_of(work_->enclose(from, to))));
     for (std::size_t k = 1; k < N; ++k) work.c[k] = interval_of(bounds[k]);
-    // No work is above the highest.
-    const Interval& top = highest();
-    if (work.c[0].upper() > top.upper() && work.c[0].lower() <= top.upper()) {
-      work.c[0].assign(work.c[0].lower(), top.upper());
-    }
-    const std::array<Terms, 2> inputs{Terms(top), work};
+    const std::array<Terms, 2> inputs{Terms(highest()), work};
     return enclosing_(std::span<const Terms>(inputs));
   }
 
@@ -116,20 +118,13 @@ class LiftCurve final : public optim::Curve {
     return work_->tied(place, x);
   }
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override {
-    return std::make_unique<LiftTrace>(record_, arguments_at(binding_.variables, x),
+    return std::make_unique<LiftTrace>(record_, problems::arguments_at(binding_.variables, x),
                                        work_->trace(x));
   }
   optim::Shape shape() const override { return shape_; }
   double memory() const override { return work_->memory(); }
 
  private:
-  static std::vector<double> arguments_at(const std::vector<std::size_t>& variables,
-                                          optim::Design x) {
-    std::vector<double> result;
-    for (const std::size_t variable : variables) result.push_back(x[variable]);
-    return result;
-  }
-
   Recorded record_;
   Binding binding_;
   InnerNumber highest_;
