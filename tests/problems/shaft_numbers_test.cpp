@@ -61,6 +61,19 @@ TEST_CASE("derivatives of the shaft's numbers agree with differences", "[shaft][
   }
 }
 
+TEST_CASE("derivatives hold where a formula of the angle decides otherwise",
+          "[shaft][shaft-torque]") {
+  const Moving moved(load("a", "size * max(sin(angle) - 0.01 * size / 1 J, 0)", "phase = 5\n") +
+                     load("b", "size * max(cos(2 * angle), -0.3)") +
+                     "[cams.a.variables.size]\nlower = 1\nupper = 50\nstart = 20\n"
+                     "[cams.b.variables.phase]\nlower = 1\nupper = 300\nstart = 47\n"
+                     "[variables.speed]\nlower = 50\nupper = 400\nstart = 200\n");
+  for (const std::string name : {"mean_torque", "torque_rms", "energy_fluctuation"}) {
+    INFO(name);
+    testing::check_derivatives(moved.response(name).function(), moved.x, 1e-4, 2e-5, 1e-9);
+  }
+}
+
 TEST_CASE("derivatives of the work and of the balancing lift agree with differences",
           "[shaft][shaft-torque]") {
   const Moving moved(moving("modified-sine", "spring_rate = 4\nspring_preload = 80\nload = 40\n"));
@@ -72,7 +85,7 @@ TEST_CASE("derivatives of the work and of the balancing lift agree with differen
       INFO(name << " at " << angle);
       const optim::Function row = response.curve().at({angle});
       CHECK(row.value(moved.x) == Approx(trace->at({angle})[0]).epsilon(1e-9).margin(1e-9));
-      testing::check_derivatives(row, moved.x, 1e-4, 1e-5, 1e-9);
+      testing::check_derivatives(row, moved.x, 1e-3, 1e-5, 1e-9);
       const std::vector<double> slopes = response.curve().slope_gradient({angle}, moved.x);
       for (std::size_t i = 0; i < slopes.size(); ++i) {
         const double difference = testing::slope(

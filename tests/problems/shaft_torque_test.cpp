@@ -159,4 +159,65 @@ TEST_CASE("the spring of the balancing cam makes the torque constant", "[shaft][
         Approx(number_of(shaft, "energy_fluctuation")).epsilon(1e-9));
 }
 
+TEST_CASE("of half waves of a torque everything is known", "[shaft][shaft-torque]") {
+  for (const double phase : {0.0, 123.4}) {
+    const ProblemStatement shaft =
+        read(kSpeedOfShaft +
+             load("a", "size * max(sin(angle), 0)", fmt::format("size = 7\nphase = {}\n", phase)));
+    CHECK(number_of(shaft, "mean_torque") == Approx(7 / kPi).epsilon(1e-12));
+    CHECK(number_of(shaft, "torque_rms") == Approx(7 / 2.0).epsilon(1e-12));
+    // From where the sine rises above its mean, 1 / pi, to where it falls below it.
+    const double above = std::asin(1 / kPi);
+    const double taken = 7 * (2 * std::cos(above) - (kPi - 2 * above) / kPi);
+    CHECK(number_of(shaft, "energy_fluctuation") == Approx(taken).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a Geneva on the shaft fluctuates as its closed form says", "[shaft][shaft-torque]") {
+  for (const std::string geneva : {"geneva", "balancing-cam"}) {
+    const ProblemStatement shaft =
+        read("[constants]\nspeed = 60\n[cams.g]\nmechanism = '" + geneva +
+             "'\n[cams.g.constants]\nphase = 33\n" + slide("a", "modified-sine", 100, kMassAlone));
+    const ProblemStatement alone = read("[constants]\nspeed = 60\n[cams.g]\nmechanism = '" +
+                                        geneva + "'\n[cams.g.constants]\nphase = 33\n");
+    INFO(geneva);
+    const auto torque = trace_of(alone, "g.drive_torque");
+    CHECK(number_of(shaft, "mean_torque") == Approx(mean_of(*torque)).epsilon(1e-6));
+    CHECK(number_of(alone, "torque_rms") == Approx(rms_of(*torque)).epsilon(1e-6));
+    if (geneva != "geneva") continue;
+    CHECK(number_of(shaft, "mean_torque") ==
+          Approx(number_of(alone, "g.mean_torque")).epsilon(1e-12));
+    CHECK(number_of(alone, "energy_fluctuation") ==
+          Approx(number_of(alone, "g.surplus_range")).epsilon(1e-9));
+    const auto work = trace_of(alone, "surplus_work"), closed = trace_of(alone, "g.surplus_work");
+    for (double angle = 40; angle < 360; angle += 21) {
+      CHECK(work->at({angle})[0] - work->at({33})[0] ==
+            Approx(closed->at({angle - 33})[0]).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a program drives torques of a file's own, of their place too", "[shaft][shaft-torque]") {
+  const std::string own =
+      "[cams.b.machine]\nname = 'own'\nmoved_by = 'program'\n"
+      "[cams.b.machine.parameters.speed]\nunit = 'rpm'\ndefault = 100\nlower = 1\n"
+      "[cams.b.machine.parameters.size]\nunit = 'N m'\ndefault = 7\n"
+      "[cams.b.responses.drive_torque]\nunit = 'N m'\n"
+      "formula = 'size * (abs(v - 1.3) * cos(angle) + s * x)'\n"
+      "[[cams.b.program.segments]]\nname = 'rise'\nangle = 170\nlaw = 'cycloidal'\n"
+      "[[cams.b.program.segments]]\nname = 'return'\nlaw = 'modified-sine'\n"
+      "[cams.b.constants]\nphase = 71\n";
+  const ProblemStatement shaft =
+      read(kSpeedOfShaft + slide("a", "modified-sine", 100, kRubbing) + own);
+  const auto torque = trace_of(shaft, "shaft_torque"), work = trace_of(shaft, "surplus_work");
+  CHECK(number_of(shaft, "mean_torque") == Approx(mean_of(*torque)).epsilon(1e-6));
+  CHECK(number_of(shaft, "torque_rms") == Approx(rms_of(*torque)).epsilon(1e-6));
+  const double mean = number_of(shaft, "mean_torque");
+  for (const double to : {17.0, 95.5, 333.3}) {
+    const double added =
+        integral(*torque, 0, to, [&](double value, double) { return value - mean; });
+    CHECK(work->at({to})[0] - work->at({0})[0] == Approx(added).margin(1e-6));
+  }
+}
+
 }  // namespace camlaw::problems::shaft_torque_test
