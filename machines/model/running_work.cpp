@@ -90,17 +90,40 @@ EnclosedWork::EnclosedWork(TurnSections<Interval> turn)
     };
     steps_.emplace_back();
     for (int i = 0; i < steps; ++i) {
-      steps_.back().push_back({edge(i), sum});
-      sum = sum + over(k, edge(i), edge(i + 1));
+      steps_.back().push_back(step(k, edge(i), edge(i + 1), sum));
+      sum = sum + part(k, steps_.back().back(), edge(i + 1));
     }
   }
 }
 
-Interval EnclosedWork::over(std::size_t section, const Interval& begin, const Interval& end) const {
-  const auto terms = [&](const Interval& c, const Interval& box) {
-    return turn_.terms(turn_.sections()[section], c, box);
-  };
-  return detail::StepEnclosure(terms)(begin, end);
+EnclosedWork::Step EnclosedWork::step(std::size_t section, const Interval& begin,
+                                      const Interval& end, const Interval& before) const {
+  const Interval box = boost::numeric::hull(begin, end);
+  Step step{begin, end, before, Interval(boost::numeric::median(box))};
+  const detail::TaylorTerms torque = turn_.terms(turn_.sections()[section], step.middle, box);
+  step.terms = torque.at.c;
+  step.terms.back() = torque.over.c.back();
+  step.is_bounded = std::all_of(step.terms.begin(), step.terms.end(), [](const Interval& term) {
+    return std::isfinite(term.lower()) && std::isfinite(term.upper());
+  });
+  return step;
+}
+
+/// (R2), as over whole steps.
+Interval EnclosedWork::part(std::size_t section, const Step& step, const Interval& place) const {
+  if (!step.is_bounded) {
+    const auto terms = [&](const Interval& c, const Interval& box) {
+      return turn_.terms(turn_.sections()[section], c, box);
+    };
+    return detail::StepEnclosure(terms)(step.begin, place);
+  }
+  const Interval left = step.begin - step.middle, right = place - step.middle;
+  Interval sum(0.0), from = left, to = right;
+  for (std::size_t k = 0; k < step.terms.size(); ++k) {
+    sum += step.terms[k] * (to - from) / Interval(static_cast<double>(k + 1));
+    from *= left, to *= right;
+  }
+  return sum;
 }
 
 Interval EnclosedWork::at(const Interval& share, double inside) const {
@@ -112,12 +135,18 @@ Interval EnclosedWork::at(const Interval& share, double inside) const {
   const Interval place = low <= high             ? Interval(low, high)
                          : low > own.end.upper() ? own.end
                                                  : own.begin;
+  // A place that rounding has set on two steps may be in either.
   const auto& steps = steps_[section];
-  const auto after = std::partition_point(steps.begin() + 1, steps.end(), [&](const Step& s) {
-    return value_of(s.begin) <= value_of(place);
-  });
-  const Step& step = *(after - 1);
-  return detail::work_at(whole_, place, step.before + over(section, step.begin, place));
+  auto step = std::partition_point(steps.begin(), steps.end() - 1,
+                                   [&](const Step& s) { return s.end.upper() < place.lower(); });
+  Interval result = Interval::empty();
+  for (; step != steps.end() && step->begin.lower() <= place.upper(); ++step) {
+    const Interval inner(std::max(place.lower(), step->begin.lower()),
+                         std::min(place.upper(), step->end.upper()));
+    const Interval before = step->before + part(section, *step, inner);
+    result = boost::numeric::hull(result, detail::work_at(whole_, inner, before));
+  }
+  return result;
 }
 
 }  // namespace camlaw::problems

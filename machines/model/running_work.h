@@ -47,10 +47,18 @@ class EnclosedWork {
   Interval at(const Interval& share, double inside) const;
 
  private:
+  /// The torque's Taylor terms about the middle, the last one over the whole step, serve for every
+  /// part of it; where that one has no bounds, as over a kink, a part is enclosed anew.
   struct Step {
-    Interval begin, before;
+    Interval begin, end, before;
+    Interval middle = {};
+    std::array<Interval, detail::kTaylorTerms> terms = {};
+    bool is_bounded = false;
   };
-  Interval over(std::size_t section, const Interval& begin, const Interval& end) const;
+  Step step(std::size_t section, const Interval& begin, const Interval& end,
+            const Interval& before) const;
+  /// From a step's beginning to a place in it.
+  Interval part(std::size_t section, const Step& step, const Interval& place) const;
 
   TurnSections<Interval> turn_;
   detail::Turned<Interval> whole_;

@@ -139,9 +139,8 @@ class WorkTrace final : public optim::Trace {
   Series<Interval, 3> over(double from, double to) const {
     const Interval degree = pi<Interval>() / Interval(180.0);
     const auto torque = torque_->expand(from, to);
-    const Interval own = both(interval_of(torque[0]), interval_of(torque_->enclose(from, to)));
     Series<Interval, 3> result;
-    result.c[1] = (own - work_->enclosed()->mean()) * degree;
+    result.c[1] = (interval_of(torque[0]) - work_->enclosed()->mean()) * degree;
     result.c[2] = interval_of(torque[1]) * degree / Interval(2.0);
     const Interval length(0, step_up(to - from));
     const double middle = std::midpoint(from, to);

@@ -16,7 +16,7 @@ const std::string kFlywheel = testing::source("problems/shaft/flywheel.toml");
 double value_of(const std::string& name, const std::string& file, const Words& settings = {}) {
   problems::ProblemStatement statement = problems::read_problem_file(file);
   problems::set_values(statement, settings);
-  return problems::testing::shaft::number_of(statement, name);
+  return problems::shaft_fixture::number_of(statement, name);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "problems/statement/bind.h"
 
 /// Loads and cams on one shaft, for tests of what turns it.
-namespace camlaw::problems::testing::shaft {
+namespace camlaw::problems::shaft_fixture {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kSpeed = 200;  // rpm
@@ -125,4 +125,4 @@ inline std::string moving(const std::string& law, const std::string& constants) 
          "[variables.speed]\nlower = 50\nupper = 400\nstart = 200\n";
 }
 
-}  // namespace camlaw::problems::testing::shaft
+}  // namespace camlaw::problems::shaft_fixture

@@ -10,7 +10,7 @@
 /// Derivatives, proofs and refusals of what a shaft of several cams needs.
 namespace camlaw::problems::shaft_numbers_test {
 
-using namespace testing::shaft;
+using namespace shaft_fixture;
 using Catch::Contains, testing::complaint;
 
 TEST_CASE("enclosures of the work and of the balancing lift hold what they are",

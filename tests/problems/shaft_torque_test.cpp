@@ -9,7 +9,7 @@
 /// that are known.
 namespace camlaw::problems::shaft_torque_test {
 
-using namespace testing::shaft;
+using namespace shaft_fixture;
 
 TEST_CASE("what moves masses and springs alone takes no mean torque", "[shaft][shaft-torque]") {
   for (const std::string& constants : {kMassAlone, kMassAndSpring}) {
