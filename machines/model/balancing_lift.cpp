@@ -9,6 +9,7 @@
 #include "machines/model/composed_number.h"
 #include "machines/model/enclosed.h"
 #include "machines/model/inner_numbers.h"
+#include "machines/model/recent.h"
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
 #include "optim/cycle/extremes.h"
@@ -100,18 +101,64 @@ class LiftTrace final : public optim::Trace {
   mutable std::optional<Interval> proved_;
 };
 
+/// A number of all variables of the design, which the rows of a curve ask for at one design after
+/// the other: what it was for the last few is kept.
+class KeptNumber final : public optim::Kernel {
+ public:
+  explicit KeptNumber(optim::Function number) : number_(std::move(number)) {}
+
+  double value(std::span<const double> u) const override {
+    return values_.get(u, [&] { return Known{number_.value(u), {}, {}}; })->value;
+  }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    const auto known = gradients_.get(u, [&] {
+      Known made{0, std::vector<double>(u.size()), {}};
+      made.value = number_.gradient(u, made.gradient);
+      return made;
+    });
+    std::copy(known->gradient.begin(), known->gradient.end(), g.begin());
+    return known->value;
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    const auto known = hessians_.get(u, [&] {
+      Known made{0, std::vector<double>(u.size()),
+                 std::vector<double>(optim::packed_size(u.size()))};
+      made.value = number_.hessian(u, made.gradient, made.hessian);
+      return made;
+    });
+    std::copy(known->gradient.begin(), known->gradient.end(), g.begin());
+    std::copy(known->hessian.begin(), known->hessian.end(), h.begin());
+    return known->value;
+  }
+  optim::Bounds enclose(std::span<const double> u) const override { return number_.enclose(u); }
+  bool is_searched() const override { return number_.is_searched(); }
+
+ private:
+  struct Known {
+    double value;
+    std::vector<double> gradient, hessian;
+  };
+
+  optim::Function number_;
+  mutable Recent<Known> values_, gradients_, hessians_;
+};
+
 class LiftCurve final : public optim::Curve {
  public:
   LiftCurve(const Write& write, Binding binding, const MechanismResponse& work, optim::Shape shape)
       : record_(recorded_for(binding, write, 2, {})),
         binding_(std::move(binding)),
-        highest_(inner_peak(work, optim::Part::Highest)),
         work_(work.curve(narrowed(binding_, work), optim::Shape::General)),
-        shape_(shape) {}
+        shape_(shape) {
+    const optim::Function found = inner_peak(work, optim::Part::Highest).number(binding_);
+    highest_ = {found.inputs(), std::make_shared<KeptNumber>(found)};
+  }
 
   optim::Function at(optim::Place place) const override {
+    const InnerNumber top{"", "J", {}, [highest = highest_](const Binding&) { return highest; }};
     const InnerNumber here{"", "J", {}, [row = work_->at(place)](const Binding&) { return row; }};
-    return composed_number(record_, binding_, {highest_, here}, shape_);
+    return composed_number(record_, binding_, {top, here}, shape_);
   }
   bool breaks_move() const override { return work_->breaks_move(); }
   optim::Place tied(optim::Place place, optim::Design x) const override {
@@ -127,7 +174,7 @@ class LiftCurve final : public optim::Curve {
  private:
   Recorded record_;
   Binding binding_;
-  InnerNumber highest_;
+  optim::Function highest_;
   std::shared_ptr<const optim::Curve> work_;
   optim::Shape shape_;
 };

@@ -2,6 +2,7 @@
 #include "machines/model/surplus_work.h"
 
 #include <array>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <utility>
@@ -38,31 +39,84 @@ class MeanOfTurn {
   std::shared_ptr<const TurnRecord> record_;
 };
 
-/// The work at one place, or where the place is tied to a joint, wherever that is.
-class WorkAtPlace {
- public:
-  WorkAtPlace(std::shared_ptr<const TurnRecord> record, optim::Place place)
-      : record_(std::move(record)), place_(place) {}
+/// What the work at every place of one design is made of: the integrals up to the sections.
+template <class T>
+struct WorkBefore {
+  std::optional<TurnSections<T>> turn;
+  std::vector<T> before = {};
+  detail::Turned<T> whole = {};
+};
 
+template <class T>
+WorkBefore<T> work_before(const TurnRecord& record, std::span<const T> u) {
+  WorkBefore<T> result{TurnSections<T>::of(record, u)};
+  if (!result.turn) return result;
+  T sum = number<T>(0);
+  for (const auto& section : result.turn->sections()) {
+    result.before.push_back(sum);
+    sum =
+        sum + detail::weighted(*result.turn, section, section.begin, section.end, detail::Plain());
+  }
+  result.whole = detail::turned(*result.turn);
+  return result;
+}
+
+/// Those of the last few designs, in the dual numbers of each pass: many rows are asked at one.
+class WorksBefore {
+ public:
+  explicit WorksBefore(std::shared_ptr<const TurnRecord> record) : record_(std::move(record)) {}
+
+  const TurnRecord& record() const { return *record_; }
   template <class T>
-  T operator()(std::span<const T> u) const {
-    const auto turn = TurnSections<T>::of(*record_, u);
-    if (!turn) return number<T>(kNaN);
-    T share = number<T>(place_.angle) / number<T>(kOfTurn);
-    const auto joint = static_cast<std::size_t>(place_.joint);
-    if (place_.joint >= 0 && joint < turn->joints().size()) share = turn->joints()[joint];
-    const std::size_t last = detail::section_at(*turn, value_of(share), place_.from_left);
-    T before = number<T>(0);
-    for (std::size_t k = 0; k <= last; ++k) {
-      const auto& section = turn->sections()[k];
-      before = before + detail::weighted(*turn, section, section.begin,
-                                         k < last ? section.end : share, detail::Plain());
+  std::shared_ptr<const WorkBefore<T>> at(std::span<const T> u) const {
+    const auto make = [&] { return work_before(*record_, u); };
+    if constexpr (std::is_same_v<T, Dual> || std::is_same_v<T, Dual2>) {
+      std::vector<double> key;
+      for (const T& x : u) add(x, key);
+      if constexpr (std::is_same_v<T, Dual>) return first_->get(key, make);
+      if constexpr (std::is_same_v<T, Dual2>) return second_->get(key, make);
+    } else {
+      return std::make_shared<const WorkBefore<T>>(make());
     }
-    return detail::work_at(detail::turned(*turn), share, before);
   }
 
  private:
+  static constexpr std::size_t kPasses = 32;
+  static void add(double x, std::vector<double>& key) { key.push_back(x); }
+  template <class T, int N>
+  static void add(const ceres::Jet<T, N>& x, std::vector<double>& key) {
+    add(x.a, key);
+    for (int i = 0; i < N; ++i) add(x.v[i], key);
+  }
+
   std::shared_ptr<const TurnRecord> record_;
+  std::shared_ptr<Recent<WorkBefore<Dual>>> first_ =
+      std::make_shared<Recent<WorkBefore<Dual>>>(kPasses);
+  std::shared_ptr<Recent<WorkBefore<Dual2>>> second_ =
+      std::make_shared<Recent<WorkBefore<Dual2>>>(kPasses);
+};
+
+/// The work at one place, or where the place is tied to a joint, wherever that is.
+class WorkAtPlace {
+ public:
+  WorkAtPlace(WorksBefore works, optim::Place place) : works_(std::move(works)), place_(place) {}
+
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    const auto known = works_.at(u);
+    if (!known->turn) return number<T>(kNaN);
+    const TurnSections<T>& turn = *known->turn;
+    T share = number<T>(place_.angle) / number<T>(kOfTurn);
+    const auto joint = static_cast<std::size_t>(place_.joint);
+    if (place_.joint >= 0 && joint < turn.joints().size()) share = turn.joints()[joint];
+    const std::size_t k = detail::section_at(turn, value_of(share), place_.from_left);
+    const auto& section = turn.sections()[k];
+    const T here = detail::weighted(turn, section, section.begin, share, detail::Plain());
+    return detail::work_at(known->whole, share, T(known->before[k] + here));
+  }
+
+ private:
+  WorksBefore works_;
   optim::Place place_;
 };
 
@@ -153,6 +207,37 @@ class WorkTrace final : public optim::Trace {
   std::unique_ptr<optim::Trace> torque_;
 };
 
+/// Its value is looked up among the integrals of the design.
+class WorkRow final : public optim::Kernel {
+ public:
+  using Looked = std::function<std::shared_ptr<const WorkOfDesign>(std::span<const double>)>;
+
+  WorkRow(const WorksBefore& works, optim::Place place, Looked looked)
+      : exact_(detail::kernel_of(WorkAtPlace(works, place))),
+        place_(place),
+        looked_(std::move(looked)) {}
+
+  double value(std::span<const double> u) const override {
+    if (place_.joint >= 0) return exact_->value(u);
+    const auto work = looked_(u);
+    return work->plain() == nullptr ? kNaN : work->plain()->at(place_.angle / kOfTurn);
+  }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    return u.empty() ? value(u) : exact_->gradient(u, g);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    return u.empty() ? value(u) : exact_->hessian(u, g, h);
+  }
+  optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+  bool is_enclosed() const override { return true; }
+
+ private:
+  std::shared_ptr<const optim::Kernel> exact_;
+  optim::Place place_;
+  Looked looked_;
+};
+
 class WorkCurve final : public optim::Curve {
  public:
   WorkCurve(std::shared_ptr<const TurnRecord> record, std::shared_ptr<const optim::Curve> torque,
@@ -160,10 +245,15 @@ class WorkCurve final : public optim::Curve {
       : record_(std::move(record)),
         torque_(std::move(torque)),
         mean_(detail::kernel_of(MeanOfTurn(record_))),
+        works_(record_),
         shape_(shape) {}
 
   optim::Function at(optim::Place place) const override {
-    return function_of(record_->variables, detail::kernel_of(WorkAtPlace(record_, place)), shape_);
+    auto row = std::make_shared<WorkRow>(
+        works_, place, [record = record_, recent = recent_](std::span<const double> u) {
+          return work_of(record, *recent, u);
+        });
+    return function_of(record_->variables, std::move(row), shape_);
   }
   /// What the torque less its mean changes by.
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override {
@@ -193,20 +283,26 @@ class WorkCurve final : public optim::Curve {
   }
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override {
     const std::vector<double> arguments = problems::arguments_at(record_->variables, x);
-    auto work = recent_->get(
-        arguments, [&] { return std::make_shared<const WorkOfDesign>(record_, arguments); });
-    return std::make_unique<WorkTrace>(*work, torque_->trace(x));
+    return std::make_unique<WorkTrace>(work_of(record_, *recent_, arguments), torque_->trace(x));
   }
   optim::Shape shape() const override { return shape_; }
   double memory() const override { return torque_->memory(); }
 
  private:
+  using Kept = Recent<std::shared_ptr<const WorkOfDesign>>;
+  /// Of designs that differ in phases alone it is the same.
+  static std::shared_ptr<const WorkOfDesign> work_of(
+      const std::shared_ptr<const TurnRecord>& record, Kept& kept, std::span<const double> u) {
+    return *kept.get(u, [&] {
+      return std::make_shared<const WorkOfDesign>(record, std::vector<double>(u.begin(), u.end()));
+    });
+  }
+
   std::shared_ptr<const TurnRecord> record_;
   std::shared_ptr<const optim::Curve> torque_;
   std::shared_ptr<const optim::Kernel> mean_;
+  WorksBefore works_;
   optim::Shape shape_;
-  /// Of designs that differ in phases alone it is the same.
-  using Kept = Recent<std::shared_ptr<const WorkOfDesign>>;
   std::shared_ptr<Kept> recent_ = std::make_shared<Kept>();
 };
 
