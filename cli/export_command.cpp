@@ -39,7 +39,7 @@ int run_export(const ExportOptions& options) {
   problems::set_values(design.statement, options.settings);
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
-      take_cam(options.cam, options.file, "--cam {}", design.statement);
+      take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);
   const ExportedText written =
       exported_text(options, format, std::move(design), words, std::move(unmet));
   if (!options.out || (is_quiet() && !options.json)) {

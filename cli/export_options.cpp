@@ -93,7 +93,9 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--separator", &o.separator, "CHARACTER",
        "table: separator of columns: ',', ';', tab or space (',', with --decimal-comma ';')"},
       {"--decimal-comma", &o.decimal_comma, takes::kNothing, "table: write 0,5 instead of 0.5"},
-      {"--cam", &o.cam, "NAME", "the cam to write, if the file has several cams on one shaft"},
+      {"--cam", &o.cam, "NAME",
+       "the cam to write, if the file has several cams on one shaft; not needed for a --slave that "
+       "is a curve of the shaft itself"},
       set_option(o.settings),
       {"--json", &o.json, takes::kNothing,
        "print the report on the file that --out writes as JSON"}};

@@ -17,29 +17,31 @@ namespace detail {
 inline constexpr double kMeanSteps = 16, kMeanBoxes = 256;
 inline constexpr int kLeastSteps = 2;
 
-/// As many steps as a piece needs: `whole` over the whole law, and no harmonic turns by more than
-/// two rad within a step, so that its square, of twice the frequency, is integrated as well.
+/// The steps in x = 1 with which no harmonic of a piece turns by more than two rad within a step,
+/// so that its square, of twice the frequency, is integrated as well.
 template <class T>
-int steps_over(const Piece<T>& piece, double whole) {
+double harmonic_rate(const Piece<T>& piece) {
   constexpr double kTurn = 2;
-  double rate = whole;
+  double rate = 0;
   for (const auto& h : piece.harmonics) {
     rate = std::max(rate, std::abs(value_of(h.frequency)) / kTurn);
   }
+  return rate;
+}
+
+/// As many steps as a piece needs: `whole` over the whole law, or as its harmonics need.
+template <class T>
+int steps_over(const Piece<T>& piece, double whole) {
+  const double rate = std::max(whole, harmonic_rate(piece));
   const double length = value_of(piece.end) - value_of(piece.begin);
   return std::max(kLeastSteps, static_cast<int>(std::ceil(rate * length)));
 }
 
-/// Calls at(x, weight) for the places of Gauss-Legendre of 10 points on even steps between two
-/// places of a piece, as many by length as the whole piece has.
+/// Calls at(x, weight) for the places of Gauss-Legendre of 10 points on so many even steps.
 template <class T, class At>
-void each_mean_place(const Piece<T>& piece, const T& begin, const T& end, const At& at) {
+void each_mean_place(const T& begin, const T& end, int steps, const At& at) {
   const auto& [places, weights] = gauss_legendre(10);
-  const T length = end - begin;
-  const double whole = value_of(piece.end) - value_of(piece.begin);
-  const double share = whole > 0 ? value_of(length) / whole : 0;
-  const int steps = std::max(1, static_cast<int>(std::ceil(share * steps_over(piece, kMeanSteps))));
-  const T half = length / number<T>(2.0 * steps);
+  const T half = (end - begin) / number<T>(2.0 * steps);
   for (int i = 0; i < steps; ++i) {
     const T middle = begin + number<T>(2 * i + 1) * half;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -48,6 +50,15 @@ void each_mean_place(const Piece<T>& piece, const T& begin, const T& end, const 
       }
     }
   }
+}
+
+/// The same between two places of a piece, on as many steps by length as the whole piece has.
+template <class T, class At>
+void each_mean_place(const Piece<T>& piece, const T& begin, const T& end, const At& at) {
+  const double whole = value_of(piece.end) - value_of(piece.begin);
+  const double share = whole > 0 ? value_of(T(end - begin)) / whole : 0;
+  const int steps = std::max(1, static_cast<int>(std::ceil(share * steps_over(piece, kMeanSteps))));
+  each_mean_place(begin, end, steps, at);
 }
 
 /// Calls at(piece, x, weight) for those of a law between the places that breaks(piece's number)
@@ -82,38 +93,38 @@ T piece_integral(const Piece<T>& piece, const F& f) {
   return sum;
 }
 
-/// Encloses the integral over steps. Where f may have a kink or a jump a step is halved, so that
-/// nearly all of it is smooth.
+/// Taylor terms of an integrand about a place, and over a whole step.
+inline constexpr std::size_t kTaylorTerms = 7;
+struct TaylorTerms {
+  Series<Interval, kTaylorTerms> at, over;
+};
+
+/// Encloses the integral over steps of what terms(c, box) -> TaylorTerms has, c in the middle of
+/// the box. Where it may have a kink or a jump a step is halved, so that nearly all of it is
+/// smooth.
 template <class F>
 class StepEnclosure {
  public:
-  StepEnclosure(const Piece<Interval>& piece, const F& f)
-      : piece_(piece), expander_(piece), f_(f) {}
+  explicit StepEnclosure(const F& terms) : terms_(terms) {}
 
   /// (R2) From the Taylor terms of f about the middle c of the step from a to b, the last one over
   /// the whole step.
   Interval operator()(const Interval& a, const Interval& b, int halvings = kHalvings) {
-    const Interval box = boost::numeric::hull(a, b), one(1.0);
-    const Expansion motion = expander_(box);
-    const Interval c(motion.middle), left = a - c, right = b - c;
-    const auto at = f_(motion_series<kTerms>(derivatives<kTerms + 3>(piece_, c)),
-                       Series<Interval, kTerms>::variable(c, one));
-    auto all = derivatives<kTerms + 3>(piece_, box);
-    // Each is sharp where the other is not: the first of a piece that rests.
-    for (std::size_t k = 0; k < motion.over.size(); ++k) all[k] = both(all[k], motion.over[k]);
-    const auto over = f_(motion_series<kTerms>(all), Series<Interval, kTerms>::variable(box, one));
+    const Interval box = boost::numeric::hull(a, b), c(boost::numeric::median(box));
+    const Interval left = a - c, right = b - c;
+    const TaylorTerms f = terms_(c, box);
     // By so many terms, an odd number, so that the power of x - c in the last one has one sign.
     const auto by_terms = [&](std::size_t terms) {
       Interval sum(0.0), from = left, to = right;
       for (std::size_t k = 0; k < terms; ++k) {
-        const Interval& term = k + 1 < terms ? at.c[k] : over.c[k];
+        const Interval& term = k + 1 < terms ? f.at.c[k] : f.over.c[k];
         sum += term * (to - from) / Interval(static_cast<double>(k + 1));
         from *= left, to *= right;
       }
       return sum;
     };
-    Interval result = by_terms(kTerms);
-    const bool may_halve = halvings > 0 && halved_ < kMostHalved && is_bounded(over.c[0]);
+    Interval result = by_terms(kTaylorTerms);
+    const bool may_halve = halvings > 0 && halved_ < kMostHalved && is_bounded(f.over.c[0]);
     if (!is_bounded(result) && may_halve) {
       ++halved_;
       return (*this)(a, c, halvings - 1) + (*this)(c, b, halvings - 1);
@@ -123,31 +134,53 @@ class StepEnclosure {
   }
 
  private:
-  static constexpr std::size_t kTerms = 7;
   /// A jump is known to a part in 2^30 of a step, and a piece may have many.
   static constexpr int kHalvings = 30, kMostHalved = 2000;
   static bool is_bounded(const Interval& x) {
     return std::isfinite(x.lower()) && std::isfinite(x.upper());
   }
 
-  const Piece<Interval>& piece_;
-  PieceExpander expander_;
-  const F& f_;
+  const F& terms_;
   int halved_ = 0;
 };
 
-/// Encloses, over even steps.
+/// What a piece and its derivatives are over a box: each bound is sharp where the other is not, the
+/// first of a piece that rests.
+inline std::array<Interval, kTaylorTerms + 3> derivatives_over(const Piece<Interval>& piece,
+                                                               const PieceExpander& expander,
+                                                               const Interval& box) {
+  const Expansion motion = expander(box);
+  auto all = derivatives<kTaylorTerms + 3>(piece, box);
+  for (std::size_t k = 0; k < motion.over.size(); ++k) all[k] = both(all[k], motion.over[k]);
+  return all;
+}
+
+/// The integral between two places over so many even steps, enclosed.
 template <class F>
-Interval piece_integral(const Piece<Interval>& piece, const F& f) {
-  StepEnclosure step(piece, f);
-  const Interval length = piece.end - piece.begin;
-  const int steps = steps_over(piece, kMeanBoxes);
+Interval enclosed_over(const F& terms, const Interval& begin, const Interval& end, int steps) {
+  StepEnclosure step(terms);
+  const Interval length = end - begin;
   const auto edge = [&](int i) {
-    return piece.begin + length * Interval(double(i)) / Interval(double(steps));
+    return begin + length * Interval(double(i)) / Interval(double(steps));
   };
   Interval sum(0.0);
   for (int i = 0; i < steps; ++i) sum = sum + step(edge(i), edge(i + 1));
   return sum;
+}
+
+/// Encloses, over even steps.
+template <class F>
+Interval piece_integral(const Piece<Interval>& piece, const F& f) {
+  const PieceExpander expander(piece);
+  const auto terms = [&](const Interval& c, const Interval& box) {
+    const Interval one(1.0);
+    using Terms = Series<Interval, kTaylorTerms>;
+    return TaylorTerms{f(motion_series<kTaylorTerms>(derivatives<kTaylorTerms + 3>(piece, c)),
+                         Terms::variable(c, one)),
+                       f(motion_series<kTaylorTerms>(derivatives_over(piece, expander, box)),
+                         Terms::variable(box, one))};
+  };
+  return enclosed_over(terms, piece.begin, piece.end, steps_over(piece, kMeanBoxes));
 }
 
 }  // namespace detail

@@ -37,6 +37,23 @@ std::optional<double> root_in(SignBracket bracket, const G& g, double size) {
   return low;
 }
 
+/// Where decider k changes its sign, of its values at increasing x; inputs(place) has what it
+/// takes.
+template <class Inputs>
+void add_decisions(const Formula& decider, std::size_t k, std::span<const double> machine,
+                   std::span<const double> x, std::span<const double> values, const Inputs& inputs,
+                   std::vector<Decision>& found) {
+  const double size = largest_size(values);
+  for (const SignBracket& bracket : sign_brackets(x, values, size)) {
+    const FormulaAlong<double> along(decider, machine);
+    const auto at = [&](double place) {
+      const auto taken = inputs(place);
+      return along(std::span<const double>(taken));
+    };
+    if (const auto root = root_in(bracket, at, size)) found.push_back({k, *root});
+  }
+}
+
 }  // namespace
 
 std::array<std::vector<double>, 4> motion_rows(const Law<double>& law, std::span<const double> x) {
@@ -77,17 +94,33 @@ std::vector<std::vector<Decision>> Decisions::in_pieces(const Law<double>& law,
       return std::span(row).subspan(p * shares.size(), shares.size());
     };
     for (std::size_t k = 0; k < deciders_.size(); ++k) {
-      const double size = largest_size(of_piece(values[k]));
-      for (const SignBracket& bracket : sign_brackets(of_piece(x), of_piece(values[k]), size)) {
-        const FormulaAlong<double> decider(deciders_[k], machine);
-        const auto root = root_in(
-            bracket,
-            [&](double place) {
-              return decider(std::span<const double>(derivatives<4>(piece, place)));
-            },
-            size);
-        if (root) found[p].push_back({k, *root});
-      }
+      add_decisions(
+          deciders_[k], k, machine, of_piece(x), of_piece(values[k]),
+          [&](double place) { return derivatives<4>(piece, place); }, found[p]);
+    }
+  }
+  return found;
+}
+
+std::vector<std::vector<Decision>> Decisions::in_sections(
+    std::span<const std::pair<double, double>> sections, std::span<const double> machine,
+    const InputsAt& inputs) const {
+  std::vector<std::vector<Decision>> found(sections.size());
+  if (!together_) return found;
+  for (std::size_t p = 0; p < found.size(); ++p) {
+    std::vector<double> x;
+    std::vector<std::vector<double>> rows;
+    for (const double share : sampled_shares()) {
+      x.push_back(std::lerp(sections[p].first, sections[p].second, share));
+      const std::vector<double> taken = inputs(p, x.back());
+      rows.resize(taken.size());
+      for (std::size_t i = 0; i < taken.size(); ++i) rows[i].push_back(taken[i]);
+    }
+    const auto values = value_rows(*together_, deciders_.size(), machine, rows);
+    for (std::size_t k = 0; k < deciders_.size(); ++k) {
+      add_decisions(
+          deciders_[k], k, machine, x, values[k], [&](double place) { return inputs(p, place); },
+          found[p]);
     }
   }
   return found;

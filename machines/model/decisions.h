@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "kinematics/law.h"
@@ -18,17 +23,28 @@ struct Decision {
   double place;
 };
 
-/// The numbers by which a formula of a machine's arguments and of s, v, a and j decides, as far as
-/// the motion changes them.
+/// What a formula takes beside the machine's arguments at a place of a section.
+using InputsAt = std::function<std::vector<double>(std::size_t section, double place)>;
+
+/// The numbers by which a formula of a machine's arguments and of its place decides, as far as the
+/// place changes them.
 class Decisions {
  public:
   explicit Decisions(const Recorded& record);
 
+  /// Whether there is one.
+  bool any() const { return !deciders_.empty(); }
   const Formula& decider(std::size_t k) const { return deciders_[k]; }
-  /// Inside each piece of a law where a continuous decider changes its sign, in no order. Where it
-  /// jumps it is not asked: what makes it jump is a sign of its own.
+  /// Of a formula of s, v, a and j: inside each piece of a law where a continuous decider changes
+  /// its sign, in no order. Where it jumps it is not asked: what makes it jump is a sign of its
+  /// own.
   std::vector<std::vector<Decision>> in_pieces(const Law<double>& law,
                                                std::span<const double> machine) const;
+  /// The same inside the sections of a cycle, each between two places, of a formula that takes
+  /// whatever inputs there are.
+  std::vector<std::vector<Decision>> in_sections(
+      std::span<const std::pair<double, double>> sections, std::span<const double> machine,
+      const InputsAt& inputs) const;
 
  private:
   std::vector<Formula> deciders_;
@@ -42,5 +58,41 @@ std::array<std::vector<double>, 4> motion_rows(const Law<double>& law, std::span
 std::vector<std::vector<double>> value_rows(const FormulaBlocks& formulas, std::size_t count,
                                             std::span<const double> machine,
                                             std::span<const std::vector<double>> inputs);
+
+/// A decision's place with the derivatives of what it depends on: the root of decider(place) -> T,
+/// which has this slope there, in a section of this length.
+template <class T, class G>
+T exact_place(const G& decider, double slope, double place, double length) {
+  constexpr double kBeside = 1e-5;  // of the length
+  constexpr int kSteps = 4;         // the first has the first derivatives, the next the second
+  T root = number<T>(place);
+  for (int step = 0; slope != 0 && step < kSteps; ++step) {
+    root = root - decider(root) / number<T>(slope);
+  }
+  // Where the slope all but vanishes, a step leads anywhere.
+  return std::abs(value_of(root) - place) <= kBeside * length ? root : number<T>(place);
+}
+
+/// The decisions of one section as places, increasing, by exact(decision) -> T; of several at one
+/// place the first: what is a product of that one may have a kink there itself.
+template <class T, class Exact>
+std::vector<T> exact_places(std::span<const Decision> in_section, double length,
+                            const Exact& exact) {
+  constexpr double kSame = 1e-9;  // of the length
+  std::vector<T> places;
+  for (const Decision& decision : in_section) {
+    const bool is_known = std::ranges::any_of(places, [&](const T& known) {
+      return std::abs(value_of(known) - decision.place) <= kSame * length;
+    });
+    if (is_known) continue;
+    if constexpr (std::is_same_v<T, double>) {
+      places.push_back(decision.place);
+    } else {
+      places.push_back(exact(decision));
+    }
+  }
+  std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
+  return places;
+}
 
 }  // namespace camlaw::problems

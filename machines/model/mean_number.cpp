@@ -30,48 +30,22 @@ T at_place(const FormulaAlong<T>& formula, const Piece<T>& piece, const T& x) {
   return formula(std::span<const T>(motion));
 }
 
-/// A decision's place with the derivatives of what it depends on.
+/// The decisions of one piece with the derivatives of what they depend on.
 template <class T>
-T exact_place(const Formula& decider, double place, std::span<const T> machine,
-              const Piece<T>& piece) {
-  constexpr double kBeside = 1e-5;  // of the piece's length
-  constexpr int kSteps = 4;         // the first has the first derivatives, the next the second
+std::vector<T> places_in(const Decisions& decisions, std::span<const Decision> in_piece,
+                         std::span<const T> machine, const Piece<T>& piece) {
   std::vector<Dual> fixed;
   for (const T& value : machine) fixed.emplace_back(value_of(value));
   const Piece<double> same = piece_as<double>(piece);
-  const double slope =
-      at_place(FormulaAlong<Dual>(decider, fixed), piece_as<Dual>(same), Dual(place, 0)).v[0];
-  const FormulaAlong<T> exact(decider, machine);
-  T root = number<T>(place);
-  for (int step = 0; slope != 0 && step < kSteps; ++step) {
-    root = root - at_place(exact, piece, root) / number<T>(slope);
-  }
-  // Where the slope all but vanishes, a step leads anywhere.
-  const bool is_near = std::abs(value_of(root) - place) <= kBeside * (same.end - same.begin);
-  return is_near ? root : number<T>(place);
-}
-
-/// The decisions of one piece as places, increasing; of several at one place the first: what is a
-/// product of that one may have a kink there itself.
-template <class T>
-std::vector<T> exact_places(const Decisions& decisions, std::span<const Decision> in_piece,
-                            std::span<const T> machine, const Piece<T>& piece) {
-  constexpr double kSame = 1e-9;  // of the piece's length
-  const double length = value_of(piece.end) - value_of(piece.begin);
-  std::vector<T> places;
-  for (const auto& [decider, place] : in_piece) {
-    const bool is_known = std::ranges::any_of(places, [&, place = place](const T& known) {
-      return std::abs(value_of(known) - place) <= kSame * length;
-    });
-    if (is_known) continue;
-    if constexpr (std::is_same_v<T, double>) {
-      places.push_back(place);
-    } else {
-      places.push_back(exact_place(decisions.decider(decider), place, machine, piece));
-    }
-  }
-  std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
-  return places;
+  const double length = same.end - same.begin;
+  return exact_places<T>(in_piece, length, [&](const Decision& decision) {
+    const Formula& decider = decisions.decider(decision.decider);
+    const Dual along =
+        at_place(FormulaAlong<Dual>(decider, fixed), piece_as<Dual>(same), Dual(decision.place, 0));
+    const FormulaAlong<T> exact(decider, machine);
+    return exact_place<T>([&](const T& place) { return at_place(exact, piece, place); }, along.v[0],
+                          decision.place, length);
+  });
 }
 
 /// The means as a formula generic in its scalar.
@@ -115,7 +89,7 @@ class MeanOfRecord {
     for (const T& value : machine) plain.push_back(value_of(value));
     const auto in_pieces = decisions_[i].in_pieces(law.template as<double>(), plain);
     return cycle_mean(law, integrand(i, machine), [&](std::size_t piece) {
-      return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
+      return places_in(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
     });
   }
   Interval mean(std::size_t i, const Law<Interval>& law, std::span<const Interval> machine) const {
@@ -125,7 +99,7 @@ class MeanOfRecord {
   double mean(std::size_t i, const Law<double>& law, std::span<const double> machine) const {
     const auto in_pieces = decisions_[i].in_pieces(law, machine);
     const MeanPlaces at = mean_places(law, [&](std::size_t piece) {
-      return exact_places(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
+      return places_in(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
     });
     const auto values = value_rows(blocks_[i], 1, machine, motion_rows(law, at.x));
     return std::inner_product(at.weights.begin(), at.weights.end(), values[0].begin(), 0.0);

@@ -11,14 +11,12 @@
 
 #include "machines/model/cycle.h"
 #include "machines/model/law_binding.h"
-#include "machines/model/stated_response.h"
-#include "machines/model/turn_curve.h"
+#include "machines/model/shaft_torque.h"
 #include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
 namespace {
 
-constexpr const char* kDriveTorque = "drive_torque";
 constexpr const char* kAllOfLaw = "law";  ///< in ShapeStatement::varying
 
 bool is_speed(const MechanismParameter& p) { return p.name == kSpeed && p.unit == "rpm"; }
@@ -222,30 +220,6 @@ void add_cam(const ShaftCam& cam, std::size_t number, Mechanism& shaft) {
   }
 }
 
-void add_stated(const char* name, const char* unit, const std::string& formula, const char* meaning,
-                Mechanism& shaft) {
-  shaft.responses.push_back(stated_response(shaft, {name, unit, meaning, parse_formula(formula)}));
-}
-
-/// What the shaft needs, where each of its cams says what it needs.
-void add_torque(Mechanism& shaft) {
-  std::vector<std::string> torques;
-  for (const ShaftCam& cam : shaft.cams) {
-    const auto& all = cam.mechanism->responses;
-    const bool has = std::any_of(all.begin(), all.end(), [](const MechanismResponse& r) {
-      return r.name == kDriveTorque && runs_over_turn(r);
-    });
-    if (!has) return;
-    torques.push_back(cam.name + "." + kDriveTorque);
-  }
-  add_stated("shaft_torque", "N m", fmt::format("{}", fmt::join(torques, " + ")),
-             "torque that turns the shaft: the drive torques of its cams, each at its phase",
-             shaft);
-  add_stated("shaft_power", "W", "shaft_torque * speed", "power that turns the shaft", shaft);
-  add_stated("torque_ripple", "N m", "highest shaft_torque - lowest shaft_torque",
-             "what the shaft's torque ranges over in a turn", shaft);
-}
-
 }  // namespace
 
 MechanismParameter phase_parameter(const std::string& name, const std::string& whose) {
@@ -286,7 +260,7 @@ Mechanism shaft_mechanism(const std::vector<NamedCam>& cams) {
   }
   shaft.title = fmt::format("a shaft with {}", fmt::join(names, ", "));
   for (std::size_t i = 0; i < shaft.cams.size(); ++i) add_cam(shaft.cams[i], i, shaft);
-  add_torque(shaft);
+  add_shaft_torque(shaft);
   return shaft;
 }
 

@@ -25,8 +25,8 @@ struct NamedCam {
 };
 
 /// The mechanism of a shaft with these cams: what each of them has, with its name and a dot before
-/// (infeed.base_radius, peak infeed.drive_torque), a phase for each, one speed for all, and of the
-/// shaft the torque, its ripple and the power, where all cams have a drive torque. A curve of a cam
+/// (infeed.base_radius, peak infeed.drive_torque), a phase for each, one speed for all, and where
+/// all cams have a drive torque what the shaft needs (shaft_torque.h). A curve of a cam
 /// runs over the cam's own angle; in a formula it stands where the shaft has turned it. Throws
 /// std::invalid_argument where the cams have no speed in common, or a cam has a phase already.
 Mechanism shaft_mechanism(const std::vector<NamedCam>& cams);

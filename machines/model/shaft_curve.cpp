@@ -178,7 +178,9 @@ Binding binding_of(const HeldCurve& held, const Binding& binding) {
 ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
                          const std::vector<MechanismParameter>& parameters) {
   const Binding own = binding_of(curve, binding);
-  const optim::Shape shape = ruled_shape(*curve.response, own, parameters).shape;
+  const optim::Shape shape = curve.response->write
+                                 ? ruled_shape(*curve.response, own, parameters).shape
+                                 : optim::Shape::General;
   ShaftParts::Held held{
       curve.response->curve(own, shape), binding.constants[curve.phase], {}, own.variables, {}};
   for (const LawVariable& v : own.law->variables()) held.variables.push_back(v.variable);

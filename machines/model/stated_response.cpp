@@ -161,10 +161,10 @@ Meaning response_meaning(const Mechanism& mechanism, const ResponseName& found,
   if (found.part != optim::Part::Value) {
     return inner_meaning(inner_peak(response, found.part), resolved);
   }
-  if (response.curve && !mechanism.cams.empty()) {
+  const bool is_shafts = response.curve && !mechanism.cams.empty();
+  if (is_shafts && response.cam) {
     resolved.is_curve = true;
-    return response.cam ? cam_curve_meaning(mechanism, response, resolved)
-                        : shaft_curve_meaning(response, resolved);
+    return cam_curve_meaning(mechanism, response, resolved);
   }
   if (!response.curve && !response.write) {
     return inner_meaning(inner_number(response), resolved);
@@ -176,6 +176,7 @@ Meaning response_meaning(const Mechanism& mechanism, const ResponseName& found,
         response.name));
   }
   resolved.is_curve = resolved.is_curve || response.curve;
+  if (is_shafts) return shaft_curve_meaning(response, resolved);
   Meaning meaning = in_si(Meaning::Kind::Formula, response.unit);
   meaning.write = response.turn ? response.turn->sided : response.write;
   if (!response.curve) {

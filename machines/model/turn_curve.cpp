@@ -204,27 +204,18 @@ class TurnTrace final : public optim::Trace {
   mutable Made<Interval> enclosing_, domains_;
 };
 
-/// A formula in one section: it lies behind the breaks before it.
-Write in_section(const Write& sided, std::size_t breaks, std::size_t section,
-                 const Write& at = {}) {
-  return [=](std::span<const Expression> parameters, std::span<const Expression> angle) {
-    std::vector<Expression> place{at ? at(parameters, {}) : angle[0]};
-    for (std::size_t k = 0; k < breaks; ++k) place.emplace_back(k < section ? 1.0 : -1.0);
-    return sided(parameters, place);
-  };
-}
-
 /// `moving` has for each break the parameters that move it, where it matters.
 TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossible& is_possible,
                      const std::vector<std::vector<std::size_t>>& moving, const Binding& binding) {
   TurnParts parts;
   const std::size_t breaks = turn.breaks.size();
   for (std::size_t section = 0; section <= breaks; ++section) {
-    const Write own = in_section(turn.sided, breaks, section);
+    const Write own = in_section(turn, section);
     parts.sections.push_back(recorded_for(binding, own, 1, is_possible));
     parts.kernels.push_back(recorded_kernel(parts.sections.back()));
     if (!domain) continue;
-    parts.domains.push_back(recorded_for(binding, in_section(domain, breaks, section), 1, {}));
+    parts.domains.push_back(
+        recorded_for(binding, in_section({turn.breaks, domain}, section), 1, {}));
   }
   for (std::size_t k = 0; k < breaks; ++k) {
     parts.breaks.push_back(recorded_for(binding, turn.breaks[k], 0, is_possible));
@@ -234,7 +225,7 @@ TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossibl
         [&](std::size_t p) { return std::binary_search(moving[k].begin(), moving[k].end(), p); });
     if (!moves) continue;
     const auto kernel_in = [&](std::size_t section) {
-      const Write own = in_section(turn.sided, breaks, section, turn.breaks[k]);
+      const Write own = in_section(turn, section, turn.breaks[k]);
       return recorded_kernel(recorded_for(binding, own, 0, is_possible));
     };
     parts.joints.back() = {kernel_in(k), kernel_in(k + 1)};
@@ -243,6 +234,15 @@ TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossibl
 }
 
 }  // namespace
+
+Write in_section(const ShaftTurn& turn, std::size_t section, const Write& at) {
+  return [sided = turn.sided, breaks = turn.breaks.size(), section, at](
+             std::span<const Expression> parameters, std::span<const Expression> angle) {
+    std::vector<Expression> place{at ? at(parameters, {}) : angle[0]};
+    for (std::size_t k = 0; k < breaks; ++k) place.emplace_back(k < section ? 1.0 : -1.0);
+    return sided(parameters, place);
+  };
+}
 
 MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
                                 const std::vector<MechanismParameter>& parameters,

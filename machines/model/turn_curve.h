@@ -19,6 +19,10 @@ MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
                                 const std::vector<MechanismParameter>& parameters,
                                 bool has_ranges = false);
 
+/// A curve's formula in one section, of the angle, rad, or at a place: it lies behind the breaks
+/// before it.
+Write in_section(const ShaftTurn& turn, std::size_t section, const Write& at = {});
+
 /// What a curve over the turn is made of, for what varies of a binding.
 struct TurnParts {
   /// The formula of a section, of the machine's arguments and the angle, rad.

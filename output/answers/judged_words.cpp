@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -43,17 +44,32 @@ std::vector<std::string> unmet_words(const problems::ProblemStatement& design) {
   return words;
 }
 
+namespace {
+
+/// Whether a curve of this name runs over the shaft's angle, not over a cam's.
+bool is_of_shaft(const std::string& name, const problems::Mechanism& shaft) {
+  const auto& all = shaft.responses;
+  return std::any_of(all.begin(), all.end(), [&](const problems::MechanismResponse& r) {
+    return r.name == name && r.curve && !r.cam;
+  });
+}
+
+}  // namespace
+
 std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
-                                  const char* example, problems::ProblemStatement& statement) {
+                                  const char* example, const std::optional<std::string>& slave,
+                                  problems::ProblemStatement& statement) {
   if (name) {
     std::vector<std::string> unmet = unmet_words(statement);
     statement = problems::cam_alone(statement, problems::find_cam(statement, *name));
     return unmet;
   }
   if (statement.cams.empty()) return {};
-  throw std::invalid_argument(
-      fmt::format("{}: there are several cams on the shaft; say which to export, such as {}", file,
-                  fmt::format(fmt::runtime(example), statement.cams.front().name)));
+  if (slave && is_of_shaft(*slave, *statement.mechanism)) return {};
+  throw std::invalid_argument(fmt::format(
+      "{}: there are several cams on the shaft; say which to export, such as {}{}", file,
+      fmt::format(fmt::runtime(example), statement.cams.front().name),
+      slave ? "; without it the slave is a curve of the shaft itself, such as shaft_torque" : ""));
 }
 
 }  // namespace camlaw::cli

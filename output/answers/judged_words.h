@@ -24,10 +24,11 @@ std::vector<std::string> record_words(const problems::ReadDesign& read, const Cl
 std::vector<std::string> unmet_words(const problems::ProblemStatement& design);
 
 /// Of a file with several cams on one shaft the one of this name, in place of the statement;
-/// returns unmet_words of the shaft, whose limits are not those of one cam. Throws
-/// std::invalid_argument where there are several and none is named; `example` says how, {} being a
-/// name: "--cam {}".
+/// returns unmet_words of the shaft, whose limits are not those of one cam. Where none is named the
+/// statement stays if `slave` is a curve of the shaft itself, else throws std::invalid_argument;
+/// `example` says how one is named, {} being a name: "--cam {}".
 std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
-                                  const char* example, problems::ProblemStatement& statement);
+                                  const char* example, const std::optional<std::string>& slave,
+                                  problems::ProblemStatement& statement);
 
 }  // namespace camlaw::cli

@@ -61,7 +61,7 @@ nb::tuple exported(const problems::ReadDesign& read, const std::string& file,
     cli::ExportOptions options = options_of(told);
     options.file = file;
     std::vector<std::string> unmet =
-        cli::take_cam(options.cam, file, "cam=\"{}\"", design.statement);
+        cli::take_cam(options.cam, file, "cam=\"{}\"", options.slave, design.statement);
     const cli::FormatRow& format = cli::format_of(options);
     cli::check_options(options, format);
     const std::vector<std::string> review = design.verdict
