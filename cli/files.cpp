@@ -35,14 +35,19 @@ int standard_output = STDOUT_FILENO;
 
 void write_to_standard_output(const OutputFile& file) {
   flush_printed();
-  std::string_view rest = file.content;
-  while (!rest.empty()) {
-    const ssize_t count = write(standard_output, rest.data(), rest.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EPIPE) return note_reader_gone();
-    if (count < 0) fail_to_write(file.path, std::strerror(errno));
-    rest.remove_prefix(static_cast<std::size_t>(count));
-  }
+  bool is_read = true;
+  const auto take = [&](std::string_view rest) {
+    while (is_read && !rest.empty()) {
+      const ssize_t count = write(standard_output, rest.data(), rest.size());
+      if (count < 0 && errno == EINTR) continue;
+      is_read = count >= 0 || errno != EPIPE;
+      if (count < 0 && is_read) fail_to_write(file.path, std::strerror(errno));
+      if (count >= 0) rest.remove_prefix(static_cast<std::size_t>(count));
+    }
+  };
+  take(file.content);
+  if (file.more) file.more(take);
+  if (!is_read) note_reader_gone();
 }
 
 void write_stream(const fs::path& path, const OutputFile& file) {
@@ -50,6 +55,7 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.content;
+  if (file.more) file.more([&](std::string_view piece) { stream << piece; });
   stream.close();
   if (!stream)
     fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk did not take all of it");
@@ -119,7 +125,7 @@ void write_files(const std::vector<OutputFile>& files) {
   {
     Replacing replacing;
     for (const Pending& p : pending) {
-      if (!p.in_place) replacing.add(p.target, p.file->content, p.file->path);
+      if (!p.in_place) replacing.add(p.target, p.file->content, p.file->path, p.file->more);
     }
     replacing.commit();
   }

@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "cli/replacing.h"
+
 namespace camlaw::cli {
 
 /// A file to be written.
 struct OutputFile {
   std::filesystem::path path;
   std::string content;
+  /// What follows, where it is too long to be kept: hands its pieces over, one after the other.
+  Pieces more = {};
 };
 
 /// The name under which files are read from standard input and written to standard output.

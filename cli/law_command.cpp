@@ -45,7 +45,8 @@ int show_law(const LawOptions& options) {
   constexpr int kDefaultSamples = 361;
   const int samples = samples_of(options).value_or(kDefaultSamples);
   std::vector<OutputFile> files;
-  if (options.csv) files.push_back({*options.csv, motion_csv(law, samples)});
+  const auto table = [law, samples](const auto& take) { motion_csv(law, samples, take); };
+  if (options.csv) files.push_back({*options.csv, "", table});
   if (options.svg) {
     files.push_back(
         {*options.svg, to_svg(motion_figure(member.label(), {{.name = "", .law = law}}))});
@@ -58,7 +59,8 @@ int show_law(const LawOptions& options) {
   }
   print(document, false);
   if (options.samples && !options.csv) {
-    print_data("samples\n" + motion_csv(law, samples));
+    print_data("samples\n");
+    table(print_data);
   }
   say_written(files);
   return kDone;

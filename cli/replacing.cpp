@@ -135,7 +135,8 @@ Replacing::~Replacing() {
   pthread_sigmask(SIG_SETMASK, &signals_, nullptr);
 }
 
-void Replacing::add(const fs::path& target, std::string_view content, const fs::path& named) {
+void Replacing::add(const fs::path& target, std::string_view content, const fs::path& named,
+                    const Pieces& more) {
   for (const fs::path& folder : make_folders(target.parent_path(), named)) {
     folders_.push_back(folder);
   }
@@ -143,7 +144,9 @@ void Replacing::add(const fs::path& target, std::string_view content, const fs::
   Descriptor fresh(mkostemp(name.data(), O_CLOEXEC));
   if (fresh.number() < 0) fail_to_write(named, std::strerror(errno));
   files_.push_back({target, named, name, {}, false});
-  write_all(fresh.number(), content, named);
+  const auto take = [&](std::string_view piece) { write_all(fresh.number(), piece, named); };
+  take(content);
+  if (more) more(take);
   // Where a file system has no permissions, there are none to keep.
   if (fchmod(fresh.number(), permissions_of(target)) != 0 && errno != EPERM && errno != ENOTSUP) {
     fail_to_write(named, std::strerror(errno));

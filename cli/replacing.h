@@ -3,12 +3,16 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 /// Files that take their places together or not at all.
 namespace camlaw::cli {
+
+/// A long content: hands its pieces over to what takes them, one after the other.
+using Pieces = std::function<void(const std::function<void(std::string_view)>& take)>;
 
 /// Throws std::runtime_error: "cannot write 'PATH': REASON".
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);
@@ -26,10 +30,11 @@ class Replacing {
   Replacing& operator=(const Replacing&) = delete;
   ~Replacing();
 
-  /// `target` with its links followed; `named` as the user knows it, for errors. Missing folders
-  /// are made. An old file keeps its permissions. Throws std::runtime_error.
+  /// `more` follows the content. `target` with its links followed; `named` as the user knows it,
+  /// for errors. Missing folders are made. An old file keeps its permissions. Throws
+  /// std::runtime_error.
   void add(const std::filesystem::path& target, std::string_view content,
-           const std::filesystem::path& named);
+           const std::filesystem::path& named, const Pieces& more = {});
   /// Throws std::runtime_error, with everything as it was.
   void commit();
 

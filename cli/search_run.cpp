@@ -24,6 +24,7 @@
 #include "output/document/printing.h"
 #include "output/figure/law_figure.h"
 #include "problems/fronts/study_worker.h"
+#include "problems/refinement/refined_knots.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
@@ -184,9 +185,14 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   problems::set_values(statement, options.settings);
   if (options.start) begin_with(statement, *options.start);
   command.check(statement);
+  auto search = search_options(stated, statement.solver);
+  const Interruptible interruptible;
+  search.stop = interruptible.flag();
+  std::optional<problems::RefinedKnots> knots;
+  if (statement.finds_knots)
+    knots = problems::find_knots(statement, search, wanted, [&] { return clock.spent(); });
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
-  auto search = search_options(stated, bound.statement().solver);
   const std::filesystem::path out = options.out.value_or("");
   std::vector<std::string> names = command.files;
   if (command.more_files) {
@@ -196,14 +202,13 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   }
   const auto possible = possible_files(out, names);
   if (options.out) check_writable(possible);
-  const Interruptible interruptible;
-  search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
   const auto give = [&](const optim::Optimum& optimum) {
     Answer answer{bound, space, optimum, search.solver, search.seed};
+    answer.knots = knots;
     // The doubts of a large problem take time of their own.
     const bool late = search.time_limit && clock.spent() >= *search.time_limit;
     if (!late || !is_large(bound.statement())) {

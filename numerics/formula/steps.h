@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <boost/functional/hash.hpp>
 #include <cstdint>
-#include <map>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "numerics/formula/formula.h"
@@ -23,7 +24,7 @@ class Recorder {
   using Key = std::tuple<Operation, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t,
                          std::uint64_t, std::uint64_t>;
   std::vector<Step> steps_;
-  std::map<Key, std::uint32_t> known_;
+  std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
 };
 
 /// Returns how many earlier steps an operation uses.

@@ -222,10 +222,8 @@ Document law_document(const Member& member) {
 }
 
 LongList law_samples(const Law<double>& law, int count) {
-  const auto samples =
-      std::make_shared<const std::vector<MotionSample>>(motion_samples(law, count));
-  return {"samples", samples->size(), [samples](std::size_t i) {
-            const auto& [x, m] = (*samples)[i];
+  return {"samples", static_cast<std::size_t>(count), [law, count](std::size_t i) {
+            const auto [x, m] = motion_sample(law, count, static_cast<int>(i));
             return Json{{"x", x},
                         {"s", to_json(m.s)},
                         {"v", to_json(m.v)},

@@ -270,6 +270,32 @@ void add_conditions(const Answer& answer, Document& document) {
   document.fact("global", a.global);
 }
 
+/// How knots were added to a free law, and what more of them would gain.
+void add_knots(const Answer& answer, Document& document) {
+  if (!answer.knots) return;
+  const problems::RefinedKnots& knots = *answer.knots;
+  Table table{.key = "rounds",
+              .columns = {numbers("knots", "knots"), numbers(objective_name(answer), "objective"),
+                          words("verdict", "verdict")}};
+  for (const problems::KnotRound& round : knots.rounds) {
+    table.add({fmt::format("{}", round.knots), Cell(in_digits(round.objective), round.objective),
+               std::string(optim::to_string(round.verdict))});
+  }
+  const std::string unit = objective_unit(answer);
+  const std::string left =
+      knots.left && *knots.left > 0
+          ? fmt::format("; further knots would gain about {}, as the last rounds go on",
+                        with_unit(fmt::format("{:.1g}", *knots.left), unit))
+          : "";
+  Document own;
+  own.say(fmt::format("\n{} knots, added where they gain; {}{}\n", knots.knots.size(), knots.ended,
+                      left));
+  own.add(std::move(table));
+  own.fact("places", knots.knots);
+  own.fact("left", knots.left);
+  document.add("knots", std::move(own));
+}
+
 void add_search(const Answer& answer, Document& document) {
   const optim::Found& found = answer.optimum.found;
   document.say(how(answer) + "\n");
@@ -309,6 +335,7 @@ Document answer_document(const Answer& answer) {
   document.add(priced_limits(answer));
   document.add(buildable_document(answer.built));
   add_conditions(answer, document);
+  add_knots(answer, document);
   add_search(answer, document);
   document.fact("law", law ? Json(law->name()) : Json(nullptr));
   document.fact("design", problems::recorded_design(answer.bound, answer.optimum.options,

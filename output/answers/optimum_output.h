@@ -10,6 +10,7 @@
 #include "output/document/document.h"
 #include "output/figure/chart.h"
 #include "problems/law_files/json_text.h"
+#include "problems/refinement/refined_knots.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 
@@ -25,6 +26,7 @@ struct Answer {
   std::uint64_t seed;
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
   problems::Buildability built = {};       ///< of the design, buildability_of(*this)
+  std::optional<problems::RefinedKnots> knots = {};  ///< where they were found: knots = "auto"
 
   /// Option or variable by name, with units: the design.
   std::vector<DesignValue> values() const;

@@ -95,22 +95,28 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
   return figure;
 }
 
-std::vector<MotionSample> motion_samples(const Law<double>& law, int count) {
-  if (count < 2) throw std::invalid_argument("samples: at least 2 are needed");
-  std::vector<MotionSample> result;
+MotionSample motion_sample(const Law<double>& law, int count, int i) {
+  const double x = i / (count - 1.0);
+  return {x, law(x, i + 1 == count ? Side::Left : Side::Right)};
+}
+
+void motion_csv(const Law<double>& law, int count,
+                const std::function<void(std::string_view)>& take) {
+  constexpr std::size_t kPiece = 1000;  // rows
+  std::vector<std::vector<std::string>> rows{{"x", "s", "v", "a", "j"}};
   for (int i = 0; i < count; ++i) {
-    const double x = i / (count - 1.0);
-    result.push_back({x, law(x, i + 1 == count ? Side::Left : Side::Right)});
+    const auto [x, m] = motion_sample(law, count, i);
+    rows.push_back({exact(x), exact(m.s), exact(m.v), exact(m.a), exact(m.j)});
+    if (rows.size() < kPiece && i + 1 < count) continue;
+    take(to_csv(rows));
+    rows.clear();
   }
-  return result;
 }
 
 std::string motion_csv(const Law<double>& law, int count) {
-  std::vector<std::vector<std::string>> rows{{"x", "s", "v", "a", "j"}};
-  for (const auto& [x, m] : motion_samples(law, count)) {
-    rows.push_back({exact(x), exact(m.s), exact(m.v), exact(m.a), exact(m.j)});
-  }
-  return to_csv(rows);
+  std::string all;
+  motion_csv(law, count, [&](std::string_view piece) { all += piece; });
+  return all;
 }
 
 }  // namespace camlaw::cli

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kinematics/law.h"
@@ -26,11 +28,13 @@ struct MotionSample {
   Motion<double> motion;
 };
 
-/// `count` even points from 0 to 1, from the right at breaks. Throws std::invalid_argument for
-/// fewer than 2.
-std::vector<MotionSample> motion_samples(const Law<double>& law, int count);
+/// The i-th of `count` even points from 0 to 1, at least 2; from the right at breaks.
+MotionSample motion_sample(const Law<double>& law, int count, int i);
 
-/// The same as CSV: x, s, v, a, j.
+/// All of them as CSV: x, s, v, a, j.
 std::string motion_csv(const Law<double>& law, int count);
+/// The same in pieces, one after the other, so that no more than one is kept.
+void motion_csv(const Law<double>& law, int count,
+                const std::function<void(std::string_view)>& take);
 
 }  // namespace camlaw::cli

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "problems/fronts/problem_settings.h"
+#include "problems/refinement/refined_knots.h"
 
 namespace camlaw::problems {
 namespace {
@@ -52,6 +53,7 @@ std::string_view to_string(optim::ParetoMethod method) {
 FrontStudy::FrontStudy(const std::string& text, const std::string& source,
                        const FrontSettings& settings)
     : bound_(read_and_set(text, source, settings)), space_(bound_.front_space()) {
+  refuse_auto_knots(bound_.statement(), "a front");
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
   options_.method = settings.method;

@@ -48,13 +48,17 @@ int smooth_or(const Entry& table, const char* key, int low, int high, int defaul
   return static_cast<int>(whole_of(*entry, low, high));
 }
 
+/// Whether the knots are to be found: knots = "auto".
+bool is_auto(const Entry& entry) { return entry.kind == Kind::Text && entry.text == "auto"; }
+
 std::vector<double> read_knots(const Entry& table) {
   const Entry* entry = find(table, "knots");
   if (entry == nullptr) return even_knots(kDefaultKnots);
+  if (is_auto(*entry)) return even_knots(kDefaultKnots);  // until they are found
   if (entry->kind == Kind::Integer)
     return even_knots(static_cast<int>(whole_of(*entry, 0, kMostKnots)));
   expect(*entry, Kind::List,
-         "how many even knots, such as 64, or a list of places, such as [0.2, 0.5]");
+         "how many even knots, such as 64, a list of places, such as [0.2, 0.5], or \"auto\"");
   if (entry->items.empty()) return {};
   if (entry->items.size() > static_cast<std::size_t>(kMostKnots)) {
     refuse(*entry,
@@ -209,6 +213,12 @@ void read_free_variables(const Entry& file, ProblemStatement& problem, const Fix
   const Entry table = free_table(file);
   const bool symmetric = truth_of(table, "symmetric");
   const bool moving = truth_of(table, "moving_knots");
+  const Entry* knots = find(table, "knots");
+  problem.finds_knots = knots != nullptr && is_auto(*knots);
+  problem.free_is_symmetric = symmetric;
+  if (problem.finds_knots && moving) {
+    refuse(*knots, "knots that move are not found by adding more; state how many");
+  }
   // Of n pieces 1 / n moves the displacement by as much as a piece does, and 1 / n^2 the
   // acceleration by order one: between the two objectives have the size of their values. Knots that
   // move have typical changes of their own, beside which larger ones do better.

@@ -23,7 +23,7 @@ namespace {
 
 using Kind = Entry::Kind;
 
-constexpr std::string_view kLaw = "law", kLower = ".lower", kUpper = ".upper";
+constexpr std::string_view kFreeTable = "free.", kLaw = "law", kLower = ".lower", kUpper = ".upper";
 
 /// A name before its last dot and behind it; before it nothing where there is none.
 std::pair<std::string_view, std::string_view> at_last_dot(std::string_view name) {
@@ -237,6 +237,35 @@ void put_limit(Entry& file, std::string_view name, std::string_view text,
   list->items.push_back(std::move(table));
 }
 
+/// As a file writes it, but that words need no quotes.
+Entry written_entry(const Entry& within, std::string_view key, std::string_view text,
+                    const std::string& place) {
+  if (text.find('\n') == std::string_view::npos) {
+    try {
+      Entry value = parse_toml(fmt::format("value = {}", text), place).items.at(0);
+      const Entry named = made_entry(value.kind, within, key, place);
+      value.key = named.key;
+      value.path = named.path;
+      value.place = named.place;
+      return value;
+    } catch (const std::exception&) {  // a word
+    }
+  }
+  return text_entry(within, key, text, place);
+}
+
+/// "free.knots": a key of the table [free], which is made where the file has none.
+void put_free(Entry& file, std::string_view name, std::string_view text, const std::string& place) {
+  const std::string_view key = at_last_dot(name).second;
+  Entry* table = find_entry(file, "free");
+  if (table == nullptr) {
+    file.items.push_back(made_entry(Kind::Table, file, "free", place));
+    table = &file.items.back();
+  }
+  if (table->kind != Kind::Table) return;  // which is refused where it is read
+  put_entry(*table, written_entry(*table, key, text, place));
+}
+
 void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::string_view text,
                  const std::string& place) {
   for (Entry& table : find_entry(file, "cases")->items) {
@@ -275,8 +304,12 @@ std::vector<std::string> law_list(std::string_view text) {
 
 bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }
 
+bool is_free_setting(std::string_view name) {
+  return name.starts_with(kFreeTable) && !is_law_setting(name);
+}
+
 bool is_of_file(const ProblemStatement& problem, std::string_view name) {
-  if (is_law_setting(name)) return true;
+  if (is_law_setting(name) || is_free_setting(name)) return true;
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
@@ -292,6 +325,7 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
     throw std::invalid_argument(fmt::format("'{}' sets nothing; give a value", assignment));
   }
   if (is_law_setting(name)) return put_laws(file, name, text, assignment);
+  if (is_free_setting(name)) return put_free(file, name, text, assignment);
   if (const auto response = bounded(name)) {
     if (const VariableStatement* variable = variable_named(problem, *response)) {
       return put_variable_bound(file, *variable, name, text, assignment);

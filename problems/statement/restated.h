@@ -14,11 +14,14 @@ namespace camlaw::problems {
 
 /// Whether an assignment to this name changes entries of the file, and not a value of the problem
 /// as it was read: "law", "rise.law", "base_radius.upper" of a variable, a limit that is not there
-/// yet, "fast.load" that no case sets.
+/// yet, "fast.load" that no case sets, "free.knots" of a free law.
 bool is_of_file(const ProblemStatement& problem, std::string_view name);
 
 /// Whether a name is of laws: "law", "rise.law".
 bool is_law_setting(std::string_view name);
+
+/// Whether a name is of the table [free]: "free.knots".
+bool is_free_setting(std::string_view name);
 
 /// Puts it there. `assignment`, "law=cycloidal", is where errors place what is put. Throws
 /// std::invalid_argument where the file has no place for it.

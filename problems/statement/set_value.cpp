@@ -241,9 +241,10 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
 }
 
 /// Begins at the design of another statement of the same file, as far as it has what varies; where
-/// that has chosen among the laws of the file, at its law.
+/// that has chosen among the laws of the file, at its law. Coefficients of a free law mean others
+/// where its table was changed.
 void begin_at(ProblemStatement& problem, const ProblemStatement& design,
-              const ProblemStatement& plain) {
+              const ProblemStatement& plain, bool is_free_changed) {
   for (const PartStatement& part : design.parts) {
     const PartStatement* own = find_part(problem, part.name);
     if (own == nullptr || part.is_chosen() || !own->is_chosen()) continue;
@@ -257,6 +258,7 @@ void begin_at(ProblemStatement& problem, const ProblemStatement& design,
   for (VariableStatement& variable : problem.variables) {
     for (const VariableStatement& other : design.variables) {
       if (other.name != variable.name || why_not(variable, other.start)) continue;
+      if (variable.of_law && is_free_changed) continue;
       const NamedParameter parameter =
           find_parameter(problem, variable.of_law ? variable.law_parameter : variable.name,
                          variable.of_law ? Owner::Law : Owner::Machine);
@@ -287,7 +289,10 @@ void read_anew(ProblemStatement& problem, std::span<const std::string> assignmen
   ProblemStatement fresh = read_entries(file, problem.text, problem.source, problem.files);
   fresh.stop = problem.stop;
   for (const std::string& assignment : before) assign(fresh, assignment);
-  begin_at(fresh, problem, plain);
+  const bool is_free_changed = std::any_of(
+      assignments.begin(), assignments.end(),
+      [](const std::string& one) { return is_free_setting(parse_assignment(one, kExample).name); });
+  begin_at(fresh, problem, plain, is_free_changed);
   for (const std::string& assignment : now) assign(fresh, assignment);
   fresh.settings = std::move(problem.settings);
   problem = std::move(fresh);

@@ -168,8 +168,10 @@ struct ProblemStatement {
   std::vector<ParameterRange> ranges = {};              ///< parameters that take any value within
   std::shared_ptr<const Variations> variation = {};     ///< what manufacture does; none: nothing
   BuildableStatement buildable = {};
-  std::string source = {};  ///< the file, for what is found out about the problem as a whole
-  std::string text = {};    ///< as it was read
+  std::string source = {};         ///< the file, for what is found out about the problem as a whole
+  std::string text = {};           ///< as it was read
+  bool finds_knots = false;        ///< [free] knots = "auto": refinement/refined_knots
+  bool free_is_symmetric = false;  ///< [free] symmetric
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words
   HeldFiles files = {};                    ///< those that were read with it
   std::vector<CamStatement> cams = {};     ///< of several on one shaft, in the mechanism's order

@@ -12,6 +12,7 @@
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
+#include "problems/refinement/refined_knots.h"
 #include "problems/sweeps/optimum_point.h"
 
 namespace camlaw::problems {
@@ -79,6 +80,7 @@ SweepStudy::SweepStudy(const std::string& text, const std::string& source,
       statement_(read_and_set(text, source, settings.set, std::move(files))),
       options_(options_of(statement_.solver)) {
   check_objectives(statement_, settings.evaluates);
+  refuse_auto_knots(statement_, "a sweep");
   check_values();
 }
 

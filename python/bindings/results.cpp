@@ -26,6 +26,7 @@
 #include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/fronts/study_worker.h"
+#include "problems/refinement/refined_knots.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
@@ -145,17 +146,25 @@ struct Searched {
 StoredResult searched(const problems::ProblemStatement& statement, const SearchSettings& told,
                       bool synthesize, Work& work) {
   const auto began = std::chrono::steady_clock::now();
-  const auto found = std::make_shared<Searched>(problems::BoundProblem(statement));
-  const optim::ProblemSpace& space = found->space;
   optim::OptimiseOptions search = options_of(told, statement.solver);
   search.stop = work.stop();
   search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
+  std::optional<problems::RefinedKnots> knots;
+  problems::ProblemStatement stated = statement;
+  if (stated.finds_knots) {
+    knots = problems::find_knots(stated, search, told.workers, [began] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    });
+  }
+  const auto found = std::make_shared<Searched>(problems::BoundProblem(std::move(stated)));
+  const optim::ProblemSpace& space = found->space;
   const int workers =
       optim::workers_with_room(told.workers, space.problem(space.options(0)), *search.memory);
   optim::Crew crew(
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = optim::optimise(space, search, crew);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
+  answer.knots = knots;
   answer.warnings = cli::warnings_of(answer);
   answer.built = cli::buildability_of(answer);
   cli::Document document = cli::answer_document(answer);

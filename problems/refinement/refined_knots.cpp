@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "problems/refinement/refined_knots.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "kinematics/laws/free.h"
+#include "kinematics/program/segment_merits.h"
+#include "optim/crew/crew.h"
+#include "optim/verdict/verdict.h"
+#include "problems/fronts/study_worker.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Highest derivative of a polynomial piece, and its order.
+struct Top {
+  double value = 0;
+  int order = 0;
+};
+
+Top top_of(const Piece<double>& piece) {
+  double value = 0;
+  const int degree = static_cast<int>(piece.polynomial.size()) - 1;
+  if (degree >= 0) value = piece.polynomial.back();
+  for (int k = 2; k <= degree; ++k) value *= k;
+  return {value, degree};
+}
+
+const Piece<double>& piece_at(const Law<double>& law, double x) {
+  const auto& pieces = law.pieces();
+  const auto found = std::find_if(pieces.begin(), pieces.end(),
+                                  [&](const Piece<double>& piece) { return x <= piece.end; });
+  return found == pieces.end() ? pieces.back() : *found;
+}
+
+/// How much each span between two knots could gain: the jumps of the highest derivative at its
+/// ends, by what they do to the acceleration within it.
+std::vector<double> promises(const Law<double>& law, const std::vector<double>& knots) {
+  std::vector<double> ends{0};
+  ends.insert(ends.end(), knots.begin(), knots.end());
+  ends.push_back(1);
+  std::vector<Top> tops;
+  int degree = 0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    tops.push_back(top_of(piece_at(law, 0.5 * (ends[i] + ends[i + 1]))));
+    degree = std::max(degree, tops.back().order);
+  }
+  const auto value = [&](std::size_t i) { return tops[i].order == degree ? tops[i].value : 0; };
+  std::vector<double> result(tops.size(), 0.0);
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    double jumps = 0;
+    if (i > 0) jumps += std::abs(value(i) - value(i - 1));
+    if (i + 1 < tops.size()) jumps += std::abs(value(i + 1) - value(i));
+    result[i] = jumps * std::pow(ends[i + 1] - ends[i], std::max(1, degree - 2));
+  }
+  return result;
+}
+
+/// The laws of a design that are free: its own, or those of a program's segments.
+std::vector<Law<double>> free_laws(const ProblemStatement& design) {
+  const Member& member = design.laws.front();
+  if (!member.family->spans) return {member.law()};
+  std::vector<Law<double>> laws;
+  for (const SegmentMerits& segment : segment_merits(member)) {
+    const bool is_free = std::any_of(
+        design.variables.begin(), design.variables.end(), [&](const VariableStatement& v) {
+          return v.of_law && v.law_parameter == segment.name + "_coefficients";
+        });
+    if (is_free && segment.law) laws.push_back(*segment.law);
+  }
+  return laws;
+}
+
+/// Of all free laws of a design.
+std::vector<double> promises(const ProblemStatement& design, const std::vector<double>& knots) {
+  std::vector<double> result(knots.size() + 1, 0.0);
+  for (const Law<double>& law : free_laws(design)) {
+    const std::vector<double> own = promises(law, knots);
+    for (std::size_t i = 0; i < own.size(); ++i) result[i] = std::max(result[i], own[i]);
+  }
+  return result;
+}
+
+/// Of the spans that are not short those that together promise most of what they all do.
+std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
+  constexpr double kMost = 0.7, kShortest = 1.0 / 1024;
+  double from = 0;
+  for (std::size_t i = 0; i < promise.size(); ++i) {
+    const double to = i < knots.size() ? knots[i] : 1;
+    if (to - from < 2 * kShortest) promise[i] = 0;
+    from = to;
+  }
+  std::vector<std::size_t> order(promise.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return promise[a] > promise[b]; });
+  const double all = std::accumulate(promise.begin(), promise.end(), 0.0);
+  std::vector<bool> chosen(promise.size(), false);
+  double sum = 0;
+  for (const std::size_t i : order) {
+    if (!(sum < kMost * all)) break;
+    sum += promise[i];
+    chosen[i] = true;
+  }
+  return chosen;
+}
+
+/// Knots with one more in the middle of each span that promises much, and of its mirror image
+/// where the law is symmetric.
+std::vector<double> with_more(const std::vector<double>& knots, std::vector<double> promise,
+                              bool symmetric) {
+  if (symmetric) {
+    for (std::size_t i = 0; 2 * i < promise.size(); ++i) {
+      double& other = promise[promise.size() - 1 - i];
+      promise[i] = other = std::max(promise[i], other);
+    }
+  }
+  const std::vector<bool> chosen = chosen_spans(promise, knots);
+  std::vector<double> result;
+  double from = 0;
+  for (std::size_t i = 0; i < promise.size(); ++i) {
+    const double to = i < knots.size() ? knots[i] : 1;
+    const bool mirrored = symmetric && chosen[promise.size() - 1 - i];
+    if (chosen[i] || mirrored) result.push_back(0.5 * (from + to));
+    if (i < knots.size()) result.push_back(to);
+    from = to;
+  }
+  return result;
+}
+
+void set_knots(ProblemStatement& statement, const std::vector<double>& knots) {
+  set_value(statement, fmt::format("free.knots=[{}]", fmt::join(knots, ", ")));
+}
+
+constexpr double kLittle = 1e-5;  // of the objective
+
+bool changes_little(const std::vector<KnotRound>& rounds) {
+  const double last = rounds.back().objective, before = rounds.end()[-2].objective;
+  return std::abs(last - before) <= kLittle * std::abs(last);
+}
+
+/// What is left to gain where each gain is the same share of the one before.
+std::optional<double> left_of(const std::vector<KnotRound>& rounds) {
+  if (rounds.size() < 3) return {};
+  const double a = rounds.end()[-3].objective, b = rounds.end()[-2].objective,
+               c = rounds.end()[-1].objective;
+  const double share = (c - b) / (b - a);
+  constexpr double kShrinks = 0.9, kNothing = 1e-9;
+  if (std::abs(c - b) <= kNothing * std::abs(c)) return 0.0;
+  if (!(share > 0 && share < kShrinks)) return {};
+  return std::abs(c - b) * share / (1 - share);
+}
+
+void check_one_law(const ProblemStatement& statement) {
+  if (statement.laws.size() == 1) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: knots = \"auto\" needs one law, and {} are to be chosen from; state how many knots",
+      statement.source, statement.laws.size()));
+}
+
+}  // namespace
+
+RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
+                          const std::function<bool()>& stop) {
+  constexpr int kAtFirst = 31;
+  constexpr std::size_t kMostRounds = 16;
+  constexpr std::size_t kMostKnots = 300;
+  check_one_law(statement);
+  const ProblemStatement stated = statement;
+  RefinedKnots result{even_knots(kAtFirst), {}, {}};
+  std::vector<double> tried = result.knots;
+  while (true) {
+    statement = stated;
+    set_knots(statement, tried);
+    const optim::Optimum optimum = search(statement);
+    const optim::Found& found = optimum.found;
+    const optim::Assessment& a = found.assessment;
+    const std::size_t before = result.rounds.size();
+    result.rounds.push_back({tried.size(), a.objective.value, a.verdict});
+    if (before > 0 && a.verdict != optim::Verdict::Certified) {
+      statement = stated;
+      set_knots(statement, result.knots);
+      result.ended = fmt::format("with {} the search led to no certified optimum", tried.size());
+      break;
+    }
+    result.knots = tried;
+    if (!optim::is_feasible(a) || found.x.size() != optimum.problem.variables.size()) {
+      result.ended = "the search led to no design within the limits";
+    } else if (before > 0 && changes_little(result.rounds)) {
+      result.ended =
+          fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
+    } else if (before + 1 == kMostRounds) {
+      result.ended = "the limit of rounds was reached";
+    } else if (stop()) {
+      result.ended = "the search was to end";
+    } else {
+      tried =
+          with_more(tried, promises(BoundProblem(statement).at(optimum.options, found.x), tried),
+                    statement.free_is_symmetric);
+      if (tried.size() > kMostKnots)
+        result.ended = fmt::format("more than {} would be needed", kMostKnots);
+      if (tried.size() == result.knots.size()) result.ended = "shorter spans are not divided";
+    }
+    if (!result.ended.empty()) break;
+  }
+  result.left = left_of(result.rounds);
+  return result;
+}
+
+RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
+                        int workers, const std::function<double()>& spent) {
+  const auto once = [&](const ProblemStatement& stated) {
+    optim::OptimiseOptions how = search;
+    how.spent += spent();
+    optim::Crew crew({.workers = workers, .program = worker_program(stated)});
+    return optim::optimise(BoundProblem(stated).space(), how, crew);
+  };
+  const auto stop = [&] {
+    constexpr double kShare = 0.5;
+    const bool late = search.time_limit && spent() > kShare * *search.time_limit;
+    return late || (search.stop != nullptr && *search.stop);
+  };
+  return refine_knots(statement, once, stop);
+}
+
+void refuse_auto_knots(const ProblemStatement& statement, const std::string& what) {
+  if (!statement.finds_knots) return;
+  throw std::invalid_argument(
+      fmt::format("{}: knots = \"auto\" finds the knots of one optimum, not of {}; state how many "
+                  "knots, or the "
+                  "list that camlaw optimize prints",
+                  statement.source, what));
+}
+
+}  // namespace camlaw::problems
