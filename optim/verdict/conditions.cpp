@@ -195,7 +195,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
 }
 
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, const std::vector<Push>& pushes, bool wants_condition) {
+              const Layout& layout, const std::vector<Push>& pushes, bool are_fitted,
+              bool wants_condition) {
   const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
   Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
   if (told.limits.empty()) return {};
@@ -211,9 +212,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     best.residual = residual;
   };
   consider(told.multipliers);
-  constexpr double kGood = 1e-8;  // no fit makes it better by more than rounding
   if (const std::vector<int> pushing = told.pushing(); !pushing.empty()) {
-    if (best.residual > kGood) consider(refined(told, pushing, target));
+    if (are_fitted) consider(refined(told, pushing, target));
     if (wants_condition) best.condition = cheaper_factors(told.A)(pushing)->condition();
   }
   best.limits = std::move(told.limits);

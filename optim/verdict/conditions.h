@@ -37,10 +37,12 @@ struct Weighed {
 /// Of the limits in the net.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, Net net);
-/// With the multipliers that were told; the condition, which takes as long as all the rest, only
+/// With the multipliers that were told, or where that is better with those fitted once more to the
+/// conditions, where they are to be. The condition, which takes as long as all the rest, comes only
 /// where it is wanted.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, const std::vector<Push>& pushes, bool wants_condition);
+              const Layout& layout, const std::vector<Push>& pushes, bool are_fitted,
+              bool wants_condition);
 
 /// A multiplier that was told and is no more than this share of the largest says nothing of its
 /// limit: an interior-point method leaves some to all.

@@ -129,9 +129,9 @@ class Weighing {
     if (!told || layout_.rows == 0) return best_of_nets();
     if (layout_.rows <= kMany) {
       Weighed own = best_of_nets();
-      return holds(own) ? own : better(std::move(own), as_told(told));
+      return holds(own) ? own : better(std::move(own), as_told(told()));
     }
-    Weighed given = as_told(told);
+    Weighed given = as_told(told());
     if (holds(given)) return given;
     // Where the conditions hold, others only sharpen the bound, and many places take long to weigh.
     const bool only_sharpens = given.residual <= kKktTolerance;
@@ -182,9 +182,16 @@ class Weighing {
     return holds(given) || given.residual <= own.residual ? given : own;
   }
 
+  /// As they are told, or where the conditions do not hold so, fitted once more.
+  Weighed as_told(const std::vector<Push>& pushes) const {
+    Weighed plain = as_told(pushes, false);
+    return holds(plain) ? plain : better(as_told(pushes, true), std::move(plain));
+  }
+
   /// The limits that the design stands at come beside those that are told, with no multiplier.
-  Weighed as_told(const Teller& told) const {
-    Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, told(), wants_condition_);
+  Weighed as_told(const std::vector<Push>& pushes, bool are_fitted) const {
+    Weighed weighed =
+        weigh(problem_, sizes_, x_, optimality_, layout_, pushes, are_fitted, wants_condition_);
     for (ActiveLimit& limit : active_limits(problem_, sizes_, x_, optimality_, {0})) {
       weighed.limits.push_back(std::move(limit));
       weighed.multipliers.push_back(0);

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "problems/fronts/problem_settings.h"
-#include "problems/refinement/refined_knots.h"
+#include "problems/statement/auto_knots.h"
 
 namespace camlaw::problems {
 namespace {

@@ -230,13 +230,4 @@ RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOption
   return refine_knots(statement, once, stop);
 }
 
-void refuse_auto_knots(const ProblemStatement& statement, const std::string& what) {
-  if (!statement.finds_knots) return;
-  throw std::invalid_argument(
-      fmt::format("{}: knots = \"auto\" finds the knots of one optimum, not of {}; state how many "
-                  "knots, or the "
-                  "list that camlaw optimize prints",
-                  statement.source, what));
-}
-
 }  // namespace camlaw::problems

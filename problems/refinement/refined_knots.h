@@ -45,8 +45,4 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
                         int workers, const std::function<double()>& spent);
 
-/// Throws std::invalid_argument where the file leaves the knots to be found: what is asked for,
-/// "a front", has no one law to find them for.
-void refuse_auto_knots(const ProblemStatement& statement, const std::string& what);
-
 }  // namespace camlaw::problems

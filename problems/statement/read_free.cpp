@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kinematics/laws/free.h"
+#include "problems/statement/auto_knots.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/program_units.h"
@@ -239,6 +240,15 @@ void read_free_variables(const Entry& file, ProblemStatement& problem, const Fix
       }
     }
   }
+}
+
+void refuse_auto_knots(const ProblemStatement& statement, const std::string& what) {
+  if (!statement.finds_knots) return;
+  throw std::invalid_argument(
+      fmt::format("{}: knots = \"auto\" finds the knots of one optimum, not of {}; state how many "
+                  "knots, or the "
+                  "list that camlaw optimize prints",
+                  statement.source, what));
 }
 
 }  // namespace camlaw::problems

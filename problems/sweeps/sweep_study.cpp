@@ -12,7 +12,7 @@
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
-#include "problems/refinement/refined_knots.h"
+#include "problems/statement/auto_knots.h"
 #include "problems/sweeps/optimum_point.h"
 
 namespace camlaw::problems {

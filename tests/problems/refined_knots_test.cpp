@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Knots of a free law that are found where they gain, against limits that are known.
+#include "problems/refinement/refined_knots.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "optim/search/optimise.h"
+#include "optim/verdict/verdict.h"
+#include "problems/statement/auto_knots.h"
+#include "problems/statement/bind.h"
+#include "tests/problems/complaint.h"
+
+namespace camlaw::problems::refined_knots_test {
+namespace {
+
+using Catch::Contains;
+using optim::Verdict;
+using testing::complaint;
+
+std::string law(const std::string& free, const std::string& rest) {
+  return "mechanism = 'law'\n[law]\nname = 'free'\n[free]\n" + free + rest;
+}
+
+const std::string kJerkLimit =
+    "[objective]\nminimize = 'C_a'\n[[constraints]]\nresponse = 'C_v'\nupper = 1.6\n"
+    "[[constraints]]\nresponse = 'C_j'\nupper = 60\n";
+
+ProblemStatement read(const std::string& text) { return read_problem(text, "f.toml"); }
+
+optim::Optimum solved(const ProblemStatement& problem) {
+  return optim::optimise(BoundProblem(problem).space());
+}
+
+const auto kNever = [] { return false; };
+
+bool is_symmetric(const std::vector<double>& knots) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (knots[i] + knots[knots.size() - 1 - i] != 1) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("Fewer than a hundred knots where they gain do what a thousand even ones do",
+          "[free][knots]") {
+  ProblemStatement problem = read(law("degree = 3\nknots = 'auto'\n", kJerkLimit));
+  REQUIRE(problem.finds_knots);
+  const RefinedKnots found = refine_knots(problem, solved, kNever);
+  CHECK(found.knots.size() < 100);
+  CHECK(std::is_sorted(found.knots.begin(), found.knots.end()));
+  CHECK_FALSE(problem.finds_knots);
+  const optim::Assessment a = solved(problem).found.assessment;
+  CHECK(a.verdict == Verdict::Certified);
+  // Short spans make the slopes of the jerk so large that rounding leaves the bound this open.
+  REQUIRE(a.best_possible);
+  CHECK(*a.best_possible > a.objective.value * (1 - 2e-5));
+  // 1000 even knots give 5.721736, and 100 give 5.728808.
+  CHECK(a.objective.value == Approx(5.7217).epsilon(2e-5));
+  CHECK(a.objective.value == found.rounds.back().objective);
+  // A spline among more knots is never worse.
+  for (std::size_t i = 1; i < found.rounds.size(); ++i) {
+    CHECK(found.rounds[i].knots > found.rounds[i - 1].knots);
+    CHECK(found.rounds[i].objective <= found.rounds[i - 1].objective * (1 + 1e-7));
+  }
+}
+
+TEST_CASE("Knots of a symmetric law are symmetric", "[free][knots]") {
+  ProblemStatement problem =
+      read(law("degree = 4\nknots = 'auto'\nsymmetric = true\n", kJerkLimit));
+  const RefinedKnots found = refine_knots(problem, solved, kNever);
+  CHECK(is_symmetric(found.knots));
+  CHECK(found.rounds.back().verdict == Verdict::Certified);
+}
+
+TEST_CASE("A search for knots ends when it is told to, with knots that were solved",
+          "[free][knots]") {
+  ProblemStatement problem = read(law("knots = 'auto'\n", kJerkLimit));
+  const RefinedKnots found = refine_knots(problem, solved, [] { return true; });
+  CHECK(found.rounds.size() == 1);
+  CHECK(found.knots.size() == found.rounds.front().knots);
+  CHECK(found.ended == "the search was to end");
+  CHECK_FALSE(found.left.has_value());
+}
+
+TEST_CASE("Where no law meets the limits the knots are those of the first round", "[free][knots]") {
+  ProblemStatement problem =
+      read(law("knots = 'auto'\n",
+               "[objective]\nminimize = 'C_a'\n[[constraints]]\nresponse = 'C_v'\nupper = 0.9\n"));
+  const RefinedKnots found = refine_knots(problem, solved, kNever);
+  CHECK(found.rounds.size() == 1);
+  CHECK_THAT(found.ended, Contains("no design within the limits"));
+}
+
+TEST_CASE("Knots that cannot be found are refused by what stands in the way", "[free][knots]") {
+  CHECK_THAT(complaint([] { read(law("knots = 'auto'\nmoving_knots = true\n", kJerkLimit)); }),
+             Contains("knots that move are not found by adding more"));
+  CHECK_THAT(complaint([] { read(law("knots = 'many'\n", kJerkLimit)); }), Contains("\"auto\""));
+  ProblemStatement chosen =
+      read("mechanism = 'law'\n[law]\nname = ['free', 'cycloidal']\n[free]\nknots = 'auto'\n" +
+           kJerkLimit);
+  CHECK_THAT(complaint([&] { refine_knots(chosen, solved, kNever); }),
+             Contains("f.toml") && Contains("needs one law"));
+  const ProblemStatement front = read(law("knots = 'auto'\n", kJerkLimit));
+  CHECK_THAT(complaint([&] { refuse_auto_knots(front, "a front"); }), Contains("a front"));
+  const ProblemStatement stated = read(law("knots = 40\n", kJerkLimit));
+  CHECK_NOTHROW(refuse_auto_knots(stated, "a front"));
+}
+
+TEST_CASE("What is set of the table [free] is what a file states", "[free][restated]") {
+  const auto same = [](ProblemStatement set, const ProblemStatement& written) {
+    const optim::Problem a = BoundProblem(set).problem({}), b = BoundProblem(written).problem({});
+    REQUIRE(a.variables.size() == b.variables.size());
+    for (std::size_t i = 0; i < a.variables.size(); ++i) {
+      CHECK(a.variables[i].lower == b.variables[i].lower);
+      CHECK(a.variables[i].start == b.variables[i].start);
+      CHECK(a.variables[i].scale == b.variables[i].scale);
+    }
+    CHECK(solved(set).found.x == solved(written).found.x);
+  };
+  const auto set = [](const std::vector<std::string>& settings, const std::string& free) {
+    ProblemStatement problem = read(law(free, kJerkLimit));
+    set_values(problem, settings);
+    return problem;
+  };
+  same(set({"free.knots=50"}, "knots = 20\n"), read(law("knots = 50\n", kJerkLimit)));
+  same(set({"free.knots=[0.25, 0.5, 0.6]", "free.degree=5"}, ""),
+       read(law("knots = [0.25, 0.5, 0.6]\ndegree = 5\n", kJerkLimit)));
+  same(set({"free.begin=U", "free.lower=-0.5"}, "knots = 30\n"),
+       read(law("knots = 30\nbegin = 'U'\nlower = -0.5\n", kJerkLimit)));
+  CHECK(set({"free.knots=auto"}, "knots = 30\n").finds_knots);
+  CHECK_THAT(complaint([&] { set({"free.knoten=50"}, "knots = 20\n"); }),
+             Contains("free.knoten=50") && Contains("knots"));
+  CHECK_THAT(complaint([&] { set({"free.degree=1"}, "knots = 20\n"); }), Contains("free.degree=1"));
+}
+
+}  // namespace camlaw::problems::refined_knots_test
