@@ -44,6 +44,7 @@ void write_to_standard_output(const OutputFile& file) {
       if (count < 0 && is_read) fail_to_write(file.path, std::strerror(errno));
       if (count >= 0) rest.remove_prefix(static_cast<std::size_t>(count));
     }
+    return is_read;
   };
   take(file.content);
   if (file.more) file.more(take);
@@ -55,7 +56,7 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   errno = 0;
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.content;
-  if (file.more) file.more([&](std::string_view piece) { stream << piece; });
+  if (file.more) file.more([&](std::string_view piece) { return bool(stream << piece); });
   stream.close();
   if (!stream)
     fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk did not take all of it");

@@ -60,7 +60,10 @@ int show_law(const LawOptions& options) {
   print(document, false);
   if (options.samples && !options.csv) {
     print_data("samples\n");
-    table(print_data);
+    table([](std::string_view piece) {
+      print_data(piece);
+      return !is_reader_gone();
+    });
   }
   say_written(files);
   return kDone;

@@ -144,7 +144,10 @@ void Replacing::add(const fs::path& target, std::string_view content, const fs::
   Descriptor fresh(mkostemp(name.data(), O_CLOEXEC));
   if (fresh.number() < 0) fail_to_write(named, std::strerror(errno));
   files_.push_back({target, named, name, {}, false});
-  const auto take = [&](std::string_view piece) { write_all(fresh.number(), piece, named); };
+  const auto take = [&](std::string_view piece) {
+    write_all(fresh.number(), piece, named);
+    return true;
+  };
   take(content);
   if (more) more(take);
   // Where a file system has no permissions, there are none to keep.

@@ -11,8 +11,9 @@
 /// Files that take their places together or not at all.
 namespace camlaw::cli {
 
-/// A long content: hands its pieces over to what takes them, one after the other.
-using Pieces = std::function<void(const std::function<void(std::string_view)>& take)>;
+/// A long content: hands its pieces over to what takes them, one after the other, as long as that
+/// wants more.
+using Pieces = std::function<void(const std::function<bool(std::string_view)>& take)>;
 
 /// Throws std::runtime_error: "cannot write 'PATH': REASON".
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);

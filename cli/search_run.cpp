@@ -186,23 +186,21 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   if (options.start) begin_with(statement, *options.start);
   command.check(statement);
   auto search = search_options(stated, statement.solver);
+  const std::filesystem::path out = options.out.value_or("");
+  std::vector<std::string> names = command.files;
+  if (command.more_files) {
+    for (std::string& name : command.more_files(statement)) names.push_back(std::move(name));
+  }
+  const auto possible = possible_files(out, names);
+  if (options.out) check_writable(possible);
   const Interruptible interruptible;
   search.stop = interruptible.flag();
+  search.memory = memory_of(options.limits);
   std::optional<problems::RefinedKnots> knots;
   if (statement.finds_knots)
     knots = problems::find_knots(statement, search, wanted, [&] { return clock.spent(); });
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
-  const std::filesystem::path out = options.out.value_or("");
-  std::vector<std::string> names = command.files;
-  if (command.more_files) {
-    for (std::string& name : command.more_files(bound.statement())) {
-      names.push_back(std::move(name));
-    }
-  }
-  const auto possible = possible_files(out, names);
-  if (options.out) check_writable(possible);
-  search.memory = memory_of(options.limits);
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
@@ -245,6 +243,10 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     if (!crew.remark().empty()) warn(crew.remark());
     return optimum;
   };
+  if (knots) {
+    knots->optimum.wall_s = clock.spent();
+    return give(knots->optimum);
+  }
   if (!is_large(bound.statement())) return give(look(search));
   const Watch watch{search.time_limit, clock.spent(), search.stop};
   const auto ended = watched(watch, [&](const Teller& teller) {

@@ -133,6 +133,13 @@ class KeptNumber final : public optim::Kernel {
   }
   optim::Bounds enclose(std::span<const double> u) const override { return number_.enclose(u); }
   bool is_searched() const override { return number_.is_searched(); }
+  bool is_enclosed() const override { return number_.is_enclosed(); }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    return number_.range(box);
+  }
+  std::string why_undefined(std::span<const double> u) const override {
+    return number_.why_undefined(u);
+  }
 
  private:
   struct Known {

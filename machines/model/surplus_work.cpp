@@ -64,7 +64,11 @@ WorkBefore<T> work_before(const TurnRecord& record, std::span<const T> u) {
 /// Those of the last few designs, in the dual numbers of each pass: many rows are asked at one.
 class WorksBefore {
  public:
-  explicit WorksBefore(std::shared_ptr<const TurnRecord> record) : record_(std::move(record)) {}
+  explicit WorksBefore(std::shared_ptr<const TurnRecord> record)
+      : record_(std::move(record)),
+        first_(std::make_shared<Recent<WorkBefore<Dual>>>(kDesigns * blocks(*record_))),
+        second_(std::make_shared<Recent<WorkBefore<Dual2>>>(kDesigns * blocks(*record_) *
+                                                            (blocks(*record_) + 1) / 2)) {}
 
   const TurnRecord& record() const { return *record_; }
   template <class T>
@@ -81,7 +85,11 @@ class WorksBefore {
   }
 
  private:
-  static constexpr std::size_t kPasses = 32;
+  static constexpr std::size_t kDesigns = 4;
+  /// Passes that the derivatives by all variables take.
+  static std::size_t blocks(const TurnRecord& record) {
+    return std::max<std::size_t>(1, (record.variables.size() + kDualWidth - 1) / kDualWidth);
+  }
   static void add(double x, std::vector<double>& key) { key.push_back(x); }
   template <class T, int N>
   static void add(const ceres::Jet<T, N>& x, std::vector<double>& key) {
@@ -90,10 +98,8 @@ class WorksBefore {
   }
 
   std::shared_ptr<const TurnRecord> record_;
-  std::shared_ptr<Recent<WorkBefore<Dual>>> first_ =
-      std::make_shared<Recent<WorkBefore<Dual>>>(kPasses);
-  std::shared_ptr<Recent<WorkBefore<Dual2>>> second_ =
-      std::make_shared<Recent<WorkBefore<Dual2>>>(kPasses);
+  std::shared_ptr<Recent<WorkBefore<Dual>>> first_;
+  std::shared_ptr<Recent<WorkBefore<Dual2>>> second_;
 };
 
 /// The work at one place, or where the place is tied to a joint, wherever that is.

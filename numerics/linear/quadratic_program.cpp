@@ -223,7 +223,7 @@ class Interior {
   void balance_columns() {
     const VectorXd weights = now_.z.cwiseQuotient(now_.s);
     if (!factor(weights)) return;
-    const double before = dual();
+    const double before = dual(), gap_before = gap(), primal_before = primal();
     const Step last = now_;
     VectorXd dy = cholesky_.solve(-dual_);
     if (now_.w.size() > 0) {
@@ -236,7 +236,10 @@ class Interior {
     now_.s -= change;
     now_.z = (now_.z + weights.cwiseProduct(change)).cwiseMax(0);
     look();
-    if (dual() < before && now_.s.minCoeff() > 0) return;
+    constexpr double kMore = 2, kRounding = 1e-12;
+    const bool holds = now_.s.minCoeff() > 0 && gap() <= kMore * gap_before &&
+                       primal() <= kMore * primal_before + kRounding;
+    if (holds && dual() < before) return;
     now_ = last;
     look();
   }

@@ -219,7 +219,9 @@ class Sequence {
     program_.gradient(entries_of(place_.y), {left.data(), program_.variables()});
     left += jacobian_matrix(program_, entries_of(place_.y)).transpose() * multipliers_.rows +
             multipliers_.upper - multipliers_.lower;
-    return left.lpNorm<Eigen::Infinity>() > kBalanced;
+    if (!(left.lpNorm<Eigen::Infinity>() > kBalanced)) return false;
+    settled_ = {place_, multipliers_};
+    return true;
   }
 
   /// Whether the objective falls by a good part of what the model says, if it says that it falls by
@@ -285,7 +287,13 @@ class Sequence {
     return stopped_.has_value();
   }
 
-  Solution answer(Status status, std::string message) const {
+  Solution answer(Status status, std::string message) {
+    if (settled_ && status != Status::Solved) {
+      place_ = std::move(settled_->place);
+      multipliers_ = std::move(settled_->multipliers);
+      status = Status::Solved;
+      message = "no step is worth anything";
+    }
     Solution solution{.status = status, .message = std::move(message)};
     const auto list = [](const VectorXd& v) { return std::vector<double>(v.begin(), v.end()); };
     solution.y = list(place_.y);
@@ -312,10 +320,16 @@ class Sequence {
   double unsolved_radius_ = kInfinity;  ///< of a region whose program was not solved from here
   double least_passed_ = kInfinity;     ///< where steps towards the rows last came to something
   int idle_ = 0;                        ///< such steps since then
-  int balances_ = 0;                    ///< steps for the multipliers alone
-  int inexact_ = 0;                     ///< programs in a row that were not solved
-  bool is_cut_ = false;                 ///< whether a step was refused
-  double reach_ = kInfinity;            ///< rows with more room hardly come into play
+  /// Where no step was worth anything, before steps for the multipliers alone.
+  struct Settled {
+    ProgramPoint place;
+    ProgramMultipliers multipliers;
+  };
+  std::optional<Settled> settled_;
+  int balances_ = 0;          ///< steps for the multipliers alone
+  int inexact_ = 0;           ///< programs in a row that were not solved
+  bool is_cut_ = false;       ///< whether a step was refused
+  double reach_ = kInfinity;  ///< rows with more room hardly come into play
   int iterations_ = 0, evaluations_ = 1;
   std::optional<RunEnd> stopped_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

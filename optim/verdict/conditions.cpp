@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numerics/linear/column_factors.h"
 #include "numerics/linear/least_squares.h"
@@ -214,7 +215,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
   consider(told.multipliers);
   if (const std::vector<int> pushing = told.pushing(); !pushing.empty()) {
     if (are_fitted) consider(refined(told, pushing, target));
-    if (wants_condition) best.condition = cheaper_factors(told.A)(pushing)->condition();
+    best.condition = wants_condition ? cheaper_factors(told.A)(pushing)->condition()
+                                     : std::numeric_limits<double>::quiet_NaN();
   }
   best.limits = std::move(told.limits);
   return best;

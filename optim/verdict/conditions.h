@@ -31,7 +31,7 @@ struct Weighed {
   std::vector<ActiveLimit> limits;
   std::vector<double> multipliers;  ///< by limit, over the sizes
   double residual = kInfinity;
-  double condition = 1;
+  double condition = 1;  ///< not a number where it was not wanted
 };
 
 /// Of the limits in the net.

@@ -52,7 +52,9 @@ struct Kkt {
   std::vector<int> pushing_sides;
   std::vector<double> lower, upper;  ///< of the variables' bounds
   std::vector<bool> active_constraints, active_lower, active_upper;
-  double condition = 1;  ///< of the active limits' gradients; infinite: not unique multipliers
+  /// Of the active limits' gradients; infinite: multipliers that are not unique; not a number where
+  /// it was not worked out.
+  double condition = 1;
   double objective_slope = 0;  ///< its largest entry, over the objective's size
   bool flat = false;  ///< LeastViolation: a limit that pushes is stationary and not known convex
   /// A peak that pushes stands at a break that moves with the design: its gradient is not known.

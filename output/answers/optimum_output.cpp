@@ -255,11 +255,15 @@ void add_conditions(const Answer& answer, Document& document) {
   if (!a.active.empty()) document.say(fmt::format("\nactive: {}\n", fmt::join(a.active, ", ")));
   if (const std::string costs = prices(answer); !costs.empty()) document.say("\n" + costs);
   if (std::isfinite(a.kkt_residual)) {
-    document.say(fmt::format(
-        "\nconditions of {} to {:.1e}; condition of the active limits {}\n",
-        a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality", a.kkt_residual,
-        std::isinf(a.condition) ? "infinite: their multipliers are not unique"
-                                : fmt::format("{:.2g}", a.condition)));
+    const std::string condition =
+        std::isnan(a.condition) ? ""
+        : std::isinf(a.condition)
+            ? "; condition of the active limits infinite: their multipliers are not unique"
+            : fmt::format("; condition of the active limits {:.2g}", a.condition);
+    document.say(
+        fmt::format("\nconditions of {} to {:.1e}{}\n",
+                    a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality",
+                    a.kkt_residual, condition));
   }
   document.fact("active", a.active);
   document.fact("active_bounds", active_bounds(a));
@@ -278,7 +282,8 @@ void add_knots(const Answer& answer, Document& document) {
               .columns = {numbers("knots", "knots"), numbers(objective_name(answer), "objective"),
                           words("verdict", "verdict")}};
   for (const problems::KnotRound& round : knots.rounds) {
-    table.add({fmt::format("{}", round.knots), Cell(in_digits(round.objective), round.objective),
+    table.add({Cell(fmt::format("{}", round.knots), round.knots),
+               Cell(in_digits(round.objective), round.objective),
                std::string(optim::to_string(round.verdict))});
   }
   const std::string unit = objective_unit(answer);
@@ -292,6 +297,7 @@ void add_knots(const Answer& answer, Document& document) {
                       left));
   own.add(std::move(table));
   own.fact("places", knots.knots);
+  own.fact("ended", knots.ended);
   own.fact("left", knots.left);
   document.add("knots", std::move(own));
 }

@@ -101,21 +101,25 @@ MotionSample motion_sample(const Law<double>& law, int count, int i) {
 }
 
 void motion_csv(const Law<double>& law, int count,
-                const std::function<void(std::string_view)>& take) {
+                const std::function<bool(std::string_view)>& take) {
+  if (count < 2) throw std::invalid_argument("samples: at least 2 are needed");
   constexpr std::size_t kPiece = 1000;  // rows
   std::vector<std::vector<std::string>> rows{{"x", "s", "v", "a", "j"}};
   for (int i = 0; i < count; ++i) {
     const auto [x, m] = motion_sample(law, count, i);
     rows.push_back({exact(x), exact(m.s), exact(m.v), exact(m.a), exact(m.j)});
     if (rows.size() < kPiece && i + 1 < count) continue;
-    take(to_csv(rows));
+    if (!take(to_csv(rows))) return;
     rows.clear();
   }
 }
 
 std::string motion_csv(const Law<double>& law, int count) {
   std::string all;
-  motion_csv(law, count, [&](std::string_view piece) { all += piece; });
+  motion_csv(law, count, [&](std::string_view piece) {
+    all += piece;
+    return true;
+  });
   return all;
 }
 

@@ -33,8 +33,9 @@ MotionSample motion_sample(const Law<double>& law, int count, int i);
 
 /// All of them as CSV: x, s, v, a, j.
 std::string motion_csv(const Law<double>& law, int count);
-/// The same in pieces, one after the other, so that no more than one is kept.
+/// The same in pieces, one after the other, so that no more than one is kept; `take` says whether
+/// it wants more. Throws std::invalid_argument for fewer than 2 points.
 void motion_csv(const Law<double>& law, int count,
-                const std::function<void(std::string_view)>& take);
+                const std::function<bool(std::string_view)>& take);
 
 }  // namespace camlaw::cli

@@ -12,6 +12,7 @@
 #include "kinematics/laws/free.h"
 #include "kinematics/program/segment_merits.h"
 #include "optim/crew/crew.h"
+#include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/statement/bind.h"
@@ -90,7 +91,7 @@ std::vector<double> promises(const ProblemStatement& design, const std::vector<d
 
 /// Of the spans that are not short those that together promise most of what they all do.
 std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  constexpr double kMost = 0.7, kShortest = 1.0 / 1024;
+  constexpr double kMost = 0.7, kShortest = 1.0 / 2048;
   double from = 0;
   for (std::size_t i = 0; i < promise.size(); ++i) {
     const double to = i < knots.size() ? knots[i] : 1;
@@ -141,9 +142,26 @@ void set_knots(ProblemStatement& statement, const std::vector<double>& knots) {
 
 constexpr double kLittle = 1e-5;  // of the objective
 
+/// Whether each of the last two rounds changed the objective by little.
 bool changes_little(const std::vector<KnotRound>& rounds) {
-  const double last = rounds.back().objective, before = rounds.end()[-2].objective;
-  return std::abs(last - before) <= kLittle * std::abs(last);
+  if (rounds.size() < 3) return false;
+  const auto is_little = [&](const KnotRound& before, const KnotRound& after) {
+    return std::abs(after.objective - before.objective) <= kLittle * std::abs(after.objective);
+  };
+  return is_little(rounds.end()[-3], rounds.end()[-2]) &&
+         is_little(rounds.end()[-2], rounds.end()[-1]);
+}
+
+/// Whether a round led to a design that is as good as the best before, but for rounding, with as
+/// good a verdict.
+bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
+  constexpr double kRounding = 1e-7;
+  const optim::Assessment &a = fresh.found.assessment, &b = best.found.assessment;
+  const bool certified = b.verdict == optim::Verdict::Certified;
+  if (!optim::is_feasible(a) || (certified && a.verdict != optim::Verdict::Certified)) return false;
+  const double sign = best.problem.objective().sense == optim::Sense::Minimize ? 1 : -1;
+  return !optim::is_feasible(b) ||
+         sign * (a.objective.value - b.objective.value) <= kRounding * std::abs(b.objective.value);
 }
 
 /// What is left to gain where each gain is the same share of the one before.
@@ -169,48 +187,50 @@ void check_one_law(const ProblemStatement& statement) {
 
 RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop) {
-  constexpr int kAtFirst = 31;
-  constexpr std::size_t kMostRounds = 16;
-  constexpr std::size_t kMostKnots = 300;
+  constexpr int kAtFirst = 39;  // as many variables as are searched by sparse methods
+  constexpr std::size_t kMostRounds = 24, kMostKnots = 300;
   check_one_law(statement);
   const ProblemStatement stated = statement;
-  RefinedKnots result{even_knots(kAtFirst), {}, {}};
-  std::vector<double> tried = result.knots;
-  while (true) {
-    statement = stated;
-    set_knots(statement, tried);
-    const optim::Optimum optimum = search(statement);
-    const optim::Found& found = optimum.found;
-    const optim::Assessment& a = found.assessment;
-    const std::size_t before = result.rounds.size();
+  RefinedKnots result;
+  std::vector<KnotRound> better;  // rounds that were
+  for (std::vector<double> tried = even_knots(kAtFirst); result.ended.empty();) {
+    ProblemStatement own = stated;
+    set_knots(own, tried);
+    optim::Optimum optimum = search(own);
+    const optim::Assessment& a = optimum.found.assessment;
+    const bool is_first = result.rounds.empty();
     result.rounds.push_back({tried.size(), a.objective.value, a.verdict});
-    if (before > 0 && a.verdict != optim::Verdict::Certified) {
-      statement = stated;
-      set_knots(statement, result.knots);
-      result.ended = fmt::format("with {} the search led to no certified optimum", tried.size());
+    if (!is_first && !is_no_worse(optimum, result.optimum)) {
+      const char* why = "led to nothing better";
+      if (stop()) why = "was ended before it led to anything better";
+      result.ended = fmt::format("the search with {} {}", tried.size(), why);
       break;
     }
     result.knots = tried;
-    if (!optim::is_feasible(a) || found.x.size() != optimum.problem.variables.size()) {
+    result.optimum = std::move(optimum);
+    statement = std::move(own);
+    better.push_back(result.rounds.back());
+    const optim::Found& found = result.optimum.found;
+    if (!optim::is_feasible(found.assessment) ||
+        found.x.size() != result.optimum.problem.variables.size()) {
       result.ended = "the search led to no design within the limits";
-    } else if (before > 0 && changes_little(result.rounds)) {
+    } else if (changes_little(better)) {
       result.ended =
           fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
-    } else if (before + 1 == kMostRounds) {
+    } else if (result.rounds.size() == kMostRounds) {
       result.ended = "the limit of rounds was reached";
     } else if (stop()) {
-      result.ended = "the search was to end";
+      result.ended = "the search was ended";
     } else {
-      tried =
-          with_more(tried, promises(BoundProblem(statement).at(optimum.options, found.x), tried),
-                    statement.free_is_symmetric);
+      tried = with_more(
+          tried, promises(BoundProblem(statement).at(result.optimum.options, found.x), tried),
+          statement.free_is_symmetric);
       if (tried.size() > kMostKnots)
         result.ended = fmt::format("more than {} would be needed", kMostKnots);
       if (tried.size() == result.knots.size()) result.ended = "shorter spans are not divided";
     }
-    if (!result.ended.empty()) break;
   }
-  result.left = left_of(result.rounds);
+  result.left = left_of(better);
   return result;
 }
 
@@ -218,13 +238,17 @@ RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOption
                         int workers, const std::function<double()>& spent) {
   const auto once = [&](const ProblemStatement& stated) {
     optim::OptimiseOptions how = search;
-    how.spent += spent();
-    optim::Crew crew({.workers = workers, .program = worker_program(stated)});
-    return optim::optimise(BoundProblem(stated).space(), how, crew);
+    how.spent = spent();
+    const BoundProblem bound(stated);
+    const optim::ProblemSpace space = bound.space();
+    const int room = search.memory ? optim::workers_with_room(
+                                         workers, space.problem(space.options(0)), *search.memory)
+                                   : workers;
+    optim::Crew crew({.workers = room, .program = worker_program(stated)});
+    return optim::optimise(space, how, crew);
   };
   const auto stop = [&] {
-    constexpr double kShare = 0.5;
-    const bool late = search.time_limit && spent() > kShare * *search.time_limit;
+    const bool late = search.time_limit && spent() >= *search.time_limit;
     return late || (search.stop != nullptr && *search.stop);
   };
   return refine_knots(statement, once, stop);

@@ -22,6 +22,7 @@ struct KnotRound {
 
 struct RefinedKnots {
   std::vector<double> knots;      ///< inside (0, 1)
+  optim::Optimum optimum;         ///< with these
   std::vector<KnotRound> rounds;  ///< one or more
   std::string ended;              ///< why no more were added, in words
   /// What the objective would still gain by further knots, in its unit, as the last rounds go on;
@@ -33,15 +34,15 @@ struct RefinedKnots {
 using SearchOnce = std::function<optim::Optimum(const ProblemStatement& statement)>;
 
 /// Searches with a few even knots and adds more, each in the middle of a span where the optimum's
-/// highest derivative jumps most, until they change the objective by less than 1e-5 of it. The
-/// statement's knots become these (a setting "free.knots=[...]", with which results are read
-/// again). `stop` is asked between rounds. Throws std::invalid_argument where a law is chosen, or
-/// knots move.
+/// highest derivative jumps most, until two rounds in a row change the objective by less than 1e-5
+/// of it, a round leads to nothing better, or `stop`, asked between rounds, says so. The
+/// statement's knots become the best round's (a setting "free.knots=[...]", with which results are
+/// read again). Throws std::invalid_argument where a law is chosen.
 RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop);
 
-/// The same with optimise() in so many processes, as long as less than half of the search's time
-/// limit is spent.
+/// The same with optimise() in so many processes, within the search's time limit, of which so many
+/// seconds are spent.
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
                         int workers, const std::function<double()>& spent);
 

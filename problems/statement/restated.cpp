@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 #include <stdexcept>
@@ -240,23 +241,25 @@ void put_limit(Entry& file, std::string_view name, std::string_view text,
 /// As a file writes it, but that words need no quotes.
 Entry written_entry(const Entry& within, std::string_view key, std::string_view text,
                     const std::string& place) {
-  if (text.find('\n') == std::string_view::npos) {
-    try {
-      Entry value = parse_toml(fmt::format("value = {}", text), place).items.at(0);
-      const Entry named = made_entry(value.kind, within, key, place);
-      value.key = named.key;
-      value.path = named.path;
-      value.place = named.place;
-      return value;
-    } catch (const std::exception&) {  // a word
-    }
+  const bool is_word = std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalpha(c) != 0 || c == '-' || c == '_';
+  });
+  if (is_word && text != "true" && text != "false") return text_entry(within, key, text, place);
+  if (text.find_first_of("\n#") != std::string_view::npos) {
+    throw std::invalid_argument(
+        fmt::format("{}: one value is accepted, such as 64 or [0.2, 0.5]", place));
   }
-  return text_entry(within, key, text, place);
+  Entry value = parse_toml(fmt::format("value = {}", text), place).items.at(0);
+  const Entry named = made_entry(value.kind, within, key, place);
+  value.key = named.key;
+  value.path = named.path;
+  value.place = named.place;
+  return value;
 }
 
 /// "free.knots": a key of the table [free], which is made where the file has none.
 void put_free(Entry& file, std::string_view name, std::string_view text, const std::string& place) {
-  const std::string_view key = at_last_dot(name).second;
+  const std::string_view key = name.substr(kFreeTable.size());
   Entry* table = find_entry(file, "free");
   if (table == nullptr) {
     file.items.push_back(made_entry(Kind::Table, file, "free", place));
@@ -304,12 +307,14 @@ std::vector<std::string> law_list(std::string_view text) {
 
 bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }
 
-bool is_free_setting(std::string_view name) {
-  return name.starts_with(kFreeTable) && !is_law_setting(name);
+bool is_free_setting(const ProblemStatement& problem, std::string_view name) {
+  const bool has_cam = std::any_of(problem.cams.begin(), problem.cams.end(),
+                                   [](const CamStatement& cam) { return cam.name == "free"; });
+  return name.starts_with(kFreeTable) && !is_law_setting(name) && !has_cam;
 }
 
 bool is_of_file(const ProblemStatement& problem, std::string_view name) {
-  if (is_law_setting(name) || is_free_setting(name)) return true;
+  if (is_law_setting(name) || is_free_setting(problem, name)) return true;
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
@@ -325,7 +330,7 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
     throw std::invalid_argument(fmt::format("'{}' sets nothing; give a value", assignment));
   }
   if (is_law_setting(name)) return put_laws(file, name, text, assignment);
-  if (is_free_setting(name)) return put_free(file, name, text, assignment);
+  if (is_free_setting(problem, name)) return put_free(file, name, text, assignment);
   if (const auto response = bounded(name)) {
     if (const VariableStatement* variable = variable_named(problem, *response)) {
       return put_variable_bound(file, *variable, name, text, assignment);

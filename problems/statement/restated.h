@@ -20,8 +20,8 @@ bool is_of_file(const ProblemStatement& problem, std::string_view name);
 /// Whether a name is of laws: "law", "rise.law".
 bool is_law_setting(std::string_view name);
 
-/// Whether a name is of the table [free]: "free.knots".
-bool is_free_setting(std::string_view name);
+/// Whether a name is of the table [free]: "free.knots"; not where a cam on a shaft is called free.
+bool is_free_setting(const ProblemStatement& problem, std::string_view name);
 
 /// Puts it there. `assignment`, "law=cycloidal", is where errors place what is put. Throws
 /// std::invalid_argument where the file has no place for it.

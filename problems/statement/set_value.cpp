@@ -240,6 +240,11 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
   }
 }
 
+/// Whether a law's parameter is a list of a free law, whose elements mean others with other knots.
+bool is_of_free_list(std::string_view parameter) {
+  return parameter.ends_with("coefficients") || parameter.ends_with("knots");
+}
+
 /// Begins at the design of another statement of the same file, as far as it has what varies; where
 /// that has chosen among the laws of the file, at its law. Coefficients of a free law mean others
 /// where its table was changed.
@@ -258,7 +263,7 @@ void begin_at(ProblemStatement& problem, const ProblemStatement& design,
   for (VariableStatement& variable : problem.variables) {
     for (const VariableStatement& other : design.variables) {
       if (other.name != variable.name || why_not(variable, other.start)) continue;
-      if (variable.of_law && is_free_changed) continue;
+      if (is_free_changed && is_of_free_list(variable.law_parameter)) continue;
       const NamedParameter parameter =
           find_parameter(problem, variable.of_law ? variable.law_parameter : variable.name,
                          variable.of_law ? Owner::Law : Owner::Machine);
@@ -273,6 +278,16 @@ void begin_at(ProblemStatement& problem, const ProblemStatement& design,
 void read_anew(ProblemStatement& problem, std::span<const std::string> assignments) {
   Entry file = parse_toml(problem.text, problem.source);
   const ProblemStatement plain = read_entries(file, problem.text, problem.source, problem.files);
+  const bool is_free_changed =
+      std::any_of(assignments.begin(), assignments.end(), [&](const std::string& one) {
+        return is_free_setting(plain, parse_assignment(one, kExample).name);
+      });
+  if (is_free_changed) {
+    std::erase_if(problem.settings, [](const std::string& one) {
+      const std::string_view name = parse_assignment(one, kExample).name;
+      return name.find('.') == name.npos && is_of_free_list(name.substr(0, name.find('[')));
+    });
+  }
   const auto restated = [&](std::span<const std::string> all) {
     std::vector<std::string> left;
     for (const std::string& assignment : all) {
@@ -289,9 +304,6 @@ void read_anew(ProblemStatement& problem, std::span<const std::string> assignmen
   ProblemStatement fresh = read_entries(file, problem.text, problem.source, problem.files);
   fresh.stop = problem.stop;
   for (const std::string& assignment : before) assign(fresh, assignment);
-  const bool is_free_changed = std::any_of(
-      assignments.begin(), assignments.end(),
-      [](const std::string& one) { return is_free_setting(parse_assignment(one, kExample).name); });
   begin_at(fresh, problem, plain, is_free_changed);
   for (const std::string& assignment : now) assign(fresh, assignment);
   fresh.settings = std::move(problem.settings);

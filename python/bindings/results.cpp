@@ -162,7 +162,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
       optim::workers_with_room(told.workers, space.problem(space.options(0)), *search.memory);
   optim::Crew crew(
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
-  found->optimum = optim::optimise(space, search, crew);
+  found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.knots = knots;
   answer.warnings = cli::warnings_of(answer);

@@ -59,7 +59,7 @@ TEST_CASE("Fewer than a hundred knots where they gain do what a thousand even on
   CHECK(*a.best_possible > a.objective.value * (1 - 2e-5));
   // 1000 even knots give 5.721736, and 100 give 5.728808.
   CHECK(a.objective.value == Approx(5.7217).epsilon(2e-5));
-  CHECK(a.objective.value == found.rounds.back().objective);
+  CHECK(a.objective.value == found.optimum.found.assessment.objective.value);
   // A spline among more knots is never worse.
   for (std::size_t i = 1; i < found.rounds.size(); ++i) {
     CHECK(found.rounds[i].knots > found.rounds[i - 1].knots);
@@ -71,6 +71,7 @@ TEST_CASE("Knots of a symmetric law are symmetric", "[free][knots]") {
   ProblemStatement problem =
       read(law("degree = 4\nknots = 'auto'\nsymmetric = true\n", kJerkLimit));
   const RefinedKnots found = refine_knots(problem, solved, kNever);
+  CHECK(found.rounds.size() > 2);
   CHECK(is_symmetric(found.knots));
   CHECK(found.rounds.back().verdict == Verdict::Certified);
 }
@@ -81,8 +82,44 @@ TEST_CASE("A search for knots ends when it is told to, with knots that were solv
   const RefinedKnots found = refine_knots(problem, solved, [] { return true; });
   CHECK(found.rounds.size() == 1);
   CHECK(found.knots.size() == found.rounds.front().knots);
-  CHECK(found.ended == "the search was to end");
+  CHECK(found.ended == "the search was ended");
   CHECK_FALSE(found.left.has_value());
+}
+
+TEST_CASE("A round that leads to nothing better leaves the one before", "[free][knots]") {
+  ProblemStatement problem = read(law("knots = 'auto'\n", kJerkLimit));
+  int round = 0;
+  const auto search = [&](const ProblemStatement& own) {
+    optim::Optimum optimum = solved(own);
+    if (++round == 3) optimum.found.assessment.objective.value *= 1.01;
+    return optimum;
+  };
+  const RefinedKnots found = refine_knots(problem, search, kNever);
+  REQUIRE(found.rounds.size() == 3);
+  CHECK(found.knots.size() == found.rounds[1].knots);
+  CHECK(found.optimum.found.assessment.objective.value == found.rounds[1].objective);
+  CHECK_THAT(found.ended, Contains("nothing better"));
+  CHECK(solved(problem).found.assessment.objective.value == found.rounds[1].objective);
+}
+
+TEST_CASE("What a time limit leaves of the rounds is the answer", "[free][knots]") {
+  ProblemStatement problem = read(law("knots = 'auto'\n", kJerkLimit));
+  double clock = 0;  // as if each look at it took half of what is allowed
+  optim::OptimiseOptions how;
+  how.time_limit = 1000;
+  const RefinedKnots found = find_knots(problem, how, 1, [&] { return clock += 300; });
+  CHECK(found.ended == "the search was ended");
+  CHECK(found.rounds.size() < 4);
+  CHECK(found.optimum.found.assessment.verdict == Verdict::Certified);
+}
+
+TEST_CASE("A start among other knots is left out", "[free][knots]") {
+  ProblemStatement problem = read(law("knots = 'auto'\n", kJerkLimit));
+  set_values(problem, std::vector<std::string>{"coefficients[2]=0.001"});
+  const RefinedKnots found = refine_knots(problem, solved, [] { return true; });
+  CHECK(found.optimum.found.assessment.verdict == Verdict::Certified);
+  for (const std::string& setting : problem.settings)
+    CHECK_THAT(setting, !Contains("coefficients"));
 }
 
 TEST_CASE("Where no law meets the limits the knots are those of the first round", "[free][knots]") {

@@ -41,6 +41,8 @@ def by_clarabel(law: FreeLaw) -> Array:
         [clarabel.NonnegativeConeT(len(limits))],
         settings,
     ).solve()
+    if solution.status != clarabel.SolverStatus.Solved:
+        raise RuntimeError(f"Clarabel: {solution.status}")
     x = np.array(solution.x)
     return np.r_[x[:-1], VELOCITY, x[-1]]
 

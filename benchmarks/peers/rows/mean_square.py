@@ -48,7 +48,10 @@ def by_clarabel(law: FreeLaw, order: int) -> float:
     solver = clarabel.DefaultSolver(
         sparse.csc_matrix(sparse.triu(of.p)), of.q, none, np.zeros(0), [], settings
     )
-    return of(np.array(solver.solve().x))
+    solution = solver.solve()
+    if solution.status != clarabel.SolverStatus.Solved:
+        raise RuntimeError(f"Clarabel: {solution.status}")
+    return of(np.array(solution.x))
 
 
 def by_piqp(law: FreeLaw, order: int) -> float:
