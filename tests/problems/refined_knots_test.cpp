@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 
 #include "optim/search/optimise.h"
@@ -37,7 +38,7 @@ const auto kNever = [] { return false; };
 
 bool is_symmetric(const std::vector<double>& knots) {
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (knots[i] + knots[knots.size() - 1 - i] != 1) return false;
+    if (std::abs(knots[i] + knots[knots.size() - 1 - i] - 1) > 1e-12) return false;
   }
   return true;
 }
