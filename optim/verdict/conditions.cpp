@@ -42,10 +42,12 @@ Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limi
 }
 
 /// How far a variable may be expected to move, in typical changes: by its own magnitude, in however
-/// narrow a box; of a least violation through the whole box.
-std::vector<double> reaches(const Problem& problem, const Sizes& sizes, const Layout& layout,
-                            Optimality optimality) {
+/// narrow a box; of a least violation through the whole box, and the violation itself down to zero.
+std::vector<double> reaches(const Problem& problem, const Sizes& sizes, Design x,
+                            const Layout& layout, Optimality optimality) {
   std::vector<double> result(static_cast<std::size_t>(layout.rows), 1.0);
+  if (optimality == Optimality::LeastViolation)
+    result[static_cast<std::size_t>(layout.auxiliary)] = largest_violation(problem, sizes, x);
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Variable& v = problem.variables[i];
     if (layout.row[i] < 0) continue;
@@ -65,7 +67,7 @@ double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimal
   double open = 0;
   for (std::size_t j = 0; j < limits.size(); ++j)
     open += std::abs(multipliers[j] * limits[j].margin);
-  const auto reach = reaches(problem, sizes, layout, optimality);
+  const auto reach = reaches(problem, sizes, x, layout, optimality);
   double largest = 0, sum = 0;
   for (std::size_t i = 0; i < reach.size(); ++i) {
     const double entry = std::abs(left[static_cast<Eigen::Index>(i)]) * reach[i];

@@ -157,11 +157,12 @@ bool changes_little(const std::vector<KnotRound>& rounds) {
 bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
   constexpr double kRounding = 1e-7;
   const optim::Assessment &a = fresh.found.assessment, &b = best.found.assessment;
+  if (!optim::is_feasible(b)) return true;
   const bool certified = b.verdict == optim::Verdict::Certified;
   if (!optim::is_feasible(a) || (certified && a.verdict != optim::Verdict::Certified)) return false;
   const double sign = best.problem.objective().sense == optim::Sense::Minimize ? 1 : -1;
-  return !optim::is_feasible(b) ||
-         sign * (a.objective.value - b.objective.value) <= kRounding * std::abs(b.objective.value);
+  const double rise = sign * (a.objective.value - b.objective.value);
+  return rise <= kRounding * std::abs(b.objective.value);
 }
 
 /// What is left to gain where each gain is the same share of the one before.
@@ -188,7 +189,7 @@ void check_one_law(const ProblemStatement& statement) {
 RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop) {
   constexpr int kAtFirst = 39;  // as many variables as are searched by sparse methods
-  constexpr std::size_t kMostRounds = 24, kMostKnots = 300;
+  constexpr std::size_t kMostRounds = 24, kMostInVain = 10, kMostKnots = 300;
   check_one_law(statement);
   const ProblemStatement stated = statement;
   RefinedKnots result;
@@ -209,10 +210,12 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
     result.knots = tried;
     result.optimum = std::move(optimum);
     statement = std::move(own);
-    better.push_back(result.rounds.back());
     const optim::Found& found = result.optimum.found;
-    if (!optim::is_feasible(found.assessment) ||
-        found.x.size() != result.optimum.problem.variables.size()) {
+    const bool is_design = optim::is_feasible(found.assessment);
+    if (is_design) better.push_back(result.rounds.back());
+    // Where no design meets the limits, the one of least violation tells where knots may help.
+    const bool has_tried = !is_design && result.rounds.size() >= kMostInVain;
+    if (has_tried || found.x.size() != result.optimum.problem.variables.size()) {
       result.ended = "the search led to no design within the limits";
     } else if (changes_little(better)) {
       result.ended =

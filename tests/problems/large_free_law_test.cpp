@@ -186,4 +186,17 @@ TEST_CASE("What is proved of a peak holds for the spline that its coefficients s
   CHECK(a.objective.proved.upper - a.objective.proved.lower < 1e-6);
 }
 
+TEST_CASE("Limits that can be met are not called contradictory where multipliers do not add up",
+          "[free][large]") {
+  // A simplex method that ends at a corner of the box leaves one row of the violation's own.
+  const double peak = global_value(solved(law("degree = 7\nknots = 20\nend = 'B'\n"
+                                              "[objective]\nminimize = 'C_a'\n") +
+                                          limit("C_v", "upper = 1.6")));
+  CHECK(peak == Approx(2.177809).epsilon(1e-6));
+  const double jerk = global_value(
+      solved(law("degree = 8\nknots = 20\nbegin = 2\nend = 1\n[objective]\nminimize = 'C_j'\n") +
+             limit("acceleration", "lower = -12.36")));
+  CHECK(jerk == Approx(20.65413).epsilon(1e-6));
+}
+
 }  // namespace camlaw::problems::large_free_law_test

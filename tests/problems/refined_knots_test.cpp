@@ -123,12 +123,25 @@ TEST_CASE("A start among other knots is left out", "[free][knots]") {
     CHECK_THAT(setting, !Contains("coefficients"));
 }
 
-TEST_CASE("Where no law meets the limits the knots are those of the first round", "[free][knots]") {
+TEST_CASE("Limits that few knots cannot meet get more of them", "[free][knots]") {
+  ProblemStatement problem = read(
+      law("degree = 3\nknots = 'auto'\n",
+          "[objective]\nminimize = 'highest jerk'\n[[constraints]]\nresponse = 'C_v'\nupper = 1.6\n"
+          "[[constraints]]\nresponse = 'C_j'\nupper = 60\n[[constraints]]\nresponse = 'C_a'\n"
+          "upper = 5.7222\n"));
+  const RefinedKnots found = refine_knots(problem, solved, kNever);
+  CHECK(found.rounds.front().verdict == Verdict::Infeasible);
+  CHECK(found.optimum.found.assessment.verdict == Verdict::Certified);
+}
+
+TEST_CASE("Where no law meets the limits more knots are tried in vain", "[free][knots]") {
   ProblemStatement problem =
       read(law("knots = 'auto'\n",
                "[objective]\nminimize = 'C_a'\n[[constraints]]\nresponse = 'C_v'\nupper = 0.9\n"));
   const RefinedKnots found = refine_knots(problem, solved, kNever);
-  CHECK(found.rounds.size() == 1);
+  CHECK(found.rounds.size() > 3);
+  CHECK_FALSE(found.left.has_value());
+  CHECK(found.optimum.found.assessment.verdict == Verdict::Infeasible);
   CHECK_THAT(found.ended, Contains("no design within the limits"));
 }
 
