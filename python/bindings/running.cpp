@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <thread>
@@ -64,10 +65,11 @@ void Work::end() {
   changed_.notify_all();
 }
 
-bool Work::wait() {
-  constexpr std::chrono::milliseconds kLook{50};
+bool Work::wait(std::optional<double> left) {
+  constexpr double kLook = 0.05;  // s
+  const std::chrono::duration<double> look(std::min(kLook, left.value_or(kLook)));
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, kLook, [this] { return ended_; });
+  changed_.wait_for(lock, look, [this] { return ended_; });
   return ended_;
 }
 
@@ -108,9 +110,10 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
   });
   const Joined joined(thread, work.stop_);
   for (bool ended = false; !ended;) {
+    if (deadline.passed()) work.stop_ = true;
     {
       const nb::gil_scoped_release released;
-      ended = work.wait();
+      ended = work.wait(deadline.passed() ? std::nullopt : deadline.left());
     }
     if (raised) {  // nothing is told to who has stopped it
       ignore_interrupts();

@@ -39,8 +39,9 @@ class Work {
   };
 
   void end();
-  /// Waits a little; whether the work is at its end.
-  bool wait();
+  /// Waits a little, and no longer than until a deadline that so many seconds are left to; whether
+  /// the work is at its end.
+  bool wait(std::optional<double> left);
   std::optional<Told> take();
 
   std::atomic<bool> stop_{false};
