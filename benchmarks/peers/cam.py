@@ -30,6 +30,26 @@ class Cam:
         return self.mass * self.speed**2 * s2 / 1000 + self.spring_rate * s + preload
 
 
+@dataclass(frozen=True)
+class Lift:
+    """The lift and its derivatives by the cam's angle where it moves, mm; it ends in its dwells."""
+
+    s: Array
+    s1: Array
+    s2: Array
+
+
+def lift(cam: Cam, law: Any, up: Array, down: Array) -> Lift:
+    """A rise by a law at these places, and a modified-sine return at those."""
+    s, v, a = law(up)
+    r, w, b = modified_sine(1 - down)
+    return Lift(
+        cam.stroke * np.r_[s, r],
+        cam.stroke * np.r_[v / cam.rise, -w / cam.fall],
+        cam.stroke * np.r_[a / cam.rise**2, b / cam.fall**2],
+    )
+
+
 def tangent(prime: Any, s: Any, s1: Any) -> Any:
     """The tangent of the pressure angle on a prime circle of this radius."""
     return s1 / (prime + s)

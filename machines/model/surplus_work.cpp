@@ -28,11 +28,7 @@ class MeanOfTurn {
   T operator()(std::span<const T> u) const {
     const auto turn = TurnSections<T>::of(*record_, u);
     if (!turn) return number<T>(kNaN);
-    T sum = number<T>(0);
-    for (const auto& section : turn->sections()) {
-      sum = sum + detail::weighted(*turn, section, section.begin, section.end, detail::Plain());
-    }
-    return sum;
+    return detail::mean_of(*turn);
   }
 
  private:
@@ -51,13 +47,7 @@ template <class T>
 WorkBefore<T> work_before(const TurnRecord& record, std::span<const T> u) {
   WorkBefore<T> result{TurnSections<T>::of(record, u)};
   if (!result.turn) return result;
-  T sum = number<T>(0);
-  for (const auto& section : result.turn->sections()) {
-    result.before.push_back(sum);
-    sum =
-        sum + detail::weighted(*result.turn, section, section.begin, section.end, detail::Plain());
-  }
-  result.whole = detail::turned(*result.turn);
+  result.whole = detail::turned(*result.turn, &result.before);
   return result;
 }
 

@@ -44,16 +44,26 @@ struct Levered {
   }
 };
 
+/// The mean torque over a turn, and where it is wanted its integral before each section.
+template <class T>
+T mean_of(const TurnSections<T>& turn, std::vector<T>* before = nullptr) {
+  T sum = number<T>(0);
+  for (const auto& section : turn.sections()) {
+    if (before != nullptr) before->push_back(sum);
+    sum = sum + weighted(turn, section, section.begin, section.end, Plain());
+  }
+  return sum;
+}
+
 /// What a turn adds up to: the mean torque, and the mean of its integral, less that of the mean.
 template <class T>
 struct Turned {
   T mean, level;
 };
 template <class T>
-Turned<T> turned(const TurnSections<T>& turn) {
-  Turned<T> result{number<T>(0), number<T>(0)};
+Turned<T> turned(const TurnSections<T>& turn, std::vector<T>* before = nullptr) {
+  Turned<T> result{mean_of(turn, before), number<T>(0)};
   for (const auto& section : turn.sections()) {
-    result.mean = result.mean + weighted(turn, section, section.begin, section.end, Plain());
     result.level = result.level + weighted(turn, section, section.begin, section.end, Levered());
   }
   return result;

@@ -126,7 +126,7 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
                raised);
       }
     }
-    if (raised || deadline.passed()) work.stop_ = true;
+    if (raised) work.stop_ = true;
   }
   thread.join();
   const bool interrupted = raised && raised->matches(PyExc_KeyboardInterrupt);

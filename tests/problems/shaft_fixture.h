@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
@@ -123,6 +124,36 @@ inline std::string moving(const std::string& law, const std::string& constants) 
          "phase]\nlower = 60\nupper = 300\nstart = 141.7\n" + b +
          "mass]\nlower = 1\nupper = 9\nstart = 3\n" +
          "[variables.speed]\nlower = 50\nupper = 400\nstart = 200\n";
+}
+
+/// A part of a smooth stretch of a curve, what encloses it there, and the least and the most of 41
+/// samples.
+struct EnclosedPart {
+  double share, length;  ///< of the stretch; the stretch's
+  double from, to;
+  optim::Bounds bounds;
+  double least = optim::kInfinity, most = -optim::kInfinity;
+};
+
+/// Of each stretch a part for each share, the whole stretch for 1.
+inline std::vector<EnclosedPart> enclosed_parts(const optim::Trace& trace,
+                                                const std::vector<double>& shares) {
+  std::vector<EnclosedPart> parts;
+  const std::vector<double> breaks = trace.breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double length = breaks[k + 1] - breaks[k];
+    for (const double share : shares) {
+      const double from = breaks[k] + 0.37 * (1 - share) * length;
+      const double to = share == 1.0 ? breaks[k + 1] : from + share * length;
+      EnclosedPart part{share, length, from, to, trace.enclose(from, to)};
+      for (const auto& at : trace.even(from, to, 40)) {
+        part.least = std::min(part.least, at[0]);
+        part.most = std::max(part.most, at[0]);
+      }
+      parts.push_back(part);
+    }
+  }
+  return parts;
 }
 
 }  // namespace camlaw::problems::shaft_fixture

@@ -18,25 +18,14 @@ TEST_CASE("enclosures of the work and of the balancing lift hold what they are",
   const ProblemStatement shaft = read(pair(kRubbing));
   for (const std::string name : {"surplus_work", "balancing_lift"}) {
     const auto trace = trace_of(shaft, name);
-    const std::vector<double> breaks = trace->breaks();
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      const double length = breaks[k + 1] - breaks[k];
-      for (const double share : {1.0, 0.3, 0.01, 1e-5}) {
-        const double from = breaks[k] + 0.37 * (1 - share) * length;
-        const double to = share == 1.0 ? breaks[k + 1] : from + share * length;
-        const optim::Bounds bounds = trace->enclose(from, to);
-        double least = optim::kInfinity, most = -optim::kInfinity;
-        for (const auto& at : trace->even(from, to, 40)) {
-          least = std::min(least, at[0]);
-          most = std::max(most, at[0]);
-        }
-        INFO(name << " from " << from << " to " << to);
-        constexpr double kOfSamples = 1e-12;  // which are rounded
-        CHECK(bounds.lower <= least + kOfSamples);
-        CHECK(bounds.upper >= most - kOfSamples);
-        if (share <= 0.01) {
-          CHECK(bounds.upper - bounds.lower <= most - least + 1e-7 + 0.1 * share * length * share);
-        }
+    for (const EnclosedPart& part : enclosed_parts(*trace, {1.0, 0.3, 0.01, 1e-5})) {
+      const auto& [share, length, from, to, bounds, least, most] = part;
+      INFO(name << " from " << from << " to " << to);
+      constexpr double kOfSamples = 1e-12;  // which are rounded
+      CHECK(bounds.lower <= least + kOfSamples);
+      CHECK(bounds.upper >= most - kOfSamples);
+      if (share <= 0.01) {
+        CHECK(bounds.upper - bounds.lower <= most - least + 1e-7 + 0.1 * share * length * share);
       }
     }
   }

@@ -10,6 +10,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
+#include "problems/law_files/json_text.h"
 #include "problems/results/design_json.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/recorded_design.h"
@@ -20,6 +21,7 @@
 #include "tests/machines/mechanism_fixture.h"
 #include "tests/paths.h"
 #include "tests/problems/complaint.h"
+#include "tests/problems/shaft_fixture.h"
 
 /// Several cams on one shaft.
 namespace camlaw::problems::shaft_test {
@@ -240,23 +242,13 @@ TEST_CASE("enclosures of a shaft's curves hold what the curves are", "[shaft]") 
     CHECK(breaks.front() == 0);
     CHECK(breaks.back() == 360);
     CHECK(std::is_sorted(breaks.begin(), breaks.end()));
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      const double length = breaks[k + 1] - breaks[k];
-      for (const double share : {1.0, 0.3, 0.01, 1e-4}) {
-        const double from = breaks[k] + 0.37 * (1 - share) * length;
-        const double to = share == 1.0 ? breaks[k + 1] : from + share * length;
-        const optim::Bounds bounds = trace->enclose(from, to);
-        double least = optim::kInfinity, most = -optim::kInfinity;
-        for (const auto& at : trace->even(from, to, 40)) {
-          least = std::min(least, at[0]);
-          most = std::max(most, at[0]);
-        }
-        INFO(name << " from " << from << " to " << to);
-        CHECK(bounds.lower <= least);
-        CHECK(bounds.upper >= most);
-        // Of second order: what they add shrinks as the square of the stretch does.
-        CHECK(bounds.upper - bounds.lower <= most - least + 0.3 * share * length * share * length);
-      }
+    for (const auto& part : shaft_fixture::enclosed_parts(*trace, {1.0, 0.3, 0.01, 1e-4})) {
+      const auto& [share, length, from, to, bounds, least, most] = part;
+      INFO(name << " from " << from << " to " << to);
+      CHECK(bounds.lower <= least);
+      CHECK(bounds.upper >= most);
+      // Of second order: what they add shrinks as the square of the stretch does.
+      CHECK(bounds.upper - bounds.lower <= most - least + 0.3 * share * length * share * length);
     }
   }
 }

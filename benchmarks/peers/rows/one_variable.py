@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The least base circle of a disc cam whose laws are given: one variable, limits at a grid."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.optimize import brentq, minimize
 
-from cam import Array, Cam, bend, cycloidal, modified_sine, tangent
+from cam import Array, Cam, Lift, bend, cycloidal, lift, tangent
 from program import problem
 from row import Json, Outcome, Row, excess, verdict
 
@@ -18,25 +16,11 @@ LEAST, MOST, START = 10.0, 120.0, 60.0  # base radius, mm
 PLACES = 721  # of the whole turn, a place each half degree
 
 
-@dataclass(frozen=True)
-class Lift:
-    """The lift and its derivatives by the cam's angle where it moves, mm; it ends in its dwells."""
-
-    s: Array
-    s1: Array
-    s2: Array
-
-
-def lift(places: int) -> Lift:
+def moved(places: int) -> Lift:
+    """Where the follower moves, of so many places of the turn."""
     up = np.linspace(0, 1, int(places * CAM.rise / (2 * np.pi)) + 1)
     down = np.linspace(0, 1, int(places * CAM.fall / (2 * np.pi)) + 1)
-    s, v, a = cycloidal(up)
-    r, w, b = modified_sine(1 - down)
-    return Lift(
-        CAM.stroke * np.r_[s, r],
-        CAM.stroke * np.r_[v / CAM.rise, -w / CAM.fall],
-        CAM.stroke * np.r_[a / CAM.rise**2, b / CAM.fall**2],
-    )
+    return lift(CAM, cycloidal, up, down)
 
 
 def margins(base: float, of: Lift) -> Array:
@@ -55,7 +39,7 @@ def margins(base: float, of: Lift) -> Array:
 
 
 def by_slsqp() -> float:
-    of = lift(PLACES)
+    of = moved(PLACES)
     found = minimize(
         lambda x: x[0],
         [START],
@@ -71,12 +55,12 @@ def by_slsqp() -> float:
 
 
 def by_root() -> float:
-    of = lift(PLACES)
+    of = moved(PLACES)
     return float(brentq(lambda base: margins(base, of).min(), LEAST, MOST, xtol=1e-10))
 
 
 def judge(answer: Json, theirs: float) -> Outcome:
-    ours, of = answer["objective"], lift(200 * PLACES)
+    ours, of = answer["objective"], moved(200 * PLACES)
     prime = theirs + ROLLER
     angle = np.degrees(np.arctan(tangent(prime, of.s, of.s1))).max() - 30
     above, below = bend(prime, of.s, of.s1, of.s2)

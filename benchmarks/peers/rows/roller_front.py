@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A disc cam's front of base radius, torque and contact stress, with two laws to choose from."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ from pymoo.core.problem import Problem
 from pymoo.indicators.hv import HV
 from pymoo.optimize import minimize
 
-from cam import Array, Cam, bend, cycloidal, modified_sine, tangent
+from cam import Array, Cam, Lift, bend, cycloidal, lift, modified_sine, tangent
 from program import problem
 from row import Json, Outcome, Row, excess
 
@@ -25,29 +24,19 @@ POPULATION, GENERATIONS = 100, 200
 NAMES = ("base_radius", "peak drive_torque", "highest contact_stress")
 
 
-@dataclass(frozen=True)
-class Lifts:
-    """Lift and derivatives by the cam's angle, mm, a row for each law of the rise."""
-
-    s: Array
-    s1: Array
-    s2: Array
-
-
-def lifts(step: float) -> Lifts:
-    """Of cycloidal and modified-sine rises, each with the modified-sine return."""
+def lifts(step: float) -> Lift:
+    """A row for each law of the rise, cycloidal and modified-sine."""
     up = np.linspace(0, 1, round(np.degrees(CAM.rise) / step) + 1)
     down = np.linspace(0, 1, round(np.degrees(CAM.fall) / step) + 1)
-    r, w, b = modified_sine(1 - down)
-    rises = [law(up) for law in (cycloidal, modified_sine)]
-    return Lifts(
-        CAM.stroke * np.array([np.r_[s, r] for s, _, _ in rises]),
-        CAM.stroke * np.array([np.r_[v / CAM.rise, -w / CAM.fall] for _, v, _ in rises]),
-        CAM.stroke * np.array([np.r_[a / CAM.rise**2, b / CAM.fall**2] for _, _, a in rises]),
+    rises = [lift(CAM, law, up, down) for law in (cycloidal, modified_sine)]
+    return Lift(
+        np.array([rise.s for rise in rises]),
+        np.array([rise.s1 for rise in rises]),
+        np.array([rise.s2 for rise in rises]),
     )
 
 
-def evaluate(x: Array, of: Lifts) -> tuple[Array, Array]:
+def evaluate(x: Array, of: Lift) -> tuple[Array, Array]:
     """Objectives (mm, N m, MPa) and what must not be above 0, a row for each design."""
     base, roller, preload = x[:, 0:1], x[:, 1:2], x[:, 2:3]
     law = (x[:, 3] >= 1).astype(int)

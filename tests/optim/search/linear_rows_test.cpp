@@ -1,42 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/linear_rows.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "machines/model/affine_row.h"
+
 namespace camlaw::optim::linear_rows_test {
 namespace {
 
 /// constant + slopes * u.
-class Line final : public Kernel {
- public:
-  Line(double constant, std::vector<double> slopes)
-      : constant_(constant), slopes_(std::move(slopes)) {}
-  double value(std::span<const double> u) const override {
-    double sum = constant_;
-    for (std::size_t i = 0; i < slopes_.size(); ++i) sum += slopes_[i] * u[i];
-    return sum;
-  }
-  double gradient(std::span<const double> u, std::span<double> g) const override {
-    std::copy(slopes_.begin(), slopes_.end(), g.begin());
-    return value(u);
-  }
-  double hessian(std::span<const double> u, std::span<double> g,
-                 std::span<double> h) const override {
-    std::fill(h.begin(), h.end(), 0.0);
-    return gradient(u, g);
-  }
-
- private:
-  double constant_;
-  std::vector<double> slopes_;
-};
-
 Function line(double constant, std::vector<double> slopes, std::vector<std::size_t> inputs) {
-  return {std::move(inputs), std::make_shared<Line>(constant, std::move(slopes)), Shape::Linear};
+  return {std::move(inputs),
+          std::make_shared<problems::AffineRow>(constant, std::move(slopes), 0.0, 0.0),
+          Shape::Linear};
 }
 
 }  // namespace
