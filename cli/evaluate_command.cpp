@@ -96,7 +96,7 @@ int run_evaluate(const EvaluateOptions& options) {
   const ClaimReview review = reviewed(read);
   const int status = status_of(review);
   ProblemStatement statement = read.statement;
-  problems::set_values(statement, options.settings);
+  problems::set_in_design(statement, read, options.settings);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);

@@ -36,7 +36,7 @@ int run_export(const ExportOptions& options) {
   keep_inputs(design);
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
-  problems::set_values(design.statement, options.settings);
+  problems::set_in_design(design.statement, design, options.settings);
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);

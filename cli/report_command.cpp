@@ -32,7 +32,7 @@ problems::ReadDesign with_settings(const problems::ReadDesign& read,
                                    const std::vector<std::string>& settings) {
   problems::ReadDesign changed{read.problem};
   changed.statement = read.statement;
-  problems::set_values(changed.statement, settings);
+  problems::set_in_design(changed.statement, read, settings);
   return changed;
 }
 

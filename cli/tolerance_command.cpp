@@ -54,10 +54,16 @@ ProblemStatement point_design(const ToleranceCommand& options) {
 
 ProblemStatement design_of(const ToleranceCommand& options) {
   keep_input(options.file);
-  if (options.point) return point_design(options);
+  if (options.point) {
+    ProblemStatement point = point_design(options);
+    problems::set_values(point, options.settings);
+    return point;
+  }
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read);
-  return read.statement;
+  ProblemStatement design = read.statement;
+  problems::set_in_design(design, read, options.settings);
+  return design;
 }
 
 int run_tolerance(const ToleranceCommand& options) {
@@ -76,8 +82,7 @@ int run_tolerance(const ToleranceCommand& options) {
   }
   const std::optional<double> limit = time_limit_of(options.limits);
   const auto path = study_file(options.db, {}, options.resume);
-  ProblemStatement design = design_of(options);
-  problems::set_values(design, options.settings);
+  const ProblemStatement design = design_of(options);
   const Interruptible interruptible;
   const optim::Deadline deadline(limit, interruptible.flag());
   const problems::VariedDesign varied = problems::varied_design(

@@ -9,13 +9,16 @@
 namespace camlaw::optim {
 namespace {
 
-/// Searches from where a search has ended, in the sizes of that place, where they are others.
+/// Searches from where a search has ended, in the sizes of that place, where they are others. A
+/// linear problem is solved once more in any case, with the peaks of that place as its first rows:
+/// that sharpens the multipliers, and takes less than another method.
 void search_rescaled(std::vector<double> x, const Solver& solver, const Setting& setting,
                      Trail& trail, Reached& reached) {
   constexpr int kTimes = 3;
   for (int i = 0; i < kTimes; ++i) {
     Sizes there = sizes(setting.problem, x);
-    if (!differ(there, trail.sizes)) return;
+    const bool sharpens = i == 0 && solver.solves_linear_programs();
+    if (!differ(there, trail.sizes) && !sharpens) return;
     trail.sizes = std::move(there);
     const Attempt tried = attempt(x, solver, setting, trail, reached);
     const bool ended = tried.error || tried.x.empty() || setting.deadline.passed();

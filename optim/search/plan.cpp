@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "optim/solvers/interior.h"
 #include "optim/solvers/sequential.h"
@@ -39,15 +40,12 @@ Plan plan(const Problem& problem, const std::string& wanted) {
     return {{&chosen}, "as asked for"};
   }
   const bool small = n <= kSmall && m <= kSmall;
-  if (is_linear(problem) && n > kManyVariables) {
-    return {{&interior_solver(), &clp_solver(), &ipopt},
-            fmt::format("interior: linear, of {}; clp and ipopt where that is not enough",
-                        variables_text(n))};
-  }
   if (is_linear(problem)) {
-    return {{&clp_solver(), &interior_solver(), &ipopt, &slsqp},
-            fmt::format("clp: linear, of {}; interior, ipopt and slsqp where that is not enough",
-                        variables_text(n))};
+    std::vector<const Solver*> solvers = {&interior_solver(), &clp_solver(), &ipopt};
+    if (small) solvers.push_back(&slsqp);  // its matrices are dense
+    return {std::move(solvers),
+            fmt::format("interior: linear, of {}; clp{} where that is not enough",
+                        variables_text(n), small ? ", ipopt and slsqp" : " and ipopt")};
   }
   if (small) {
     return {{&slsqp, &ipopt},
@@ -67,9 +65,7 @@ std::vector<const Solver*> least_violation_plan(const Problem& problem) {
   const Solver& ipopt = ipopt_solver();
   const bool small = problem.variables.size() + problem.constraints.size() <= kSmall;
   std::vector<const Solver*> solvers;
-  const bool linear = has_linear_limits(problem);
-  if (linear && problem.variables.size() > kManyVariables) solvers.push_back(&interior_solver());
-  if (linear) solvers.push_back(&clp_solver());
+  if (has_linear_limits(problem)) solvers = {&interior_solver(), &clp_solver()};
   if (small) solvers.push_back(&find_solver("slsqp"));
   solvers.push_back(&ipopt);
   return solvers;

@@ -9,9 +9,8 @@
 
 namespace camlaw::optim {
 
-/// A linear problem of more variables goes to the interior-point method first: where limits leave
-/// room, its answers stay amid it, and vertices pass them in many places that the exchange has to
-/// add one by one.
+/// Above this number of variables a nonlinear problem goes to the sequential method, a search has
+/// fewer starts, and a sharp optimum is not polished.
 inline constexpr std::size_t kManyVariables = 30;
 
 /// Whether objective and limits are known to be linear.
@@ -23,9 +22,11 @@ struct Plan {
   std::string why;
 };
 
-/// `wanted` is a name of solver_names() or "auto": for linear problems clp, of many variables
-/// interior before it; else up to 30 variables and limits slsqp, then ipopt where the conditions of
-/// optimality do not hold; beyond, ipopt.
+/// `wanted` is a name of solver_names() or "auto": for linear problems interior, then clp; else up
+/// to 30 variables and limits slsqp, then ipopt where the conditions of optimality do not hold;
+/// beyond, sequential (of many variables) and ipopt. Interior comes before clp because its answers
+/// stay amid the room that limits leave; vertices pass curves' limits in many places, which the
+/// exchange has to add one by one.
 Plan plan(const Problem& problem, const std::string& wanted);
 
 /// For the design of least violation: each where those before it do not convince.

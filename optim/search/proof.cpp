@@ -34,11 +34,11 @@ bool is_proved(const Problem& problem, const Found& found) {
          (sought.is_curve() || a.objective.value == sought.function().value(found.x));
 }
 
-/// The method that goes on from a design that was found: of nonlinear problems a sharp one, if the
-/// plan begins with one, since others take far longer; else the plan's last.
+/// The method that goes on from a design that was found: a sharp one, if the plan begins with one,
+/// since others take far longer; else the plan's last.
 const Solver& finisher(const Setting& setting) {
   const Solver& first = *setting.plan.solvers.front();
-  return first.is_sharp() && !first.solves_linear_programs() ? first : *setting.plan.solvers.back();
+  return first.is_sharp() ? first : *setting.plan.solvers.back();
 }
 
 /// Conditions that held in the sizes of a search may not hold in those of the design it led to:

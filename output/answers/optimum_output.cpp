@@ -293,8 +293,9 @@ void add_knots(const Answer& answer, Document& document) {
                         with_unit(fmt::format("{:.1g}", *knots.left), unit))
           : "";
   Document own;
-  own.say(fmt::format("\n{} knots, added where they gain; {}{}\n", knots.knots.size(), knots.ended,
-                      left));
+  const char* how =
+      knots.knots.size() > knots.rounds.front().knots ? ", added where they gain" : "";
+  own.say(fmt::format("\n{} knots{}; {}{}\n", knots.knots.size(), how, knots.ended, left));
   own.add(std::move(table));
   own.fact("places", knots.knots);
   own.fact("ended", knots.ended);

@@ -11,10 +11,12 @@
 #include "problems/law_files/law_file.h"
 #include "problems/results/seal.h"
 #include "problems/results/stated_numbers.h"
+#include "problems/statement/assignment.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
+#include "problems/statement/restated.h"
 
 namespace camlaw::problems {
 namespace {
@@ -199,6 +201,19 @@ ReadDesign read_design_file(const std::string& path) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return read_result(text, path);
   return {read_problem(text, path)};
+}
+
+void set_in_design(ProblemStatement& statement, const ReadDesign& read,
+                   std::span<const std::string> settings) {
+  for (const std::string& setting : settings) {
+    const std::string_view name = parse_assignment(setting, "speed=60 rpm").name;
+    if (!read.verdict || !is_free_setting(read.problem, name)) continue;
+    refuse(
+        fmt::format("{}: the result's coefficients fit its own free law only; set it where the "
+                    "law is sought, with camlaw optimize",
+                    name));
+  }
+  set_values(statement, settings);
 }
 
 }  // namespace camlaw::problems

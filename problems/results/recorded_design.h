@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,5 +60,10 @@ ReadDesign read_result(std::string_view json, const std::string& source);
 /// The design of a file: of a problem file its starts, of a result what was found. Throws
 /// std::invalid_argument with the path and what is wrong.
 ReadDesign read_design_file(const std::string& path);
+
+/// Sets values in a design that was read, as set_values does. Throws std::invalid_argument where a
+/// result's free law would become another: the coefficients that were found are its own.
+void set_in_design(ProblemStatement& statement, const ReadDesign& read,
+                   std::span<const std::string> settings);
 
 }  // namespace camlaw::problems

@@ -207,7 +207,12 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
     }
     is_set = true;
   }
-  if (!is_set) refuse_name("no limit is called", name, known);
+  if (is_set) return;
+  if (known.empty()) {
+    throw std::invalid_argument(fmt::format("{}: the file has no limit with a bound {}", name,
+                                            bound.is_upper ? "above" : "below"));
+  }
+  refuse_name("no limit is called", name, known);
 }
 
 /// "blades=21", without a look at whether the laws are possible.

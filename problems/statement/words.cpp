@@ -130,7 +130,10 @@ std::string laws_sentence(const ProblemStatement& problem) {
     return fmt::format("The motion program is {}.\n", problem.laws.front().family->formula);
   }
   for (const Member& law : problem.laws) laws.push_back(law_text(problem, law));
-  if (laws.size() == 1) return fmt::format("The motion law is {}.\n", laws.front());
+  if (laws.size() == 1) {
+    return fmt::format("The motion law is {}{}.\n", laws.front(),
+                       problem.finds_knots ? "; more knots are added where they gain" : "");
+  }
   return fmt::format("Choose the motion law among {}.\n", listed(laws));
 }
 
