@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "numerics/linear/banded_split.h"
 #include "numerics/linear/bordered_qr.h"
@@ -47,15 +47,17 @@ class SparseFactors : public ColumnFactors {
   }
 
  private:
+  /// Numbers among the given columns, in the band's order: by counting, since a sort of thousands
+  /// takes as long as their rotations.
   static std::vector<std::size_t> in_band(const BandedSplit& split,
                                           const std::vector<int>& columns) {
-    std::vector<std::size_t> order(columns.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto place = [&](std::size_t k) {
-      return split.places[static_cast<std::size_t>(columns[k])];
-    };
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return place(a) < place(b); });
-    return order;
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> at_place(split.places.size(), kNone);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      at_place[static_cast<std::size_t>(split.places[static_cast<std::size_t>(columns[k])])] = k;
+    }
+    std::erase(at_place, kNone);
+    return at_place;
   }
 
   BorderedQr factor(const std::vector<int>& columns) {

@@ -33,7 +33,7 @@ bool went_well(Status status) { return status == Status::Solved || status == Sta
 /// Whether an optimum that a sharp method has found needs no polish, and its conditions of
 /// optimality are left to the verdict: to look at them takes longer than a few rounds more. Of few
 /// variables one peak that moves tells.
-bool needs_no_polish(const Problem& problem) { return problem.variables.size() > kManyVariables; }
+bool needs_no_polish(const Problem& problem) { return is_large(problem); }
 
 /// To what share of their tolerances the exchange goes after peaks from such an optimum on: not to
 /// where the method's own rounding lies.

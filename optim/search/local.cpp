@@ -68,20 +68,6 @@ void blame(const std::string& limit, const Problem& problem, const Sizes& sizes,
   found.assessment.global = fmt::format("{} is the same for every design", limit);
 }
 
-/// Whether points drawn at random are of little use as starts: of many variables, or of several
-/// whose bounds lie far apart beside a typical change, as those of a free law's coefficients.
-bool draws_in_vain(const Problem& problem) {
-  constexpr std::size_t kSeveral = 6;
-  constexpr double kFar = 30;
-  if (problem.variables.size() > kManyVariables) return true;
-  const std::vector<double> scales = variable_scales(problem);
-  std::size_t far = 0;
-  for (std::size_t i = 0; i < scales.size(); ++i) {
-    if (problem.variables[i].upper - problem.variables[i].lower > kFar * scales[i]) ++far;
-  }
-  return far >= kSeveral;
-}
-
 int count_of_starts(const Setting& setting) {
   constexpr int kStarts = 8;
   // These begin nearer to a design, and each takes longer.
@@ -89,7 +75,7 @@ int count_of_starts(const Setting& setting) {
   if (setting.options.starts) return *setting.options.starts;
   const bool one_is_enough = why_convex(setting.original) && !needs_slope(setting.problem);
   if (one_is_enough || setting.plan.solvers.front()->is_global()) return 1;
-  return draws_in_vain(setting.problem) ? kStartsOfMany : kStarts;
+  return is_large(setting.problem) ? kStartsOfMany : kStarts;
 }
 
 /// Whether the box of few variables, divided into a few parts, holds nothing better than where the
@@ -121,7 +107,7 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
   trail.found.planned_starts = count_of_starts(setting);
   try {
     const bool as_it_is =
-        number == 0 || !draws_in_vain(setting.problem) || setting.plan.solvers.front()->is_global();
+        number == 0 || !is_large(setting.problem) || setting.plan.solvers.front()->is_global();
     const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
     const std::vector<double> start =
         as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "optim/solvers/interior.h"
@@ -23,6 +24,19 @@ std::string variables_text(std::size_t n) {
 }
 
 }  // namespace
+
+bool is_large(const Problem& problem) {
+  constexpr std::size_t kMany = 30, kSeveral = 6;
+  constexpr double kFar = 30;
+  if (problem.variables.size() > kMany) return true;
+  const std::vector<double> scales = variable_scales(problem);
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const double range = problem.variables[i].upper - problem.variables[i].lower;
+    if (std::isfinite(range) && range > kFar * scales[i]) ++far;
+  }
+  return far >= kSeveral;
+}
 
 bool is_linear(const Problem& problem) {
   return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
@@ -47,15 +61,15 @@ Plan plan(const Problem& problem, const std::string& wanted) {
             fmt::format("interior: linear, of {}; clp{} where that is not enough",
                         variables_text(n), small ? ", ipopt and slsqp" : " and ipopt")};
   }
+  if (is_large(problem)) {
+    return {{&sequential_solver(), &ipopt},
+            fmt::format("sequential: {} and {} limits, sparse; ipopt where that is not enough",
+                        variables_text(n), m)};
+  }
   if (small) {
     return {{&slsqp, &ipopt},
             fmt::format("slsqp: {}, exact gradients; ipopt where that is not enough",
                         variables_text(n))};
-  }
-  if (n > kManyVariables) {
-    return {{&sequential_solver(), &ipopt},
-            fmt::format("sequential: {} and {} limits, sparse; ipopt where that is not enough",
-                        variables_text(n), m)};
   }
   return {{&ipopt}, fmt::format("ipopt: {} and {} limits, sparse", variables_text(n), m)};
 }

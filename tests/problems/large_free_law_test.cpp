@@ -199,4 +199,15 @@ TEST_CASE("Limits that can be met are not called contradictory where multipliers
   CHECK(jerk == Approx(20.65413).epsilon(1e-6));
 }
 
+TEST_CASE("Where the limits' rows are many and nearly alike, the first method's answer is proved",
+          "[free][large]") {
+  const Optimum optimum =
+      solved(law("degree = 7\nknots = 50\ncontinuity = 2\nbegin = 1\nend = 3\n"
+                 "[objective]\nminimize = 'C_v'\n") +
+             limit("acceleration", "lower = -3.142") + limit("C_a", "upper = 12.96"));
+  CHECK(global_value(optimum) > 1.3857);
+  CHECK(optimum.found.solver == "interior");
+  CHECK(optimum.found.solves < 40);  // no other method took over
+}
+
 }  // namespace camlaw::problems::large_free_law_test

@@ -177,6 +177,29 @@ minimize = "C_a"
   CHECK_THAT(complaint([&] { start_settings(other, design); }), Contains("none of what varies"));
 }
 
+TEST_CASE("a result's coefficients are not taken for those of another free law",
+          "[statement][restated]") {
+  const ProblemStatement plain = read(R"(
+mechanism = "law"
+law.name = "free"
+free.knots = 4
+objective.minimize = "mean_square_acceleration"
+)");
+  const BoundProblem bound(plain);
+  const optim::Optimum found = optim::optimise(bound.space());
+  Json result{{"verdict", "certified optimum"},
+              {"design", recorded_design(bound, found.options, found.found.x)}};
+  const ReadDesign design = read_result(result.dump(), "result.json");
+  ProblemStatement changed = design.statement;
+  CHECK_THAT(
+      complaint([&] { set_in_design(changed, design, std::vector<std::string>{"free.knots=9"}); }),
+      Contains("free.knots: the result's coefficients fit its own free law only"));
+  // What a problem file states begins anew.
+  const ReadDesign stated{plain};
+  set_in_design(changed, stated, std::vector<std::string>{"free.knots=9"});
+  CHECK(changed.variables.size() > design.statement.variables.size());
+}
+
 TEST_CASE("a problem that chooses among laws has those of a design", "[statement][restated]") {
   const std::string both = R"(["cycloidal", "modified-sine"])";
   const auto listed = [&](std::string text, const std::string& law) {

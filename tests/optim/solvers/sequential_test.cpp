@@ -167,7 +167,7 @@ TEST_CASE("a sequence of quadratic programs says how it ended", "[sequential]") 
 
 TEST_CASE("problems of many variables that are not linear go to it first", "[sequential]") {
   Problem problem;
-  for (std::size_t i = 0; i <= kManyVariables; ++i)
+  for (std::size_t i = 0; i <= 30; ++i)
     problem.variables.push_back(variable("x" + std::to_string(i), -2, 2, 0.1));
   problem.objectives = {least(sum_of({0}, {1}))};
   problem.constraints = {at_least(
@@ -176,6 +176,18 @@ TEST_CASE("problems of many variables that are not linear go to it first", "[seq
   const Found found = optimise(problem).found;
   CHECK(found.assessment.verdict == Verdict::Certified);
   CHECK(found.assessment.objective.value == Approx(-1).epsilon(1e-8));
+}
+
+TEST_CASE("a few variables whose bounds lie far apart go to it too", "[sequential]") {
+  Problem problem;
+  for (std::size_t i = 0; i < 6; ++i) {
+    problem.variables.push_back(variable("x" + std::to_string(i), -2, 2, 0.1));
+    problem.variables.back().scale = 0.1;
+  }
+  problem.objectives = {least(function<Interval>({0}, [](const auto& u) { return square(u[0]); }))};
+  CHECK(plan(problem, "auto").solvers.front()->name() == "sequential");
+  problem.variables.back().scale = 1;  // one of them may be drawn at random
+  CHECK(plan(problem, "auto").solvers.front()->name() == "slsqp");
 }
 
 }  // namespace camlaw::optim::sequential_test
