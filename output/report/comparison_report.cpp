@@ -12,6 +12,7 @@
 #include "output/document/formatting.h"
 #include "output/document/short_version.h"
 #include "output/figure/chart_svg.h"
+#include "output/figure/thinning.h"
 #include "output/report/design_figure.h"
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
@@ -22,7 +23,7 @@
 namespace camlaw::cli {
 namespace {
 
-constexpr int kComparedPoints = 360;
+constexpr int kComparedPoints = 2000;  // before they are thinned
 
 /// The curves of one design.
 struct CurvesOf {
@@ -33,6 +34,7 @@ struct CurvesOf {
       : figure(design_figure(design.read.statement, kComparedPoints)) {
     std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
     words = panel_words(figure, design.read.statement, design.review.evaluated);
+    figure = thinned(std::move(figure));
   }
   /// The panel of the same curve over the same axis.
   const Panel* like(const Panel& panel) const {

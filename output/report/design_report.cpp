@@ -12,6 +12,7 @@
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
+#include "output/figure/thinning.h"
 #include "output/report/design_figure.h"
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
@@ -96,7 +97,7 @@ std::string lead(const ReportedDesign& reported, const DesignReview& review) {
 }  // namespace
 
 ReportPage design_report(const ReportedDesign& reported) {
-  constexpr int kPoints = 360;
+  constexpr int kPoints = 2000;  // of each curve, which is thinned before it is written
   const ProblemStatement& design = reported.read.statement;
   const DesignReview review(reported.read);
   check_possible(reported.file, design, review.evaluated);
@@ -104,6 +105,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
   const std::vector<TimedSpan> spans = motion_spans(design);
   const auto words = panel_words(figure, design, review.evaluated);
+  figure = thinned(std::move(figure));
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
   page.sections = {
