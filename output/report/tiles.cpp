@@ -48,14 +48,15 @@ std::string tile_html(const Tile& tile) {
       escaped(tile.sentence));
 }
 
-/// The gain of the objective that easing a limit by one unit brings, where it is known.
+/// What easing a limit by one unit would do to the objective, where that is known.
 std::string gain(const LimitReport& limit, const ProblemStatement& design, bool priced) {
   if (!priced || !(std::abs(limit.multiplier) > 0) || design.objectives.empty()) return "";
-  const problems::ResponseName& objective = design.objectives.front().response;
-  return fmt::format(" and holds the design: easing it by 1{} gains {} of {}",
-                     limit.unit == "1" ? "" : " " + limit.unit,
-                     with_unit(fmt::format("{:.3g}", std::abs(limit.multiplier)), objective.unit),
-                     plain_name(objective.name));
+  const problems::ObjectiveStatement& objective = design.objectives.front();
+  return fmt::format(
+      "; easing it by 1{} would {} {} by {}", limit.unit == "1" ? "" : " " + limit.unit,
+      objective.sense == optim::Sense::Minimize ? "reduce" : "increase",
+      plain_name(objective.response.name),
+      with_unit(fmt::format("{:.3g}", std::abs(limit.multiplier)), objective.response.unit));
 }
 
 std::string limit_clause(const LimitReport& limit, const std::string& near,
@@ -67,7 +68,7 @@ std::string limit_clause(const LimitReport& limit, const std::string& near,
           ? "the value of " + bound + " that it must have"
           : fmt::format("{} limit of {}", limit.is_upper ? "its upper" : "its lower", bound);
   const std::string side = near == "nearer"    ? ", the nearer of the two"
-                           : near == "as near" ? ", and as near to the other one"
+                           : near == "as near" ? ", and is as near to the other one"
                                                : "";
   const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
   const auto distance = [&](double margin) {

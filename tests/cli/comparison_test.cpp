@@ -4,7 +4,6 @@
 
 #include "numerics/text/sha256.h"
 #include "output/answers/comparison_table.h"
-#include "output/report/html.h"
 #include "tests/cli/report_pages.h"
 
 namespace camlaw::cli::report_test {
@@ -171,7 +170,7 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   CHECK(count_of(tiles, "<div class=\"tile ") == 4);  // the objective and three limits
   CHECK_THAT(tiles, Contains("Least radius of the profile"));
   CHECK_THAT(tiles, Contains("The design stands at its upper limit of 30 deg, the nearer of the "
-                             "two and holds the design: easing it by 1 deg gains 2.95 mm"));
+                             "two; easing it by 1 deg would reduce base radius by 2.95 mm."));
   CHECK_THAT(tiles, Contains("At 1 the profile is undercut; the design keeps 0.615 from"));
 }
 

@@ -336,6 +336,9 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
     done({"pareto", shipped(front + std::string(".toml")), "--points", "10", "--db", study});
     add({"report", study, "-o"}, std::filesystem::path(study).stem().string() + "_study.html");
   }
+  add({"report", shipped("cams/roller_least_base.toml"), shipped("cams/flat_least_base.toml"),
+       shipped("cams/end_rise_share.toml"), shipped("spine_cutter/least_radius.toml"), "-o"},
+      "comparison.html");
   add({"reproduce", "spine-cutter", "die-press", "--report"}, "reproduction.html");
   const std::string said = folder / "said.txt";
   const std::string command = "python3 '" + testing::source("tests/report/open_reports.py") + "'" +
