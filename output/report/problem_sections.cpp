@@ -201,19 +201,25 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
   const Peaks<double> peak = peaks(design.laws.front().law());
   const std::optional<double> lambda = limit_index(peak);
   Table table{.columns = {words("constant"), numbers("of this law"), numbers("least of any law"),
-                          numbers("above it")}};
-  const auto row = [&](const char* name, double value, std::optional<double> least) {
+                          numbers("above it"), words("what it decides")}};
+  const auto row = [&](const char* name, double value, std::optional<double> least,
+                       const char* decides) {
     const bool measured = lambda && least && std::isfinite(value) && std::isfinite(*least);
     table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
-               measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : ""});
+               measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : "",
+               decides});
   };
-  row("C_v", peak.max_velocity(), 1.0);
-  row("C_a", peak.max_acceleration(), least_acceleration(peak.max_velocity()));
+  row("C_v", peak.max_velocity(), 1.0,
+      "It sets the pressure angle, and so how large the cam must be.");
+  row("C_a", peak.max_acceleration(), least_acceleration(peak.max_velocity()),
+      "It sets the inertia force, and so the spring and the contact stress.");
   row("C_j", peak.max_jerk(),
       std::isfinite(peak.max_jerk())
           ? std::optional(least_jerk(peak.max_velocity(), peak.max_acceleration()))
-          : std::nullopt);
-  row("C_Mdyn", peak.max_dynamic_moment(), {});
+          : std::nullopt,
+      "It sets how strongly the follower's train is made to vibrate.");
+  row("C_Mdyn", peak.max_dynamic_moment(), {},
+      "It sets the peak of the torque that the moved mass asks of the shaft.");
   return ReportSection{
       "rulers", "Figures of merit",
       html_of(table) + paragraph(ruler_words(peak, lambda)) +

@@ -174,6 +174,15 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   CHECK_THAT(tiles, Contains("At 1 the profile is undercut; the design keeps 0.615 from"));
 }
 
+TEST_CASE("each constant of a law has a sentence on what it decides", "[cli][report]") {
+  const Folder folder;
+  const std::string rulers =
+      section_of(page_of(shipped("spine_cutter/least_radius.toml"), folder), "rulers");
+  for (const char* constant : {"C_v", "C_a", "C_j", "C_Mdyn"}) {
+    CHECK_THAT(row_of(rulers, constant).back(), Catch::Matchers::StartsWith("It sets "));
+  }
+}
+
 TEST_CASE("a report marks rises and dwells, the base circle and the sense of rotation",
           "[cli][report]") {
   const Folder folder;
