@@ -171,6 +171,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("failing", y.failing);
   document.fact("failing_lower", y.failing_between.lower);
   document.fact("failing_upper", y.failing_between.upper);
+  document.fact("unseen_at_most", y.unseen_at_most);
   document.fact("yield_samples", y.samples);
   document.fact("failures", y.failures);
   document.fact("not_possible", y.impossible);
@@ -206,9 +207,14 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
                     share_text(1 - y.failing_at_most)));
   }
   document.say(
-      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of {}\n",
-                  100 * y.failing_between.lower, 100 * y.failing_between.upper,
-                  y.by_importance ? "80 % or more (weighted samples)" : "95 %"));
+      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
+                  100 * y.failing_between.lower, 100 * y.failing_between.upper));
+  if (y.by_importance) {
+    document.say(
+        fmt::format("  away from the likeliest failures, where no sample fell, up to {:.2g} % may "
+                    "fail besides\n",
+                    100 * y.unseen_at_most));
+  }
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
         "  {} of the limits {} searched anew for each part; --samples takes more parts\n",
