@@ -10,6 +10,7 @@
 
 #include "numerics/text/units.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/reached_output.h"
 #include "output/answers/tolerance_output.h"
 #include "output/document/formatting.h"
 
@@ -150,15 +151,6 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                datum(has_factor && answer.factors[i].proved)});
   }
   return table;
-}
-
-/// "99.87 %"; of shares near one as many digits as tell it from one.
-std::string share_text(double share) {
-  const double left = 1 - share;
-  const int decimals = left > 0 && left < 0.01
-                           ? std::min(12, 1 - static_cast<int>(std::floor(std::log10(left))))
-                           : 2;
-  return fmt::format("{:.{}f} %", 100 * share, decimals);
 }
 
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
