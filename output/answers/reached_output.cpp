@@ -30,7 +30,8 @@ Table reliability_table(const problems::Reached& reached) {
   for (const problems::ReachedShare& limit : reached.limits) {
     table.add({limit.name,
                {share_text(limit.wanted), limit.wanted},
-               {share_text(limit.share), limit.share},
+               {std::isnan(limit.share) ? "not calculated" : share_text(limit.share),
+                to_json(limit.share)},
                {share_text(limit.between.lower), limit.between.lower},
                {share_text(limit.between.upper), limit.between.upper},
                std::string(to_string(limit.reach))});
@@ -45,9 +46,10 @@ Document reached_document(const problems::Reached& reached) {
   if (!reached.limits.empty()) {
     document.say("\n");
     document.add(reliability_table(reached));
-    document.say(
-        fmt::format("(from {} parts that the search did not have, at a confidence of 95 %)\n",
-                    reached.samples));
+    if (reached.samples > 0)
+      document.say(
+          fmt::format("(from {} parts that the search did not have, at a confidence of 95 %)\n",
+                      reached.samples));
     document.fact("reliability_samples", reached.samples);
   }
   if (reached.objective) {

@@ -51,9 +51,11 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double
   const auto convex = [&](const auto& p) {
     return velocity_change(p, above_zero(p.curvature), errors, speed);
   };
+  const double radius = geometry.roller();
   const auto hollow = [&](const auto& p) {
     using T = std::decay_t<decltype(p.curvature)>;
-    return velocity_change(p, above_zero(T(-p.curvature)), errors, speed);
+    const T k = above_zero(T(-p.curvature));
+    return velocity_change(p, k, errors, speed) * (T(1) - T(radius) * k);
   };
   if (geometry.contact() != ProfileContact::Roller) {
     std::vector<ProfileEffect> all{
@@ -64,7 +66,6 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double
     }
     return all;
   }
-  const double radius = geometry.roller();
   return {effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
           effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
           effect_of(geometry, "acceleration away, along a chord", unit, acceleration,

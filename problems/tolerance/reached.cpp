@@ -54,7 +54,12 @@ void judge_limits(const ProblemStatement& design, const optim::Deadline& deadlin
   ProblemStatement only = design;
   only.objectives.clear();
   only.constraints.clear();
-  for (const std::size_t i : numbers) only.constraints.push_back(design.constraints[i]);
+  for (const std::size_t i : numbers) {
+    const ConstraintStatement& limit = design.constraints[i];
+    only.constraints.push_back(limit);
+    // What is known until it is worked out.
+    reached.limits.push_back({i, limit.response.name, *limit.reliability, std::nan(""), {0, 1}});
+  }
   const VariedDesign varied = varied_design(only, of_the_machine(design), deadline);
   ToleranceOptions options;
   options.seed = seed;
@@ -64,6 +69,7 @@ void judge_limits(const ProblemStatement& design, const optim::Deadline& deadlin
   const optim::Yield yield = yield_of(varied, options, grid);
   if (yield.stopped) throw optim::Interrupted();
   reached.samples = yield.samples;
+  reached.limits.clear();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const optim::Bounds failing = yield.by_limit_between[k];
     const double wanted = *design.constraints[numbers[k]].reliability;
@@ -207,10 +213,16 @@ Reached reached_by(const ProblemStatement& design, const optim::Deadline& deadli
     judge_limits(design, deadline, seed, result);
     judge_objective(design, deadline, seed, result);
   } catch (const optim::Interrupted&) {
-    result.cut_short = with_a_reliability(design).empty() ? "" : deadline.reason();
-    result.limits.clear();
+    const bool is_open = result.samples == 0 && !result.limits.empty();
+    result.cut_short = is_open ? deadline.reason() : "";
   }
   return result;
+}
+
+std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& design) {
+  return [&design](optim::Assessment& assessment) {
+    if (!with_a_reliability(design).empty()) hold_to(reached_by(design), assessment);
+  };
 }
 
 void hold_to(const Reached& reached, optim::Assessment& assessment) {

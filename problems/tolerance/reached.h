@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,9 @@ std::string_view to_string(IsReached reach);
 struct ReachedShare {
   std::size_t limit = 0;  ///< of the statement's
   std::string name;
-  double wanted = 0, share = 0;  ///< of all parts that hold it
-  optim::Bounds between{0, 1};   ///< of the share, at a confidence of 95 %
+  double wanted = 0;            ///< share of all parts that are to hold it
+  double share = 0;             ///< that do; not a number where the work was cut short
+  optim::Bounds between{0, 1};  ///< of the share, at a confidence of 95 %
   IsReached reach = IsReached::NotDecided;
 };
 
@@ -62,6 +64,9 @@ inline constexpr std::uint64_t kJudgesSeed = 20;
 Reached reached_by(const ProblemStatement& design,
                    const optim::Deadline& deadline = optim::Deadline({}, nullptr),
                    std::uint64_t seed = kJudgesSeed);
+
+/// The same of a design that is verified, by what it reaches.
+std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& design);
 
 /// A verdict that says no more than is reached: of a design that meets its limits, but is not known
 /// to reach every reliability, Failed with the fault as its reason.

@@ -227,7 +227,7 @@ nb::dict verified(const StoredResult& result) {
   };
   const auto [found, notes] = run_whole([&](const Work& work) {
     const ReadDesign design = within(work, design_in(result));
-    return Verified{problems::verified(design),
+    return Verified{problems::verified(design, problems::held_to_parts(design.statement)),
                     problems::record_notes(design, cli::short_version())};
   });
   nb::dict object;

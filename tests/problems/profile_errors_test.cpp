@@ -54,6 +54,41 @@ TEST_CASE("A follower on a wavy profile is accelerated as is said", "[profile]")
   }
 }
 
+TEST_CASE("A knife edge on a wavy profile is accelerated as is said", "[profile]") {
+  const Touching own{
+      "disc-cam-knife-edge", "stroke = '14 mm'\nbase_radius = '45 mm'\noffset = '5 mm'\n", {}};
+  const ProfileGeometry geometry(cam(own.mechanism, own.constants));
+  const ExactFollower exact(geometry, own);
+  const double square = geometry.speed() * geometry.speed(), amplitude = 2e-6, n = 60;
+  for (const double degrees : {30.0, 80.0, 220.0}) {
+    const ProfilePlace<double> p = place_of(geometry, degrees);
+    double most = -1e9;
+    for (int m = 0; m < 36; ++m) {
+      const auto error = [&](double angle) {
+        return amplitude * std::cos(n * angle + 2 * std::numbers::pi * m / 36);
+      };
+      // The edge stands 5 mm beside the middle: there it is on the profile.
+      const auto height = [&](double angle) {
+        double low = angle - 0.01, high = angle + 0.01;
+        const auto beside = [&](double where) {
+          return exact.in_frame(exact.profile(where, error), angle).real() - 0.005;
+        };
+        const bool rises = beside(high) > beside(low);
+        for (int i = 0; i < 60; ++i) {
+          const double middle = (low + high) / 2;
+          ((beside(middle) > 0) == rises ? high : low) = middle;
+        }
+        return exact.in_frame(exact.profile((low + high) / 2, error), angle).imag();
+      };
+      const double at = degrees * kDegree, h = 5e-4;
+      most = std::max(most, square * (height(at + h) - 2 * height(at) + height(at - h)) / (h * h));
+    }
+    const double away = worst_away(p, {n, 0}, false, amplitude, geometry.speed());
+    INFO(degrees << ": said " << away << ", exactly " << most);
+    CHECK(most == Approx(away).epsilon(0).margin(0.02 * (away - p.acceleration)));
+  }
+}
+
 TEST_CASE("Waves of a length along the profile do as many in a turn", "[profile]") {
   // On a roller's cam with waves of 3 mm, whose phase is the length that was run along the profile.
   const Touching own = touching().front();
@@ -203,54 +238,91 @@ TEST_CASE("No error within a zone without shorter waves is worse than is said", 
   }
 }
 
+namespace {
+
+/// A follower that runs exactly on chords of a step between points of the profile.
+class OnChords {
+ public:
+  OnChords(const ProfileGeometry& geometry, const Touching& touching, double step)
+      : drawn_(geometry, touching), touching_(touching), step_(step) {}
+
+  double at(double angle) const {
+    double most = -1e9;
+    for (int i = -6; i < 6; ++i) {  // of each chord the highest point, which is one alone
+      double low = (std::floor(angle / step_) + i) * step_, high = low + step_ * (1 - 1e-12);
+      for (int k = 0; k < 60; ++k) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        (height(a, angle) > height(b, angle) ? high : low) =
+            height(a, angle) > height(b, angle) ? b : a;
+      }
+      most = std::max(most, height((low + high) / 2, angle));
+    }
+    return most;
+  }
+  double as_drawn(double angle) const { return drawn_.at(angle, 1e-3, none); }
+
+ private:
+  static double none(double) { return 0; }
+  double height(double where, double angle) const {
+    const double from = std::floor(where / step_) * step_, share = (where - from) / step_;
+    const Point p =
+        (1 - share) * drawn_.profile(from, none) + share * drawn_.profile(from + step_, none);
+    return touching_.at(drawn_.in_frame(p, angle), 0);
+  }
+
+  ExactFollower drawn_;
+  const Touching& touching_;
+  double step_;
+};
+
+/// Of the error of a follower over one chord: how far its velocity goes, and the least and the
+/// highest second derivative, by radian.
+struct OverChord {
+  double swing, down, up;
+};
+OverChord over_chord(const OnChords& follower, double from, double step) {
+  constexpr double kApart = 2e-6;
+  double most = -1e9, least = 1e9, up = -1e9, down = 1e9;
+  const auto error = [&](double angle) { return follower.at(angle) - follower.as_drawn(angle); };
+  for (double off = 0; off < step; off += step / 200) {
+    const double before = error(from + off - kApart), here = error(from + off),
+                 after = error(from + off + kApart);
+    most = std::max(most, (after - before) / (2 * kApart));
+    least = std::min(least, (after - before) / (2 * kApart));
+    up = std::max(up, (after - 2 * here + before) / (kApart * kApart));
+    down = std::min(down, (after - 2 * here + before) / (kApart * kApart));
+  }
+  return {most - least, down, up};
+}
+
+}  // namespace
+
 TEST_CASE("Chords change the velocity at their corners as is said", "[profile]") {
-  // Chords of half a degree from points on the profile, whose follower is found exactly.
-  for (const std::size_t which : {0u, 1u}) {
+  constexpr double kStep = 0.5 * kDegree;
+  for (const std::size_t which : {0u, 1u, 2u}) {
     const Touching own = touching()[which];
     const ProfileGeometry geometry(cam(own.mechanism, own.constants));
-    const ExactFollower drawn(geometry, own);
-    const auto none = [](double) { return 0.0; };
-    constexpr double kStep = 0.5 * kDegree;
-    const auto chord_at = [&](double angle) {
-      const double from = std::floor(angle / kStep) * kStep, share = (angle - from) / kStep;
-      return (1 - share) * drawn.profile(from, none) + share * drawn.profile(from + kStep, none);
-    };
-    const auto stands = [&](double angle) {
-      double most = -1e9;
-      for (int i = -6; i < 6; ++i) {  // of each chord the highest point, which is one alone
-        double low = (std::floor(angle / kStep) + i) * kStep, high = low + kStep * (1 - 1e-12);
-        for (int k = 0; k < 60; ++k) {
-          const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-          const auto height = [&](double where) {
-            return own.at(drawn.in_frame(chord_at(where), angle), 0);
-          };
-          (height(a) > height(b) ? high : low) = height(a) > height(b) ? b : a;
-        }
-        most = std::max(most, own.at(drawn.in_frame(chord_at((low + high) / 2), angle), 0));
-      }
-      return most;
-    };
-    ProfileErrors errors;
-    errors.chord_step = 0.5;
-    for (const double degrees : {130.0, 320.0}) {  // dwells, which are convex
+    const OnChords follower(geometry, own, kStep);
+    double hollow = 0;
+    for (double degrees = 5; degrees < 105; degrees += 1) {
+      const bool deeper =
+          place_of(geometry, degrees).curvature < place_of(geometry, hollow).curvature;
+      if (deeper) hollow = degrees;
+    }
+    // A dwell, which is convex on a disc; and the deepest hollow of the rise, if there is one.
+    for (const double degrees : {130.0, hollow}) {
       const auto p = place_of(geometry, degrees);
-      double most = -1e9, least = 1e9, up = -1e9, down = 1e9;
-      const double h = 2e-6;
-      for (double off = 0; off < kStep; off += kStep / 300) {
-        const double at = degrees * kDegree + off;
-        const double before = stands(at - h), here = stands(at), after = stands(at + h);
-        most = std::max(most, (after - before) / (2 * h));
-        least = std::min(least, (after - before) / (2 * h));
-        up = std::max(up, (after - 2 * here + before) / (h * h));
-        down = std::min(down, (after - 2 * here + before) / (h * h));
-      }
-      const double said = p.lift.value * p.arc * p.arc * p.curvature * kStep;
-      INFO(own.mechanism << " at " << degrees << ": " << most - least << ", said " << said);
-      CHECK(most - least == Approx(said).epsilon(0.02));
-      if (which == 1) continue;  // under a face it jumps
-      const double r = geometry.roller(), k = p.curvature;
-      CHECK(up == Approx(p.lift.value * p.arc * p.arc * k * (1 + r * k)).epsilon(0.03));
-      CHECK(down == Approx(-p.lift.value * *p.stiffness).epsilon(0.03));
+      if (std::abs(p.curvature) < 1) continue;  // a developed dwell is straight
+      const OverChord found = over_chord(follower, degrees * kDegree, kStep);
+      const double k = p.curvature, r = geometry.roller();
+      const double said =
+          p.lift.value * p.arc * p.arc * std::abs(k) * kStep * (k < 0 ? 1 + r * k : 1);
+      INFO(own.mechanism << " at " << degrees << ", curvature " << k << ": " << found.swing
+                         << ", said " << said);
+      CHECK(found.swing == Approx(said).epsilon(0.02));
+      if (which == 1 || k < 0) continue;  // it jumps
+      CHECK(found.up == Approx(p.lift.value * p.arc * p.arc * k * (1 + r * k)).epsilon(0.03));
+      CHECK(found.down == Approx(-p.lift.value * *p.stiffness).epsilon(0.03));
     }
   }
   // A deviation d has chords of the length sqrt(8 d / kappa): on the flat cam's base circle.

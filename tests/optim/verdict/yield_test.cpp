@@ -230,6 +230,27 @@ TEST_CASE("Who counts the parts makes no difference", "[variation][crew]") {
   }
 }
 
+TEST_CASE("The order in which parts are counted makes no difference", "[variation]") {
+  const Problem problem = linear(3, true);
+  const std::vector<double> x{0, 0};
+  const std::vector<Variation> variations{{-1, 1, true}, {-1, 1, true}};
+  const auto rooms = searched_rooms(problem, x);
+  const PartsDrawer drawer(*rooms, x, variations);
+  YieldOptions options{.samples = 20000, .seed = 3};
+  const Yield forwards = yield(drawer, {}, x, variations, options);
+  options.count = [&](const std::vector<PartsDraw>& draws) {
+    std::vector<PartsCount> counted(draws.size());
+    for (std::size_t k = draws.size(); k-- > 0;) {
+      counted[k] = *drawer.count(draws[k], [] { return false; });
+    }
+    return counted;
+  };
+  const Yield backwards = yield(drawer, {}, x, variations, options);
+  CHECK(backwards.failing == forwards.failing);
+  CHECK(backwards.error == forwards.error);
+  CHECK(backwards.failing_between.lower == forwards.failing_between.lower);
+}
+
 TEST_CASE("A yield whose parts are lost or are nonsense is an error", "[variation][crew]") {
   const Problem problem = linear(3, false);
   const std::vector<double> x{0, 0};
