@@ -27,6 +27,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
+#include "problems/tolerance/reliable_search.h"
 
 namespace camlaw::cli {
 namespace {
@@ -225,8 +226,10 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
-  const auto give = [&](const optim::Optimum& optimum) {
+  const auto give = [&](optim::Optimum optimum) {
+    const problems::Reached reached = search_until_reached(bound, search, optimum);
     Answer answer{bound, space, optimum, search.solver, search.seed};
+    answer.reached = reached;
     answer.knots = knots;
     // The doubts of a large problem take time of their own.
     const bool late = search.time_limit && clock.spent() >= *search.time_limit;

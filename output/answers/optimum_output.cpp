@@ -9,6 +9,7 @@
 
 #include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/reached_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
@@ -347,6 +348,7 @@ Document answer_document(const Answer& answer) {
   document.fact("warnings", answer.warnings);
   add_design(answer, document);
   add_limits(answer, document);
+  document.add(reached_document(answer.reached));
   document.add(buildable_document(answer.built));
   add_conditions(answer, document);
   add_knots(answer, document);
