@@ -73,6 +73,12 @@ std::vector<std::string> curve_lines(const Exported& e) {
       lines.push_back("written from " + e.motion->description + "; not tried on a drive");
     }
   }
+  if (e.solid) {
+    const double unit = e.accuracy.unit.mm;
+    lines.push_back(
+        fmt::format("solid: {} faces, {:.9g} {}^3, valid and closed as Open CASCADE checks it",
+                    e.solid->faces, e.solid->volume / (unit * unit * unit), e.accuracy.unit.name));
+  }
   lines.insert(lines.end(), e.notes.begin(), e.notes.end());
   return lines;
 }
@@ -152,6 +158,9 @@ Document export_document(const Exported& e) {
                                  {"worst_deviation", m.deviation.most},
                                  {"proved", m.deviation.proved},
                                  {"description", m.description}});
+  }
+  if (e.solid) {
+    document.fact("solid", Json{{"faces", e.solid->faces}, {"volume_mm3", e.solid->volume}});
   }
   document.fact("buildable", buildable_json(problems::buildability(e.design.statement)));
   return document;

@@ -24,6 +24,12 @@ struct ExportedMotion {
   std::string description = {};  ///< what the file was written from
 };
 
+/// A solid as Open CASCADE has checked it: valid and closed.
+struct ExportedSolid {
+  double volume = 0;  ///< mm^3
+  std::size_t faces = 0;
+};
+
 /// What is exported, and where it comes from.
 struct Exported {
   const problems::ReadDesign& design;
@@ -32,6 +38,7 @@ struct Exported {
   std::vector<problems::ExportedCurve> curves = {};
   std::vector<problems::ToolPass> passes = {};  ///< of G-code
   std::optional<ExportedMotion> motion = {};    ///< of drives
+  std::optional<ExportedSolid> solid = {};
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
   std::vector<std::string> unmet = {};  ///< those of the notes that name a limit that is not met
