@@ -87,7 +87,7 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--groove", &o.groove, "LENGTH",
        "step: depth of the groove in which the roller runs, for a cam that has one"},
       {"--blank", &o.blank, "LENGTH",
-       "step with --groove: diameter of the disc that the groove is cut into"},
+       "step with --groove: diameter of the disc or barrel that the groove is cut into"},
       {"--form-tolerance", &o.form_tolerance, "LENGTH",
        "inspection: largest deviation allowed from the nominal profile (0.02 mm)"},
       {"--slave", &o.slave, "NAME",

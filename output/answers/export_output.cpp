@@ -57,6 +57,24 @@ std::string motion_line(const ExportedMotion& m) {
                      path, not_below(m.deviation.most, 0), m.unit, proof_of(m.deviation.proved));
 }
 
+/// Of a groove's flanks how near they are, and once it is built what it is.
+std::vector<std::string> solid_lines(const ExportedSolid& solid,
+                                     const problems::ExportAccuracy& accuracy) {
+  const problems::LengthUnit& unit = accuracy.unit;
+  std::vector<std::string> lines;
+  for (const problems::SolidFlank& flank : solid.flanks) {
+    lines.push_back(fmt::format(
+        "{}: {} bicubic patches, within {} {} of the exact flank, {}", flank.name, flank.patches,
+        not_below(flank.worst / unit.mm, accuracy.tolerance), unit.name, proof_of(flank.proved)));
+  }
+  if (solid.faces > 0) {
+    lines.push_back(
+        fmt::format("solid: {} faces, {:.9g} {}^3, valid and closed as Open CASCADE checks it",
+                    solid.faces, solid.volume / (unit.mm * unit.mm * unit.mm), unit.name));
+  }
+  return lines;
+}
+
 /// Of each curve how many pieces it has and how far they depart from it; then the notes.
 std::vector<std::string> curve_lines(const Exported& e) {
   std::vector<std::string> lines;
@@ -74,10 +92,7 @@ std::vector<std::string> curve_lines(const Exported& e) {
     }
   }
   if (e.solid) {
-    const double unit = e.accuracy.unit.mm;
-    lines.push_back(
-        fmt::format("solid: {} faces, {:.9g} {}^3, valid and closed as Open CASCADE checks it",
-                    e.solid->faces, e.solid->volume / (unit * unit * unit), e.accuracy.unit.name));
+    for (std::string& line : solid_lines(*e.solid, e.accuracy)) lines.push_back(std::move(line));
   }
   lines.insert(lines.end(), e.notes.begin(), e.notes.end());
   return lines;
@@ -160,7 +175,16 @@ Document export_document(const Exported& e) {
                                  {"description", m.description}});
   }
   if (e.solid) {
-    document.fact("solid", Json{{"faces", e.solid->faces}, {"volume_mm3", e.solid->volume}});
+    Json flanks = Json::array();
+    for (const problems::SolidFlank& flank : e.solid->flanks) {
+      flanks.push_back({{"name", flank.name},
+                        {"patches", flank.patches},
+                        {"worst_deviation_mm", flank.worst},
+                        {"proved", flank.proved}});
+    }
+    document.fact(
+        "solid",
+        Json{{"faces", e.solid->faces}, {"volume_mm3", e.solid->volume}, {"flanks", flanks}});
   }
   document.fact("buildable", buildable_json(problems::buildability(e.design.statement)));
   return document;

@@ -8,6 +8,7 @@
 #include "output/export/drives/drive_files.h"
 #include "output/export/gcode.h"
 #include "output/export/motion_table.h"
+#include "output/export/solid/cam_solid.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
@@ -26,8 +27,9 @@ struct ExportedMotion {
 
 /// A solid as Open CASCADE has checked it: valid and closed.
 struct ExportedSolid {
-  double volume = 0;  ///< mm^3
-  std::size_t faces = 0;
+  std::vector<problems::SolidFlank> flanks = {};
+  double volume = 0;      ///< mm^3; 0 until it is built
+  std::size_t faces = 0;  ///< 0 until then
 };
 
 /// What is exported, and where it comes from.

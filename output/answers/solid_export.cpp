@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <variant>
 
 #include "output/answers/shop_export.h"
 #include "output/document/short_version.h"
@@ -17,6 +18,8 @@ namespace camlaw::cli {
 namespace {
 
 constexpr double kLeastSize = 1e-2, kMostSize = 1e4;  // mm, of what a solid has
+
+constexpr double kRounding = 1e-9;  // more than writing moves a surface by, in any unit
 
 /// The width that the problem states for the contact, mm; none where it is left to its default.
 std::optional<double> stated_face_width(const problems::ProblemStatement& design) {
@@ -50,13 +53,17 @@ std::optional<problems::GrooveSize> groove_of(const ExportOptions& o,
     if (!problems::runs_in_groove(design)) return {};
     throw std::invalid_argument(
         "the roller runs in a groove, as the problem asks for what grooves alone have: say how "
-        "deep it is, such as --groove '10 mm', and with --blank the diameter of the disc");
+        "deep it is, such as --groove '10 mm', and with --blank the diameter of the disc or "
+        "barrel");
   }
-  return problems::GrooveSize{
-      length_of(o.groove, "--groove", unit, 0, kLeastSize, kMostSize),
-      asked_length(o.blank, "--blank", "the diameter of the disc that the groove is cut into",
-                   unit) /
-          2};
+  problems::GrooveSize groove{length_of(o.groove, "--groove", unit, 0, kLeastSize, kMostSize)};
+  if (o.blank || design.mechanism->form != problems::Form::EndRoller) {
+    groove.blank_radius =
+        asked_length(o.blank, "--blank", "the diameter of the disc that the groove is cut into",
+                     unit) /
+        2;
+  }
+  return groove;
 }
 
 }  // namespace
@@ -66,18 +73,27 @@ std::string solid_text(const ExportOptions& o, Exported& e) {
   const problems::ProblemStatement& design = e.design.statement;
   const problems::LengthUnit& unit = e.accuracy.unit;
   problems::SolidSettings settings;
+  settings.curve = o.curve.value_or("profile");
+  problems::require_solid(design, settings.curve);
   settings.groove = groove_of(o, design, unit);
   settings.width = width_of(o, design, unit);
   const BoreSizes bore = bore_sizes(o, unit);
   settings.bore_radius = bore.radius;
   settings.keyway = bore.keyway;
-  settings.curve = o.curve.value_or("profile");
-  problems::CamSolid cam = problems::cam_solid(design, settings, e.accuracy);
+  problems::ExportAccuracy inner = e.accuracy;
+  inner.tolerance -= kRounding;
+  problems::CamSolid cam = problems::cam_solid(design, settings, inner);
+  for (problems::ExportedCurve& curve : cam.curves) {
+    std::visit([](auto& path) { path.worst += kRounding; }, curve.path);
+  }
+  for (problems::SolidFlank& flank : cam.flanks) flank.worst += kRounding * unit.mm;
   e.curves = std::move(cam.curves);
+  e.solid = ExportedSolid{.flanks = std::move(cam.flanks)};
   const std::string title = design.title.empty() ? design.mechanism->name : design.title;
   const problems::StepText step =
       problems::step_text(cam.solid, {title, short_version(), comments_of(e), unit});
-  e.solid = ExportedSolid{step.volume, step.faces};
+  e.solid->volume = step.volume;
+  e.solid->faces = step.faces;
   return step.text;
 }
 

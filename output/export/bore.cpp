@@ -32,7 +32,7 @@ std::optional<Bore> bore_of(const ProblemStatement& design, std::optional<double
 
 BoreOutline outline_of(const Bore& bore, const Vector2d& towards, double least,
                        const std::string& what) {
-  constexpr double kRadian = 180 / std::numbers::pi;
+  constexpr double kPerRadian = 180 / std::numbers::pi;
   const double radius = bore.radius;
   if (radius >= least) {
     throw std::invalid_argument(fmt::format(
@@ -49,10 +49,10 @@ BoreOutline outline_of(const Bore& bore, const Vector2d& towards, double least,
         bore.keyway->width, bore.keyway->depth, radius, what, least));
   }
   const double edge = std::sqrt(radius * radius - half * half);
-  const double angle = std::asin(half / radius) * kRadian;
+  const double angle = std::asin(half / radius) * kPerRadian;
   const Vector2d out = towards.normalized(), right(out.y(), -out.x());
   const auto place = [&](double across, double up) { return Vector2d(across * right + up * out); };
-  double middle = std::atan2(out.y(), out.x()) * kRadian;
+  double middle = std::atan2(out.y(), out.x()) * kPerRadian;
   if (middle < 0) middle += 360;
   return {{{0, 0}, radius, middle + angle, middle - angle + 360},
           {{place(-half, edge), place(-half, top)},

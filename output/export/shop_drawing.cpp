@@ -24,11 +24,11 @@ struct Reach {
 };
 
 Reach reach_of(const std::vector<PlaneCurve>& curves) {
-  constexpr int kLooks = 1440;
+  constexpr int kPlaces = 1440;
   Reach reach;
   for (const PlaneCurve& curve : curves) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Vector2d p = curve.at(optim::even_place(curve.begin(), curve.end(), kLooks, i)).at;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const Vector2d p = curve.at(optim::even_place(curve.begin(), curve.end(), kPlaces, i)).at;
       if (curve.name().ends_with("profile")) {
         reach.least = std::min(reach.least, p.norm()), reach.most = std::max(reach.most, p.norm());
       }

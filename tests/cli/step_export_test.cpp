@@ -22,6 +22,7 @@
 #include "output/export/plane_curve.h"
 #include "problems/statement/parameters.h"
 #include "tests/cli/program_runner.h"
+#include "tests/output/swept_groove.h"
 #include "tests/paths.h"
 
 namespace camlaw::cli::step_export_test {
@@ -200,6 +201,42 @@ TEST_CASE("a grooved cam is a disc with a groove as wide as the roller and as de
   CHECK(away == Approx(20));
 }
 
+TEST_CASE("a barrel cam is read back with the groove that its roller sweeps", "[export][step]") {
+  const std::string barrel = shipped("end_rise_share.toml");
+  const Folder folder;
+  const ParsedJson json = json_of({"export", barrel, "--width", "60 mm", "--groove", "12 mm",
+                                   "--bore", "30 mm", "--json", "--out", folder / "cam.step"});
+  const ReadSolid read = read_step(folder / "cam.step");
+  const PlaneCurve pitch = exact_curve(barrel, "pitch");
+  // The roller's track, 60 mm from the axis, is in the middle of the groove's depth.
+  const double round = std::numbers::pi * (66 * 66 - 15 * 15) * 60;
+  CHECK(read.volume == Approx(round - testing::swept_volume(pitch, 10, 54, 66)).epsilon(2e-6));
+  for (int i = 0; i < 2; ++i) {
+    CHECK(read.low[i] == Approx(-66).margin(1e-4));
+    CHECK(read.high[i] == Approx(66).margin(1e-4));
+  }
+  // The stroke of 25 mm is in the middle.
+  CHECK(read.low[2] == Approx(-17.5).margin(1e-3));
+  CHECK(read.high[2] == Approx(42.5).margin(1e-3));
+  REQUIRE(json["solid"]["flanks"].size() == 2);
+  TopExp_Explorer shells(read.solid, TopAbs_SHELL);
+  for (int k = 0; k < 2; ++k) {
+    const auto& flank = json["solid"]["flanks"][k];
+    CHECK(flank["proved"] == true);
+    const double stated = flank["worst_deviation_mm"];
+    CHECK(stated <= 0.01);
+    for (int i = 0; i < 24; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.4142) / 24, q = 54.5 + 11 * i / 23.0;
+      const double z = testing::reach_of_roller(pitch, 10, angle, q, k == 0 ? -1 : 1);
+      const gp_Pnt at(q * std::cos(angle), q * std::sin(angle), z);
+      const BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeVertex(at).Vertex(),
+                                                shells.Current());
+      REQUIRE(distance.IsDone());
+      CHECK(distance.Value() <= stated + 1e-6);
+    }
+  }
+}
+
 TEST_CASE("two runs write the same STEP file, which names camlaw and no time of day",
           "[export][step]") {
   const Words words{"export", kRoller, "--format", "step", "--width", "12 mm"};
@@ -283,6 +320,20 @@ TEST_CASE("a solid is refused where the profile is undercut or its sizes do not 
   CHECK_THAT(refused({shipped("flat_least_base.toml"), "--width", "12 mm", "--groove", "8 mm",
                       "--blank", "300 mm"}),
              Contains("has no roller"));
+  const std::string barrel = shipped("end_rise_share.toml");
+  CHECK_THAT(refused({barrel, "--width", "60 mm"}), Contains("such as --groove"));
+  CHECK_THAT(
+      refused({barrel, "--width", "60 mm", "--groove", "12 mm", "--curve", "second-profile"}),
+      Contains("has no such second-profile"));
+  CHECK_THAT(refused({barrel, "--width", "40 mm", "--groove", "12 mm"}),
+             Contains("--width: the groove takes"));
+  CHECK_THAT(refused({barrel, "--width", "60 mm", "--groove", "12 mm", "--set", "radius=22 mm"}),
+             Contains("turns back near"));
+  CHECK_THAT(refused({barrel, "--width", "60 mm", "--groove", "12 mm", "--bore", "120 mm"}),
+             Contains("reaches the groove's floor"));
+  CHECK_THAT(refused({shipped("oscillating_end_least_radius.toml"), "--width", "60 mm", "--groove",
+                      "12 mm"}),
+             Contains("has no such profile"));
   CHECK_THAT(refused({shipped("linear_least_travel.toml"), "--width", "12 mm"}),
              Contains("whose profile is closed"));
   CHECK_THAT(failed({"export", kRoller, "--format", "dxf", "--width", "12 mm"}, 2),

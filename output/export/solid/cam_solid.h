@@ -12,10 +12,13 @@
 /// The solid of a design's cam.
 namespace camlaw::problems {
 
-/// A groove in which the roller runs, as wide as the roller: in the upper end of a disc.
+/// A groove in which the roller runs, as wide as the roller: in the upper end of a disc, or round a
+/// barrel.
 struct GrooveSize {
-  double depth;         ///< mm
-  double blank_radius;  ///< mm, of the disc that it is cut into
+  double depth;  ///< mm
+  /// mm, of the disc or barrel that it is cut into. A barrel that has none here has the mean radius
+  /// of the roller's track in the middle of the groove's depth.
+  std::optional<double> blank_radius = {};
 };
 
 struct SolidSettings {
@@ -26,14 +29,29 @@ struct SolidSettings {
   std::string curve = "profile";      ///< the option of the kind of curve: or "second-profile"
 };
 
+/// How far a flank of a barrel's groove is from the exact one at most, mm.
+struct SolidFlank {
+  std::string name;
+  std::size_t patches = 0;
+  double worst = 0;
+  bool proved = false;
+};
+
 struct CamSolid {
   Solid solid;
   std::vector<ExportedCurve> curves;  ///< what it is bounded by, in the unit of the accuracy
+  std::vector<SolidFlank> flanks = {};
 };
 
-/// The solid from z = 0 to the width, in the cam's own axes. Throws std::invalid_argument for a cam
-/// that has no closed profile, one whose profile turns back, jumps or is cut into by the roller,
-/// and sizes that do not go together.
+/// Throws std::invalid_argument for a cam that is neither a disc, with that curve, nor a barrel
+/// with a roller along its axis.
+void require_solid(const ProblemStatement& design, const std::string& curve);
+
+/// The solid in the cam's own axes: of a disc from z = 0 to the width; of a barrel, whose z is the
+/// height of the developed cam, as far beyond the groove's lowest place as beyond its highest.
+/// Throws std::invalid_argument for a cam that is neither a disc nor a barrel with a roller along
+/// its axis, one whose profile turns back, jumps or is cut into by the roller, and sizes that do
+/// not go together.
 CamSolid cam_solid(const ProblemStatement& design, const SolidSettings& settings,
                    const ExportAccuracy& accuracy);
 

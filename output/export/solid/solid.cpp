@@ -17,8 +17,8 @@ double swept(const DrawnLine& line) { return half_cross(line.from, line.to); }
 
 /// With x = c + r e(t): the integral of (r^2 + r c . e(t)) / 2.
 double swept(const DrawnArc& arc) {
-  constexpr double kRadian = std::numbers::pi / 180;
-  const double from = kRadian * arc.from, to = kRadian * arc.to, r = arc.radius;
+  constexpr double kPerDegree = std::numbers::pi / 180;
+  const double from = kPerDegree * arc.from, to = kPerDegree * arc.to, r = arc.radius;
   const Vector2d change(std::sin(to) - std::sin(from), std::cos(from) - std::cos(to));
   return (r * r * (to - from) + r * arc.centre.dot(change)) / 2;
 }
@@ -55,6 +55,7 @@ double area_of(const SolidLoop& loop) {
 double volume_of(const Solid& solid) {
   double volume = area_of(solid.body) * (solid.body.to - solid.body.from);
   for (const Prism& cut : solid.cuts) volume -= area_of(cut) * (cut.to - cut.from);
+  if (solid.groove) volume -= groove_volume(solid.groove->lower, solid.groove->upper);
   return volume;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "output/export/cubics.h"
 #include "output/export/shop_drawing.h"
+#include "output/export/solid/barrel.h"
 
 /// A cam as a solid, before any program of solids knows of it. Lengths are in mm, z runs along the
 /// cam's axis.
@@ -23,10 +25,17 @@ struct Prism {
   double from = 0, to = 0;
 };
 
-/// A body less what is cut out of its upper end.
+/// A groove round a barrel, between two flanks.
+struct BarrelGroove {
+  FlankSurface lower, upper;
+};
+
+/// A body less what is cut out of its upper end. Where there is a groove, the body is round
+/// outside: its first loop is two halves of a circle, from 0 to 180 deg and on.
 struct Solid {
   Prism body;
   std::vector<Prism> cuts = {};
+  std::optional<BarrelGroove> groove = {};
 };
 
 /// The area within a loop, mm^2: that of (x dy - y dx) / 2 along its edges, exact but for rounding.

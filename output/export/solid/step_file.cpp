@@ -31,9 +31,10 @@ struct LoadedStep {
 /// Stays loaded: the function is needed until the program ends.
 LoadedStep load_step() {
   if (!CAMLAW_HAS_STEP) {
-    return {.why_not =
-                "this build has no STEP; it is there after the packages of packages-step.txt are "
-                "installed and camlaw is built with -DCAMLAW_STEP=ON"};
+    return {
+        .why_not =
+            "this build has no STEP: install the packages of packages-step.txt and build camlaw "
+            "with -DCAMLAW_STEP=ON"};
   }
   const auto path = own_file(kStepPlugin);
   if (!path) return {.why_not = fmt::format("STEP is a plug-in, {}, not installed", kStepPlugin)};
@@ -63,7 +64,51 @@ class Handed {
     return {prism.from, prism.to, loops.size(), loops.data()};
   }
 
+  /// Half of a flank: the patches from one angle to another. What is a circle is so by cubics.
+  CamlawStepSurface surface(const FlankSurface& flank, std::size_t from, std::size_t to) {
+    const double step = flank.angle_step(), across = flank.distance_step();
+    auto& points = numbers_.emplace_back();
+    std::size_t columns = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      // What two patches have in common is the mean of their control points beside it, and is left
+      // out but at both ends.
+      for (std::size_t a = i == from ? 0 : 1; a < (i + 1 == to ? 4 : 3); ++a) {
+        const double angle = step * static_cast<double>(a < 2 ? i : i + 1);
+        const double along = a == 1 ? step / 3 : a == 2 ? -step / 3 : 0;
+        const Vector2d round(std::cos(angle) - along * std::sin(angle),
+                             std::sin(angle) + along * std::cos(angle));
+        ++columns;
+        for (std::size_t j = 0; j < flank.distances(); ++j) {
+          const auto patch = flank.patch(i, j);
+          for (std::size_t b = j == 0 ? 0 : 1; b < (j + 1 == flank.distances() ? 4 : 3); ++b) {
+            const double q =
+                flank.floor() + across * (static_cast<double>(j) + static_cast<double>(b) / 3);
+            points.insert(points.end(), {q * round.x(), q * round.y(), patch[a][b]});
+          }
+        }
+      }
+    }
+    CamlawStepSurface result{columns, points.size() / (3 * columns), points.data(), {}, {}, {}};
+    add_knots(result, 0, step, from, to, 0);
+    add_knots(result, 1, across, 0, flank.distances(), flank.floor());
+    return result;
+  }
+
  private:
+  /// Even knots, at both ends four times.
+  void add_knots(CamlawStepSurface& surface, std::size_t direction, double step, std::size_t from,
+                 std::size_t to, double origin) {
+    auto& knots = numbers_.emplace_back();
+    auto& multiplicities = counts_.emplace_back();
+    for (std::size_t i = from; i <= to; ++i) {
+      knots.push_back(origin + step * static_cast<double>(i));
+      multiplicities.push_back(i == from || i == to ? 4 : 2);
+    }
+    surface.knots[direction] = knots.size();
+    surface.knot[direction] = knots.data();
+    surface.multiplicity[direction] = multiplicities.data();
+  }
+
   CamlawStepEdge edge(const SolidEdge& edge) {
     if (const auto* line = std::get_if<DrawnLine>(&edge)) {
       return made(kCamlawStepLine, {line->from, line->to});
@@ -123,13 +168,27 @@ StepText step_text(const Solid& solid, const StepHeader& header) {
   Handed handed;
   std::vector<CamlawStepPrism> cuts;
   for (const Prism& cut : solid.cuts) cuts.push_back(handed.prism(cut));
+  CamlawStepGroove groove{};
+  if (solid.groove) {
+    groove.floor = solid.groove->lower.floor();
+    groove.outside = solid.groove->lower.outside();
+    for (std::size_t half = 0; half < 2; ++half) {
+      const auto part = [&](const FlankSurface& flank) {
+        const std::size_t middle = flank.angles() / 2;
+        return handed.surface(flank, half * middle, (half + 1) * middle);
+      };
+      groove.lower[half] = part(solid.groove->lower);
+      groove.upper[half] = part(solid.groove->upper);
+    }
+  }
   const std::string name = plain_text(header.name), program = plain_text(header.program);
   std::vector<std::string> lines;
   for (const std::string& line : header.lines) lines.push_back(plain_text(line));
   std::vector<const char*> descriptions;
   for (const std::string& line : lines) descriptions.push_back(line.c_str());
   StepText result;
-  const CamlawStepAsked asked{.solid = {handed.prism(solid.body), cuts.size(), cuts.data()},
+  const CamlawStepAsked asked{.solid = {handed.prism(solid.body), cuts.size(), cuts.data(),
+                                        solid.groove ? &groove : nullptr},
                               .in_inches = header.unit.mm != 1,
                               .name = name.c_str(),
                               .program = program.c_str(),

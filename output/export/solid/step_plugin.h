@@ -35,10 +35,28 @@ struct CamlawStepPrism {
   const CamlawStepLoop* loop;
 };
 
+/// A surface of degree 3 in both directions. The first parameter is the angle, the second the
+/// distance from the axis.
+struct CamlawStepSurface {
+  std::size_t columns, rows;  ///< of control points
+  const double* point;        ///< x, y, z of each, a column after the other
+  std::size_t knots[2];       ///< each once, for both directions
+  const double* knot[2];      ///< rising
+  const int* multiplicity[2];
+};
+
+/// A groove round a body whose first loop is two halves of a circle, from 0 to 180 deg and on.
+struct CamlawStepGroove {
+  double floor, outside;       ///< distances from the axis
+  CamlawStepSurface lower[2];  ///< of the flank, from 0 to 180 deg and on
+  CamlawStepSurface upper[2];
+};
+
 struct CamlawStepSolid {
   CamlawStepPrism body;
   std::size_t cuts;  ///< that are taken out of the body from its upper end, where `to` is
   const CamlawStepPrism* cut;
+  const CamlawStepGroove* groove;  ///< null: there is none
 };
 
 struct CamlawStepAsked {
