@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLeastSize = 1e-2, kMostSize = 1e4;  // mm, of what a solid has
 
-constexpr double kRounding = 1e-9;  // more than writing moves a surface by, in any unit
+constexpr double kMoved = 1e-9;  // more than writing moves a surface by, in any unit
 
 /// The width that the problem states for the contact, mm; none where it is left to its default.
 std::optional<double> stated_face_width(const problems::ProblemStatement& design) {
@@ -81,12 +81,12 @@ std::string solid_text(const ExportOptions& o, Exported& e) {
   settings.bore_radius = bore.radius;
   settings.keyway = bore.keyway;
   problems::ExportAccuracy inner = e.accuracy;
-  inner.tolerance -= kRounding;
+  inner.tolerance -= kMoved;
   problems::CamSolid cam = problems::cam_solid(design, settings, inner);
   for (problems::ExportedCurve& curve : cam.curves) {
-    std::visit([](auto& path) { path.worst += kRounding; }, curve.path);
+    std::visit([](auto& path) { path.worst += kMoved; }, curve.path);
   }
-  for (problems::SolidFlank& flank : cam.flanks) flank.worst += kRounding * unit.mm;
+  for (problems::SolidFlank& flank : cam.flanks) flank.worst += kMoved * unit.mm;
   e.curves = std::move(cam.curves);
   e.solid = ExportedSolid{.flanks = std::move(cam.flanks)};
   const std::string title = design.title.empty() ? design.mechanism->name : design.title;

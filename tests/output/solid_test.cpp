@@ -105,6 +105,8 @@ TEST_CASE("The volume of a barrel's groove is what the roller sweeps", "[exports
 TEST_CASE("A groove that the roller undercuts has no flank", "[exports][solid]") {
   CHECK_THROWS_WITH(barrel_flanks(barrel_pitch({"radius=22 mm"}), {10, 16, 28}, 0.01),
                     Contains("turns back near"));
+  CHECK_THROWS_WITH(barrel_flanks(barrel_pitch(), {3, 10, 120}, 1e-4),
+                    Contains("use a larger tolerance or a shallower groove"));
   CHECK_THROWS_WITH(barrel_flanks(barrel_pitch(), {10, 9, 66}, 0.01),
                     Contains("nearer than the roller's radius"));
 }

@@ -325,8 +325,19 @@ void refuse_turning_flank(const ExactFlank& exact, const BarrelSize& size, const
 
 ExportedFlank flank_within(const ExactFlank& exact, const BarrelSize& size, const char* name,
                            double tolerance) {
-  constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kMeshes{
-      {{360, 1}, {720, 1}, {720, 2}, {1440, 2}, {2880, 2}, {2880, 4}}};
+  // Angles and distances: a deep groove is divided in distance, a quick rise in angle.
+  constexpr std::array<std::pair<std::size_t, std::size_t>, 12> kMeshes{{{360, 1},
+                                                                         {360, 2},
+                                                                         {720, 1},
+                                                                         {720, 2},
+                                                                         {360, 4},
+                                                                         {720, 4},
+                                                                         {360, 8},
+                                                                         {1440, 2},
+                                                                         {720, 8},
+                                                                         {1440, 4},
+                                                                         {2880, 4},
+                                                                         {1440, 8}}};
   constexpr int kTries = 5;
   refuse_turning_flank(exact, size, name);
   for (const auto& [angles, distances] : kMeshes) {
@@ -344,8 +355,9 @@ ExportedFlank flank_within(const ExactFlank& exact, const BarrelSize& size, cons
     return {name, std::move(surface), gap.most + round, gap.proved};
   }
   throw std::invalid_argument(fmt::format(
-      "the {} of the groove cannot be followed within {:.6g} mm; use a larger tolerance", name,
-      tolerance));
+      "the {} of the groove cannot be followed within {:.6g} mm; use a larger tolerance or a "
+      "shallower groove",
+      name, tolerance));
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ struct GrooveSize {
 };
 
 struct SolidSettings {
-  double width = 0;                   ///< mm, along the cam's axis
-  std::optional<double> bore_radius;  ///< mm; else the machine's own, if it has one above 0
-  std::optional<Keyway> keyway;       ///< towards the profile's place at cam angle 0
-  std::optional<GrooveSize> groove;   ///< none: the profile is the cam's edge
-  std::string curve = "profile";      ///< the option of the kind of curve: or "second-profile"
+  double width = 0;                        ///< mm, along the cam's axis
+  std::optional<double> bore_radius = {};  ///< mm; else the machine's own, if it has one above 0
+  std::optional<Keyway> keyway = {};       ///< towards the profile's place at cam angle 0
+  std::optional<GrooveSize> groove = {};   ///< none: the profile is the cam's edge
+  std::string curve = "profile";           ///< the option of the kind of curve: or "second-profile"
 };
 
 /// How far a flank of a barrel's groove is from the exact one at most, mm.
