@@ -220,7 +220,7 @@ class Result(Answer):
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam for drawing, cutting or control, as the text of a file; written to `path` if given, whose
-        ending decides the format: .csv, .dxf, .svg, .json, .nc.
+        ending decides the format: .csv, .dxf, .step, .svg, .json, .nc.
 
         format: csv, dxf, step, svg, json, gcode, inspection, table, or a drive's: beckhoff-points,
         beckhoff-motion, codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch,
