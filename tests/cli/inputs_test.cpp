@@ -93,6 +93,8 @@ const std::vector<Run> kRuns = {
      {"two.toml", "law.json", "s.db"}},
     {{"sweep", "one.toml", "--evaluate", "--set", "base_radius=30,40 mm"},
      {"one.toml", "law.json"}},
+    {{"tolerance", "one.toml", "--tolerance", "base_radius=0.1 mm", "--samples", "64"},
+     {"one.toml", "law.json"}},
     {{"fit", "motion.csv", "--law", "law.json"}, {"motion.csv", "law.json"}},
     {{"fit", "torque.csv", "--mechanism", "spring.toml", "--response", "drive_torque"},
      {"torque.csv", "spring.toml", "law.json"}},

@@ -164,7 +164,7 @@ TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
     });
     CHECK(spent < 2 + 10 * unit);
     CHECK(outcome.status == 4);
-    CHECK_THAT(outcome.out + outcome.err, Contains("--resume goes on with"));
+    CHECK_THAT(outcome.out + outcome.err, Contains("--resume continues"));
     CHECK(processes_with(folder / "") == 0);
   }
   SECTION("synthesize") {
