@@ -80,8 +80,6 @@ SidedLimits both_sides(const problems::ProblemStatement& design,
   return {std::move(limits), std::move(others)};
 }
 
-namespace {
-
 Json side_json(const optim::LimitReport& side) {
   return {{"value", to_json(side.value)},
           {"bound", to_json(side.bound)},
@@ -91,6 +89,8 @@ Json side_json(const optim::LimitReport& side) {
           {"worst_angle_deg", json_value(side.worst_angle)},
           {"proved", side.proved}};
 }
+
+namespace {
 
 /// A side on a line: "met pressure_angle = 29 <= 30 deg (worst at 110 deg)".
 std::string side_line(const optim::LimitReport& side,

@@ -46,6 +46,9 @@ struct SidedLimits {
 SidedLimits both_sides(const problems::ProblemStatement& design,
                        std::vector<optim::LimitReport> limits);
 
+/// A side, for programs.
+Json side_json(const optim::LimitReport& side);
+
 /// How limits stand, for programs: name, value, bound, side, margin, unit, the worst place, whether
 /// met, whether proved, and the same of the other side.
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design);

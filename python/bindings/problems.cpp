@@ -12,6 +12,7 @@
 #include "output/answers/buildable_output.h"
 #include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
+#include "output/answers/limit_text.h"
 #include "output/answers/mechanism_output.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
@@ -134,7 +135,7 @@ nb::dict dict_of(const EvaluatedResponse& response) {
 /// Every response, how the limits stand, whether it can be built, what is to be warned of.
 struct Evaluated {
   std::vector<EvaluatedResponse> responses;
-  std::vector<optim::LimitReport> limits;
+  cli::SidedLimits sided;
   problems::Buildability built;
   cli::Warnings warnings;
 };
@@ -145,7 +146,7 @@ nb::dict evaluated(const StatedProblem& problem) {
     Evaluated all;
     all.responses = problems::evaluate(statement);
     cli::check_possible(statement.source, statement, all.responses);
-    all.limits = problems::standing(statement);
+    all.sided = cli::both_sides(statement, problems::standing(statement));
     all.built = problems::buildability(statement);
     all.warnings = cli::warnings_of(statement);
     return all;
@@ -154,7 +155,14 @@ nb::dict evaluated(const StatedProblem& problem) {
   for (const EvaluatedResponse& response : found.responses) rows.append(dict_of(response));
   nb::dict result;
   result["responses"] = rows;
-  result["limits"] = list_of(found.limits);
+  nb::list limits;
+  for (std::size_t i = 0; i < found.sided.limits.size(); ++i) {
+    nb::dict limit = dict_of(found.sided.limits[i]);
+    const auto& other = found.sided.others[i];
+    limit["other_side"] = other ? python_of(cli::side_json(*other)) : nb::none();
+    limits.append(limit);
+  }
+  result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));
   result["warnings"] = found.warnings;
   return result;
