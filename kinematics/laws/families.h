@@ -35,7 +35,7 @@ struct RestToRest {
   std::vector<Room> rooms = {};
 };
 
-/// (P5) 1 - sum factors[i] p[i] of a family's first parameters.
+/// (FS5) 1 - sum factors[i] p[i] of a family's first parameters.
 inline Room rest_of_one(std::string name, std::vector<double> factors) {
   return {std::move(name), [factors]<class S>(const Arguments<S>& a) {
             S rest = number<S>(1);

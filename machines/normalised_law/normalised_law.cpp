@@ -128,7 +128,7 @@ bool is_polynomial(const Law<Interval>& law) {
   });
 }
 
-/// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
+/// (FL1) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
 /// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
 template <class T>
 Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Part part) {
