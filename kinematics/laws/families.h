@@ -63,8 +63,8 @@ Family rest_to_rest(RestToRest about, F construct) {
        0.02,
        0.98,
        {0.5},
-       "where the acceleration of a symmetric law changes sign; 0.5 leaves any law as it is, and "
-       "others are skewed alike"});
+       "where the acceleration of a symmetric law changes sign; 0.5 leaves every law unchanged, "
+       "and laws that are not symmetric are skewed in the same way"});
   return {std::move(about.name),
           std::move(about.aliases),
           std::move(about.formula),

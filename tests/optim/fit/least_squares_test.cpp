@@ -422,7 +422,7 @@ TEST_CASE("a loss finds the line that most points lie on exactly", "[fit]") {
     CHECK(result.parameters[0].value == Approx(1).margin(1e-4));
     CHECK(result.parameters[1].value == Approx(2).margin(1e-5));
     CHECK(result.reason ==
-          "more than half of the residuals vanish: the loss has no scale to go by");
+          "more than half of the residuals vanish: no scale can be estimated for the loss");
   }
 }
 
