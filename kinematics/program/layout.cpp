@@ -161,7 +161,7 @@ Layout lay_out(const StatedProgram& program) {
     if (!segment.rests && &segment != &*last_move) {
       places.to = parameters.add_motion(
           "_to", kMostLevel, {segment.to},
-          "displacement at the end of " + segment.name + " as fractions of the stroke");
+          "displacement at the end of " + segment.name + " as a fraction of the stroke");
     }
     if (joins(segment)) {
       const ProgramSegment& next =

@@ -227,7 +227,7 @@ MechanismParameter phase_parameter(const std::string& name, const std::string& w
           .symbol = name,
           .unit = "deg",
           .stored = "rad",
-          .meaning = "angle of the shaft at the zero of " + whose + " stands",
+          .meaning = "angle of the shaft at the zero of " + whose,
           .default_value = 0,
           .low = -360,
           .high = 360};

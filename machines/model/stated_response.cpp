@@ -252,9 +252,9 @@ IsPossible all_of(std::vector<IsPossible> parts) {
 void check_dimension(const StatedResponse& stated, const Dimension& dimension,
                      const WrittenQuantity& written) {
   if (written.is_zero || written.dimension == dimension) return;
-  throw std::invalid_argument(
-      fmt::format("the formula has the dimension {}, but its unit {} has the dimension {}",
-                  to_string(written.dimension), stated.unit, to_string(dimension)));
+  throw std::invalid_argument(fmt::format("the formula is {}, but its unit {} is {}",
+                                          to_string(written.dimension), stated.unit,
+                                          to_string(dimension)));
 }
 
 /// Refuses formulas that hold others without end.

@@ -203,7 +203,7 @@ std::optional<std::string> why_convex(const Problem& problem) {
   const Shape shape = objective_shape(problem.objective());
   if (!convex_below(shape) || !convex_set(problem)) return {};
   return fmt::format("{} is {} in the variables{}", problem.objective().response.name,
-                     is_convex(shape) ? "convex" : "quasiconvex and slopes",
+                     is_convex(shape) ? "convex" : "quasiconvex without stationary points",
                      problem.constraints.empty() ? "" : ", and the feasible set is convex");
 }
 

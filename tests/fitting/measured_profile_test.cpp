@@ -390,9 +390,10 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
   bad = points;
   std::swap_ranges(bad.begin() + 100, bad.begin() + 120, bad.begin() + 200);
   begins(said(bad), "measured profile: it turns back at point ");
-  CHECK(complaint([&] {
-          MeasuredProfile::polar(std::vector<double>(20), std::vector<double>(21));
-        }) == "measured profile: 20 polar angles and 21 radii: there must be as many of one as of the other");
+  CHECK(complaint(
+            [&] { MeasuredProfile::polar(std::vector<double>(20), std::vector<double>(21)); }) ==
+        "measured profile: 20 polar angles and 21 radii: there must be as many of one as of the "
+        "other");
 
   const auto profile = profile_of(points);
   const auto with = [&](const MeasuredFollower& follower) {

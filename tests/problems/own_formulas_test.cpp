@@ -275,7 +275,7 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
   CHECK_THAT(of("own", "unit = \"N\"\n"), Contains("responses.own: formula is missing"));
   CHECK_THAT(
       of("own", "formula = \"mass\"\n"),
-      Contains("responses.own.formula: the formula is a mass (kg), and its unit 1 is a plain"));
+      Contains("responses.own.formula: the formula is a mass (kg), but its unit 1 is a plain"));
   CHECK_THAT(
       of("own", "formula = \"mas\"\nunit = \"kg\"\n"),
       Contains("own.toml:5: responses.own.formula: at character 1: die-press: no response or "
