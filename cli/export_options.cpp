@@ -38,7 +38,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        .help = "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'",
        .required = true},
       {"--format", &o.format, format_words(),
-       "csv (points), dxf (drawing), svg (full-scale picture), json (points, motion and law), "
+       "csv (points), dxf (drawing), step (solid), svg (full-scale picture), json (points, motion "
+       "and law), "
        "gcode (cutter-centre path), inspection (points and normals to be measured), table (master "
        "and slave for a controller, PLC or servo drive), or the motion as a drive's own file: "
        "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the ending "
@@ -75,10 +76,18 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--drawing", &o.drawing, takes::kNothing,
        "dxf: add bore, centre, zero mark, follower at 0 deg, sense of rotation and a title block, "
        "each on its own layer"},
-      {"--bore", &o.bore, "LENGTH", "dxf with --drawing: diameter of the bore (the cam's own)"},
+      {"--bore", &o.bore, "LENGTH",
+       "step, and dxf with --drawing: diameter of the bore (the cam's own)"},
       {"--keyway", &o.keyway, "SIZE",
-       "dxf with --drawing: width x depth of the keyway from the bore's edge, such as '8 x 3.3 "
+       "step, and dxf with --drawing: width x depth of the keyway from the bore's edge, such as '8 "
+       "x 3.3 "
        "mm'"},
+      {"--width", &o.width, "LENGTH",
+       "step: width of the cam along its axis (the face_width that the problem states)"},
+      {"--groove", &o.groove, "LENGTH",
+       "step: depth of the groove in which the roller runs, for a cam that has one"},
+      {"--blank", &o.blank, "LENGTH",
+       "step with --groove: diameter of the disc or barrel that the groove is cut into"},
       {"--form-tolerance", &o.form_tolerance, "LENGTH",
        "inspection: largest deviation allowed from the nominal profile (0.02 mm)"},
       {"--slave", &o.slave, "NAME",

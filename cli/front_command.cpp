@@ -166,7 +166,7 @@ Command front_command() {
                       {"--sensitivity", &options->sensitivity, takes::kNothing,
                        "show what tolerances do to the chosen design"},
                       {"--tolerance", &options->tolerances, takes::kSetting,
-                       "tolerance of a variable, name=value (a hundredth of each value)"},
+                       "tolerance of a variable, name=value (0.02 mm, 0.1 deg, else a hundredth)"},
                       {"--csv", &options->csv, takes::kFile, "write the front here"},
                       {"--svg", &options->svg, takes::kFile, "draw it here"},
                       {"--result", &options->result, takes::kFile,

@@ -10,7 +10,9 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "numerics/text/file_text.h"
+#include "numerics/text/sha256.h"
 #include "output/answers/claim_output.h"
+#include "output/answers/comparison_output.h"
 #include "output/answers/search_facts.h"
 #include "output/document/printing.h"
 #include "output/report/report.h"
@@ -22,7 +24,7 @@ namespace camlaw::cli {
 namespace {
 
 struct ReportOptions {
-  std::string input;
+  std::vector<std::string> inputs;
   std::optional<std::string> output;
   std::vector<std::string> settings;
 };
@@ -34,6 +36,11 @@ problems::ReadDesign with_settings(const problems::ReadDesign& read,
   changed.statement = read.statement;
   problems::set_in_design(changed.statement, read, settings);
   return changed;
+}
+
+/// The SHA-256 of an input as it stands on the disk.
+std::string checksum_of(const std::string& input) {
+  return sha256(problems::file_text(input, "problem file or a result"));
 }
 
 /// A page, and whether what it tells of a file was found as it is claimed there.
@@ -52,10 +59,12 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
   if (read.verdict) {
     facts = facts_of_search(problems::parse_json(problems::file_text(input, "result")));
   }
-  return {
-      design_report(
-          {.read = std::move(read), .file = input, .facts = std::move(facts), .review = review}),
-      status_of(review)};
+  return {design_report({.read = std::move(read),
+                         .file = input,
+                         .facts = std::move(facts),
+                         .review = review,
+                         .checksum = checksum_of(input)}),
+          status_of(review)};
 }
 
 JudgedPage sweep_page(optim::StudyRecord& record, const std::string& file) {
@@ -82,6 +91,11 @@ JudgedPage study_page(const std::string& file) {
   return {front_report(FrontAnswer{study, stored}, file), status_of(stored)};
 }
 
+bool is_design(const std::string& input) {
+  const std::string extension = ending_of(input);
+  return extension == ".toml" || extension == ".json";
+}
+
 JudgedPage page_of(const std::string& input, const std::vector<std::string>& settings) {
   const std::string extension = ending_of(input);
   if (extension == ".db" && !settings.empty()) {
@@ -90,10 +104,44 @@ JudgedPage page_of(const std::string& input, const std::vector<std::string>& set
         "problem file or a result");
   }
   if (extension == ".db") return study_page(input);
-  if (extension == ".toml" || extension == ".json" || input == kStandardStream)
-    return design_page(input, settings);
+  if (is_design(input) || input == kStandardStream) return design_page(input, settings);
   throw std::invalid_argument(fmt::format(
       "{}: a report needs a problem file (.toml), a result (.json) or a study (.db)", input));
+}
+
+/// Refuses what cannot be put side by side.
+void check_compared(const ReportOptions& options) {
+  if (options.inputs.size() > kMostCompared) {
+    throw std::invalid_argument(
+        fmt::format("a comparison takes at most {} results, and {} are named", kMostCompared,
+                    options.inputs.size()));
+  }
+  if (!options.settings.empty()) {
+    throw std::invalid_argument("--set changes one design; a comparison takes results as they are");
+  }
+  for (const std::string& input : options.inputs) {
+    if (is_design(input)) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: a comparison needs results (.json) or problem files (.toml)", input));
+  }
+}
+
+JudgedPage comparison_page(const std::vector<std::string>& inputs) {
+  std::vector<ComparedDesign> designs;
+  std::vector<std::string> checksums;
+  int status = kDone;
+  for (const std::string& input : inputs) {
+    problems::ReadDesign read = problems::read_design_file(input);
+    keep_inputs(read);
+    ClaimReview review = reviewed(read);
+    say_review(input, review);
+    if (status_of(review) != kDone) status = status_of(review);
+    DesignReview judged(read);
+    designs.push_back({std::string(1, static_cast<char>('A' + designs.size())), input,
+                       std::move(read), std::move(review), std::move(judged)});
+    checksums.push_back(checksum_of(input));
+  }
+  return {comparison_report(designs, checksums), status};
 }
 
 /// Refuses to write a page under a name that says it is something else.
@@ -105,18 +153,27 @@ void check_ending(const std::filesystem::path& output) {
                   output.string()));
 }
 
+/// The page beside its input, or, of several, beside the first.
+std::filesystem::path usual_output(const std::vector<std::string>& inputs) {
+  const std::filesystem::path first(inputs.front());
+  return inputs.size() > 1 ? first.parent_path() / "comparison.html"
+                           : std::filesystem::path(first).replace_extension(".html");
+}
+
 int run_report(const ReportOptions& options) {
   keep_standard_output({options.output});
-  if (options.input == kStandardStream && !options.output) {
+  const bool is_comparison = options.inputs.size() > 1;
+  if (is_comparison) check_compared(options);
+  if (options.inputs.front() == kStandardStream && !options.output) {
     throw std::invalid_argument("a report on standard input needs the page's name, --out FILE");
   }
   const std::filesystem::path output =
-      options.output ? std::filesystem::path(*options.output)
-                     : std::filesystem::path(options.input).replace_extension(".html");
-  keep_input(options.input);
+      options.output ? std::filesystem::path(*options.output) : usual_output(options.inputs);
+  for (const std::string& input : options.inputs) keep_input(input);
   check_writable({output});
   check_ending(output);
-  const JudgedPage judged = page_of(options.input, options.settings);
+  const JudgedPage judged = is_comparison ? comparison_page(options.inputs)
+                                          : page_of(options.inputs.front(), options.settings);
   const std::vector<OutputFile> files{{output, page_html(judged.page)}};
   write_files(files);
   say_written(files);
@@ -129,19 +186,25 @@ Command report_command() {
   const auto options = std::make_shared<ReportOptions>();
   return {
       .name = "report",
-      .help = "Write a page for the browser about a design, a front or a sweep: one HTML file",
-      .options = {{.names = "INPUT",
-                   .target = &options->input,
-                   .takes = takes::kFile,
-                   .help =
-                       "a problem file (.toml), at its own values, a result of 'camlaw "
-                       "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db)",
-                   .required = true},
-                  set_option(options->settings),
-                  {"-o,--out", &options->output, takes::kFile,
-                   "the HTML file (beside the input, under its name)"}},
+      .help =
+          "Write a page for the browser about a design, a front or a sweep, or comparing designs",
+      .options =
+          {{.names = "INPUT",
+            .target = &options->inputs,
+            .takes = takes::kFile,
+            .help = "a problem file (.toml), at its own values, a result of 'camlaw "
+                    "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db); "
+                    "two to four problem files or results are compared on one page",
+            .required = true},
+           set_option(options->settings),
+           {"-o,--out", &options->output, takes::kFile,
+            "the HTML file (beside the input, under its name; of several comparison.html beside "
+            "the first)"}},
       .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
                     "the design at the file's own values, on one page"},
+                   {"camlaw report problems/cams/roller_least_base.toml "
+                    "problems/cams/flat_least_base.toml -o both.html",
+                    "two cams side by side: what was found, margins, profiles, curves"},
                    {"camlaw report results/front/study.db -o front.html",
                     "the front of a study, after 'camlaw pareto'"}},
       .run = [options] { return run_report(*options); }};

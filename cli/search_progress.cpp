@@ -18,6 +18,7 @@ std::string state_text(const SearchState& state) {
   } else if (state.done > 0) {
     text = fmt::format("{:.0f} % searched", std::floor(100 * state.done));
   }
+  if (state.round > 0) text = fmt::format("knots, round {}: {}", state.round, text);
   if (!state.best) return text + ", no design within the limits yet";
   return text + ", best " + with_unit(in_digits(*state.best, kDigits), shown_unit(state.unit));
 }
@@ -26,6 +27,13 @@ void SearchProgress::heard(const optim::Progress& progress) {
   state_.done = progress.done;
   state_.iteration = progress.iteration;
   line_.show(state_text(state_), progress.done);
+}
+
+void SearchProgress::begins_round() {
+  ++state_.round;
+  state_.done = 0;
+  state_.iteration = 0;
+  line_.show(state_text(state_));
 }
 
 void SearchProgress::heard(const optim::Candidate& candidate) {

@@ -18,6 +18,7 @@ struct SearchState {
   int iteration = 0;                ///< of the solver that told last
   std::optional<double> best = {};  ///< the objective of the best design within the limits
   std::string unit = {};            ///< of the objective
+  int round = 0;                    ///< of a search that adds knots, from 1 on
 };
 
 /// "27 of 100 combinations, best 49.2 mm"; "27 % searched, no design within the limits yet".
@@ -29,6 +30,8 @@ class SearchProgress {
   SearchProgress(ProgressLine& line, SearchState begun) : line_(line), state_(std::move(begun)) {}
   void heard(const optim::Progress& progress);
   void heard(const optim::Candidate& candidate);
+  /// Another search begins that may find something better.
+  void begins_round();
 
  private:
   ProgressLine& line_;

@@ -27,6 +27,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
+#include "problems/tolerance/reliable_search.h"
 
 namespace camlaw::cli {
 namespace {
@@ -172,6 +173,22 @@ class Seconds {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
+SearchState begun_state(const problems::ProblemStatement& statement) {
+  SearchState begun;
+  if (!statement.objectives.empty()) begun.unit = statement.objectives.front().response.unit;
+  return begun;
+}
+
+/// A search that shows how far it is.
+optim::OptimiseOptions shown_by(SearchProgress& shown, optim::OptimiseOptions how) {
+  how.progress = [&shown](const optim::Progress& p) { shown.heard(p); };
+  how.candidate = [&shown, tell = how.candidate](const optim::Candidate& c) {
+    shown.heard(c);
+    if (tell) tell(c);
+  };
+  return how;
+}
+
 }  // namespace
 
 int run_search(const SearchOptions& options, const SearchCommand& command) {
@@ -197,15 +214,22 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);
   std::optional<problems::RefinedKnots> knots;
-  if (statement.finds_knots)
-    knots = problems::find_knots(statement, search, wanted, [&] { return clock.spent(); });
+  if (statement.finds_knots) {
+    ProgressLine line(!options.json);
+    SearchProgress shown(line, begun_state(statement));
+    knots = problems::find_knots(
+        statement, line.is_shown() ? shown_by(shown, search) : search, wanted,
+        [&] { return clock.spent(); }, [&shown] { shown.begins_round(); });
+  }
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
-  const auto give = [&](const optim::Optimum& optimum) {
+  const auto give = [&](optim::Optimum optimum) {
+    const problems::Reached reached = search_until_reached(bound, search, optimum);
     Answer answer{bound, space, optimum, search.solver, search.seed};
+    answer.reached = reached;
     answer.knots = knots;
     // The doubts of a large problem take time of their own.
     const bool late = search.time_limit && clock.spent() >= *search.time_limit;
@@ -223,21 +247,12 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     }
     return exit_status(optimum.found.assessment.verdict);
   };
-  SearchState begun;
+  SearchState begun = begun_state(bound.statement());
   for (const optim::Choice& choice : space.choices) begun.combinations *= choice.options.size();
-  if (!bound.statement().objectives.empty()) {
-    begun.unit = bound.statement().objectives.front().response.unit;
-  }
   const auto look = [&](optim::OptimiseOptions how) {
     ProgressLine line(!options.json);
     SearchProgress shown(line, begun);
-    if (line.is_shown()) {
-      how.progress = [&shown](const optim::Progress& p) { shown.heard(p); };
-      how.candidate = [&shown, tell = how.candidate](const optim::Candidate& c) {
-        shown.heard(c);
-        if (tell) tell(c);
-      };
-    }
+    if (line.is_shown()) how = shown_by(shown, how);
     optim::Crew crew({.workers = workers, .program = problems::worker_program(bound.statement())});
     optim::Optimum optimum = optim::optimise(space, how, crew);
     if (!crew.remark().empty()) warn(crew.remark());

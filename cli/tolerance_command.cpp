@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,12 +16,15 @@
 #include "cli/workers.h"
 #include "optim/study/record.h"
 #include "optim/study/recorded_hands.h"
+#include "output/answers/profile_output.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
+#include "problems/statement/profile_errors.h"
 #include "problems/statement/solver_settings.h"
+#include "problems/tolerance/profile_loss.h"
 #include "problems/tolerance/tolerance.h"
 #include "problems/tolerance/tolerance_study.h"
 #include "problems/tolerance/tolerance_worker.h"
@@ -34,6 +38,8 @@ struct ToleranceCommand {
   std::string file;
   std::optional<std::string> point, samples, seed, workers, executor, db;
   std::vector<std::string> settings, tolerances;
+  /// Errors of the profile, by their keys.
+  std::map<std::string, std::optional<std::string>> profile;
   RunLimits limits;
   bool resume = false, json = false;
 };
@@ -66,6 +72,17 @@ ProblemStatement design_of(const ToleranceCommand& options) {
   return design;
 }
 
+/// What the file says of the profile, where the command line does not.
+problems::ProfileErrors profile_errors(const ToleranceCommand& options,
+                                       const ProblemStatement& design) {
+  problems::ProfileErrors errors = problems::profile_errors_of(design);
+  for (const auto& [key, text] : options.profile) {
+    if (text) problems::set_profile_error(errors, key, *text);
+  }
+  problems::check_profile_errors(errors);
+  return errors;
+}
+
 int run_tolerance(const ToleranceCommand& options) {
   constexpr std::int64_t kMostSamples = 100'000'000;
   const auto ranks = ranks_of(options.executor, options.workers);
@@ -83,6 +100,13 @@ int run_tolerance(const ToleranceCommand& options) {
   const std::optional<double> limit = time_limit_of(options.limits);
   const auto path = study_file(options.db, {}, options.resume);
   const ProblemStatement design = design_of(options);
+  const problems::ProfileErrors errors = profile_errors(options, design);
+  std::optional<problems::ProfileAnswer> profile;
+  if (errors.any()) profile = problems::profile_answer(design, errors);
+  if (profile && !path && problems::asked_variations(design, options.tolerances).empty()) {
+    print(with_profile(design, *profile), options.json);
+    return kDone;
+  }
   const Interruptible interruptible;
   const optim::Deadline deadline(limit, interruptible.flag());
   const problems::VariedDesign varied = problems::varied_design(
@@ -96,7 +120,9 @@ int run_tolerance(const ToleranceCommand& options) {
                      : std::nullopt;
   if (record) wanted.hands = optim::recorded_hands(std::move(wanted.hands), *record);
   const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
-  print(variation_document(varied, answer), options.json);
+  Document document = variation_document(varied, answer);
+  if (profile) document = with_profile(design, *profile, std::move(document));
+  print(document, options.json);
   if (path && !options.json && !is_quiet()) {
     say("study {}\n", *path);
     if (!answer.cut_short.empty()) say("--resume continues it\n");
@@ -124,6 +150,19 @@ Command tolerance_command() {
            {"--tolerance", &options->tolerances, takes::kSetting,
             "name=value, as much to either side, in place of the file's variations"},
            set_option(options->settings),
+           {"--waviness", &options->profile["waviness"], "LENGTH",
+            "of the profile: amplitude of its waves, '2 um'; needs --waves or --wavelength"},
+           {"--waves", &options->profile["waves"], takes::kNumber, "how many of them in a turn"},
+           {"--wavelength", &options->profile["wavelength"], "LENGTH",
+            "how long they are along the profile, '3 mm', in place of --waves"},
+           {"--form", &options->profile["form"], "LENGTH",
+            "of the profile: width of its tolerance zone (ISO 1101), '0.02 mm'"},
+           {"--chord", &options->profile["chord"], "LENGTH",
+            "a profile that is cut in chords within this deviation, '5 um'"},
+           {"--chord-step", &options->profile["chord_step"], "ANGLE",
+            "the same, with chords of this cam angle, '0.5 deg'"},
+           {"--loss", &options->profile["loss"], "SHARE",
+            "what the shop must hold for this much more peak acceleration, '10 %'"},
            {"--samples", &options->samples, takes::kNumber,
             "parts that the yield is estimated from; unless stated 100000, and fewer where a limit "
             "must be searched anew for each part"},
@@ -136,14 +175,18 @@ Command tolerance_command() {
             "go on with the study of --db; what is damaged in it is counted again"},
            time_limit_option(options->limits),
            json_switch(options->json)},
-      .examples = {{"camlaw tolerance problems/cams/tolerances.toml",
-                    "the worst case with its proof, and the yield"},
-                   {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
-                    "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
-                    "the same of a file that states no variations"},
-                   {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
-                    "results/yield.db",
-                    "recorded: --resume goes on where it was cut short"}},
+      .examples =
+          {{"camlaw tolerance problems/cams/tolerances.toml",
+            "the worst case with its proof, and the yield"},
+           {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
+            "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
+            "the same of a file that states no variations"},
+           {"camlaw tolerance problems/cams/roller_least_base.toml --waviness '2 um' "
+            "--waves 40 --loss '10 %'",
+            "what a wavy profile does, and which amplitude costs a tenth more acceleration"},
+           {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
+            "results/yield.db",
+            "recorded: --resume goes on where it was cut short"}},
       .run = [options] { return run_tolerance(*options); }};
 }
 

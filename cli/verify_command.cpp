@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "output/answers/verified_output.h"
+#include "problems/tolerance/reached.h"
 
 namespace camlaw::cli {
 namespace {
@@ -20,7 +21,7 @@ int run_verify(const VerifyOptions& options) {
   const ReadDesign read = problems::read_design_file(options.file);
   const VerifiedDesign verified = [&] {
     try {
-      return problems::verified(read);
+      return problems::verified(read, problems::held_to_parts(read.statement));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("{}: {}", options.file, error.what()));
     }

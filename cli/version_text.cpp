@@ -9,6 +9,7 @@
 
 #include "optim/versions.h"
 #include "output/document/short_version.h"
+#include "output/export/solid/step_file.h"
 
 namespace camlaw::cli {
 namespace {
@@ -26,9 +27,9 @@ std::string json_version() {
 }  // namespace
 
 std::string version_text() {
-  return fmt::format("{}\n{}\n{}\n{}\n{}", short_version(),
-                     fmt::join(optim::library_versions(), "\n"), "cli11 " CLI11_VERSION,
-                     fmt_version(), json_version());
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", short_version(),
+                     fmt::join(optim::library_versions(), "\n"), problems::step_version(),
+                     "cli11 " CLI11_VERSION, fmt_version(), json_version());
 }
 
 }  // namespace camlaw::cli

@@ -46,10 +46,12 @@ if(CAMLAW_PAGMO)
   install(TARGETS camlaw_nsga2
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
 endif()
-if(TARGET camlaw_mpi)
-  install(TARGETS camlaw_mpi
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
-endif()
+foreach(plugin camlaw_mpi camlaw_step)
+  if(TARGET ${plugin})
+    install(TARGETS ${plugin}
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
+  endif()
+endforeach()
 set(pages ${PROJECT_BINARY_DIR}/pages)
 install(FILES ${pages}/camlaw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/camlaw.bash RENAME camlaw COMPONENT program

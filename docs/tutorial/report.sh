@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes docs/tutorial/report.png: of the report of problems/cams/roller_least_base.toml its head, the cam in
-# motion and the first curves. The other sections are left out of the picture.
+# Makes docs/tutorial/report.png: of the report of problems/cams/roller_least_base.toml its head with the tiles, the
+# cam in motion and the first curves. The other sections are left out of the picture.
 #   docs/tutorial/report.sh [PROGRAM]      by default the program of build/release; needs chromium
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -10,11 +10,11 @@ trap 'rm -rf "$work"' EXIT
 
 "$camlaw" optimize "$root/problems/cams/roller_least_base.toml" --out "$work" >"$work/log"
 "$camlaw" report "$work/result.json" -o "$work/report.html" >"$work/log"
-left_out='#problem,#values,#limits,#buildable,#sensitivity,#numbers,#provenance{display:none}'
+left_out='#motion p,#curves>p,#problem,#values,#limits,#buildable,#sensitivity,#numbers,#provenance{display:none}'
 sed -i "s|</head>|<style>$left_out</style></head>|" "$work/report.html"
 # The clock of the page runs ahead, so that its drawings are done when the picture is taken.
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 \
-  --user-data-dir="$work/profile" --window-size=1280,1400 --virtual-time-budget=4000 \
+  --user-data-dir="$work/profile" --window-size=1280,1560 --virtual-time-budget=8000 \
   --screenshot="$work/report.png" "file://$work/report.html" 2>"$work/log" || {
   cat "$work/log" >&2
   exit 1

@@ -227,7 +227,7 @@ std::size_t Robust::parts() const {
   constexpr std::size_t kOfMean = 32, kLeast = 64;
   constexpr double kBeyond = 4;
   if (!is_quantile) return kOfMean;
-  const double beyond = std::min(share, 1 - share);
+  const double of = parts_for.value_or(share), beyond = std::min(of, 1 - of);
   return std::max(kLeast, std::bit_ceil(static_cast<std::size_t>(kBeyond / beyond)));
 }
 
@@ -245,14 +245,14 @@ Robust parse_robust(std::string_view text) {
           fmt::format("the fraction of a quantile must be between {:g} and {:g}; {:g} is given",
                       1 - kLargestShare, kLargestShare, share));
     }
-    return {true, 0, share};
+    return {true, 0, share, {}};
   }
   const bool is_sum = words.starts_with("mean+"), is_difference = words.starts_with("mean-");
   if ((!is_sum && !is_difference) || !words.ends_with("sigma")) read_robust_number("", text);
   const std::string_view number = words.substr(5, words.size() - 10);
   const double factor = number.empty() ? 1 : read_robust_number(number, text);
   if (factor < 0) read_robust_number("", text);
-  return {false, is_sum ? factor : -factor, 0};
+  return {false, is_sum ? factor : -factor, 0, {}};
 }
 
 std::shared_ptr<const MechanismResponse> robust_number(std::shared_ptr<const Mechanism> mechanism,

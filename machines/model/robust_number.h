@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Robust {
   bool is_quantile = false;
   double factor = 0;  ///< of the deviation
   double share = 0;   ///< of the quantile
+  /// Of a quantile the share that the number of parts is for; none: its own.
+  std::optional<double> parts_for = {};
 
   /// "mean + 3 sigma", "quantile 0.99".
   std::string text() const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "optim/solvers/interior.h"
 #include "optim/solvers/sequential.h"
@@ -17,6 +18,13 @@ namespace {
 bool has_linear_limits(const Problem& problem) {
   return std::all_of(problem.constraints.begin(), problem.constraints.end(),
                      [](const Constraint& c) { return c.response.shape() == Shape::Linear; });
+}
+
+/// Whether an objective or a limit is about a curve, so that its rows are added one by one.
+bool has_curves(const Problem& problem) {
+  return problem.objective().response.is_curve() ||
+         std::any_of(problem.constraints.begin(), problem.constraints.end(),
+                     [](const Constraint& c) { return c.response.is_curve(); });
 }
 
 std::string variables_text(std::size_t n) {
@@ -55,11 +63,14 @@ Plan plan(const Problem& problem, const std::string& wanted) {
   }
   const bool small = n <= kSmall && m <= kSmall;
   if (is_linear(problem)) {
+    // A vertex is exact, where no rows are added to it.
+    const bool is_whole = n <= kSmall && !has_curves(problem);
     std::vector<const Solver*> solvers = {&interior_solver(), &clp_solver(), &ipopt};
+    if (is_whole) std::swap(solvers[0], solvers[1]);
     if (small) solvers.push_back(&slsqp);  // its matrices are dense
-    return {std::move(solvers),
-            fmt::format("interior: linear, of {}; clp{} where that is not enough",
-                        variables_text(n), small ? ", ipopt and slsqp" : " and ipopt")};
+    return {solvers, fmt::format("{}: linear, of {}; {}{} where that is not enough",
+                                 solvers[0]->name(), variables_text(n), solvers[1]->name(),
+                                 small ? ", ipopt and slsqp" : " and ipopt")};
   }
   if (is_large(problem)) {
     return {{&sequential_solver(), &ipopt},

@@ -27,7 +27,7 @@ struct Plan {
 /// to 30 variables and limits slsqp, then ipopt where the conditions of optimality do not hold;
 /// of large ones sequential, then ipopt; of more limits ipopt. Interior comes before clp because
 /// its answers stay amid the room that limits leave; vertices pass curves' limits in many places,
-/// which the exchange has to add one by one.
+/// which the exchange has to add one by one. Up to 30 variables without curves go to clp first.
 Plan plan(const Problem& problem, const std::string& wanted);
 
 /// For the design of least violation: each where those before it do not convince.

@@ -3,12 +3,31 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "optim/solvers/read_off.h"
 #include "optim/solvers/run_end.h"
 
 namespace camlaw::optim {
 namespace {
+
+/// Puts on its bound each variable that is as near to it as the method's end leaves it and that is
+/// held there by far more: a vertex method would say the same, and what is infinite at the bound is
+/// not a large number beside it.
+void settle_at_bounds(const QuadraticProgram& program, const InteriorSolution& found,
+                      std::vector<double>& y) {
+  constexpr double kNear = 1e-9, kHeld = 1e6;
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const auto settle = [&](double bound, double multiplier) {
+      const double left = std::abs(y[k] - bound);
+      const bool is_near = left <= kNear * std::max(1.0, std::abs(bound));
+      if (is_near && multiplier > kHeld * left) y[k] = bound;
+    };
+    settle(program.lower[column], found.lower_multipliers[column]);
+    settle(program.upper[column], found.upper_multipliers[column]);
+  }
+}
 
 class InteriorSolver final : public Solver {
  public:
@@ -48,6 +67,7 @@ class InteriorSolver final : public Solver {
     solution.message = end.message;
     solution.iterations = found.iterations;
     solution.y.assign(found.y.begin(), found.y.end());
+    if (found.end == InteriorEnd::Optimal) settle_at_bounds(linear, found, solution.y);
     solution.rows.assign(found.row_multipliers.begin(), found.row_multipliers.end());
     solution.lower.assign(found.lower_multipliers.begin(), found.lower_multipliers.end());
     solution.upper.assign(found.upper_multipliers.begin(), found.upper_multipliers.end());

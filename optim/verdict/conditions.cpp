@@ -15,7 +15,7 @@ namespace {
 /// with a margin: what its multiplier leaves open.
 Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limits,
                                             const Layout& layout, std::vector<double>& lengths) {
-  constexpr double kOpen = 1e-12;  // less is rounding
+  constexpr double kOpen = 1e-10;  // less is what an interior-point method leaves
   std::vector<Eigen::Triplet<double>> entries;
   int rows = layout.rows;
   for (std::size_t j = 0; j < limits.size(); ++j) {

@@ -50,16 +50,8 @@ std::vector<std::size_t> drawn_about(const Mixture& mixture, std::size_t count) 
   return own;
 }
 
-/// An interval that holds a share at 95 %, from few samples too (theory: TV8).
-Bounds interval_of(const Tally& tally, double largest, std::size_t samples) {
-  constexpr double kConfidence = 0.95;
-  const auto count = static_cast<double>(samples);
-  const auto found =
-      largest == 1 ? binomial_interval(tally.hits, samples, kConfidence)
-                   : weighted_poisson_interval(tally.sum / count, tally.squares / (count * count),
-                                               largest / count, kConfidence);
-  return {found.lower, std::min(found.upper, 1.0)};
-}
+constexpr double kConfidence = 0.95;
+constexpr double kLargestWeight = 5;  // a fifth is drawn about what is meant
 
 /// A share of one kind over all repetitions.
 struct Estimate {
@@ -68,10 +60,37 @@ struct Estimate {
   Tally all;
 };
 
+/// Of failures that count alike, few or many (theory: "How sure a fraction is").
+Bounds counted_between(const Estimate& found, std::size_t samples) {
+  constexpr std::size_t kMany = 640;  // twenty failures, and as many that hold, in each repetition
+  if (std::min(found.all.hits, samples - found.all.hits) < kMany) {
+    const auto between = binomial_interval(found.all.hits, samples, kConfidence);
+    return {between.lower, between.upper};
+  }
+  const double reach = student_quantile(kRepetitions - 1, kConfidence) * found.error;
+  return {std::max(0.0, found.share - reach), std::min(1.0, found.share + reach)};
+}
+
+/// Of weighted failures (theory: TV8, TV9): the variance is the larger one of what the weights and
+/// what the repetitions tell.
+Bounds weighted_between(const Estimate& found, double largest, std::size_t samples) {
+  constexpr double kFew = 30;  // of so few the largest weight may not have been met
+  const Tally& tally = found.all;
+  const auto count = static_cast<double>(samples);
+  const double told = tally.squares > 0 ? tally.sum * tally.sum / tally.squares : 0;
+  const double inflation =
+      student_quantile(kRepetitions - 1, kConfidence) / normal_quantile((1 + kConfidence) / 2);
+  const double variance =
+      std::max(tally.squares / (count * count), std::pow(inflation * found.error, 2));
+  const double heaviest = told >= kFew ? tally.largest : largest;
+  const auto between =
+      weighted_poisson_interval(found.share, variance, heaviest / count, kConfidence);
+  return {between.lower, std::min(between.upper, 1.0)};
+}
+
 /// `largest`: the largest weight that a sample can have. `kind` picks the tally of one repetition.
 template <class Kind>
 Estimate estimate_of(const std::vector<PartsCount>& all, double largest, const Kind& kind) {
-  constexpr double kMany = 640;  // twenty failures, and as many that hold, in each repetition
   const auto count = static_cast<double>(all.size());
   Estimate result;
   Numbers shares;
@@ -86,24 +105,12 @@ Estimate estimate_of(const std::vector<PartsCount>& all, double largest, const K
   double squares = 0;
   for (const double share : shares) squares += (share - result.share) * (share - result.share);
   result.error = std::sqrt(squares / (count - 1) / count);
-  const Tally& tally = result.all;
-  const double told = tally.squares > 0 ? tally.sum * tally.sum / tally.squares : 0;
-  const bool is_even = largest == 1;
-  const double others = is_even ? static_cast<double>(samples - tally.hits) : kInfinity;
-  if (std::min(told, others) >= kMany) {
-    const double reach = student_quantile(kRepetitions - 1, 0.95) * result.error;
-    result.between = {std::max(0.0, result.share - reach), std::min(1.0, result.share + reach)};
-    return result;
-  }
-  // Of so few the largest weight may not have been met.
-  constexpr double kFew = 30;
-  const bool is_known = !is_even && told >= kFew;
-  result.between = interval_of(tally, is_known ? tally.largest : largest, samples);
+  result.between =
+      largest == 1 ? counted_between(result, samples) : weighted_between(result, largest, samples);
   return result;
 }
 
 void add_up(const std::vector<PartsCount>& all, Yield& result) {
-  constexpr double kLargestWeight = 5;  // a fifth is drawn about what is meant
   const double largest = result.by_importance ? kLargestWeight : 1;
   const Estimate failing =
       estimate_of(all, largest, [](const PartsCount& c) -> const Tally& { return c.failing; });
@@ -123,6 +130,12 @@ void add_up(const std::vector<PartsCount>& all, Yield& result) {
   for (const PartsCount& one : all) {
     result.samples += one.samples;
     result.impossible += one.impossible;
+  }
+  if (result.by_importance) {
+    // TV10
+    const double unseen =
+        -kLargestWeight * std::log(1 - kConfidence) / static_cast<double>(result.samples);
+    result.unseen_at_most = std::min(1.0, unseen);
   }
 }
 
@@ -276,7 +289,9 @@ Yield yield(const PartsDrawer& drawer, const std::vector<RoomSlopes>& slopes, De
   for (DesignPoint& point : points) point = varying_part(point, variations);
   result.by_importance = !points.empty() && !result.stopped;
   if (result.by_importance) {
-    Estimator near(about(points, drawer.dimensions()), options.seed, count, limits);
+    // Points of their own: few of the first failed, which is why these are drawn.
+    constexpr std::uint64_t kOthers = std::uint64_t{1} << 32U;
+    Estimator near(about(points, drawer.dimensions()), mixed(options.seed, kOthers), count, limits);
     result.stopped = !near.draw_to(each);
     near.add_to(result);
   }

@@ -25,9 +25,12 @@ struct Yield {
   double error = 0;    ///< its standard error, from independent repetitions
   /// Above `failing` where the room is not known exactly: the share that may break a limit.
   double failing_at_most = 0;
-  /// However few samples fail (TV8): `failing` of all parts, what the room leaves open included. At
-  /// a confidence of 95 %, or by importance of 80 % or more.
+  /// However few samples fail (TV8, TV9): `failing` of all parts, what the room leaves open
+  /// included, at a confidence of 95 %.
   Bounds failing_between{0, 1};
+  /// By importance: what may fail besides, at the same confidence, away from the design points in
+  /// places where no sample fell (TV10).
+  double unseen_at_most = 0;
   std::vector<double> by_limit;                ///< the share that breaks each
   std::vector<Bounds> by_limit_between;        ///< the same of each
   std::vector<std::optional<double>> indices;  ///< the reliability index of each

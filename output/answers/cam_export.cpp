@@ -14,6 +14,7 @@
 #include "output/answers/judged_words.h"
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
+#include "output/answers/solid_export.h"
 #include "output/export/curve_svg.h"
 #include "output/export/dxf.h"
 #include "output/export/plane_curve.h"
@@ -33,6 +34,7 @@ const std::vector<FormatRow>& export_formats() {
     std::vector<FormatRow> all{
         {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
         {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
+        {ExportFormat::Step, "step", {".step", ".stp"}, {F::Spline}, 9},
         {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
         {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
         {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
@@ -107,15 +109,19 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
     throw std::invalid_argument(
         fmt::format("--decimal-comma is for table, not for {}", format.name));
   }
-  only(o.decimals, "--decimals", format.drive == nullptr, "curves and table");
-  only(o.step, "--step", !quintics, "points at even steps");
+  const bool solid = format.format == ExportFormat::Step;
+  only(o.decimals, "--decimals", format.drive == nullptr && !solid, "curves and table");
+  only(o.step, "--step", !quintics && !solid, "points at even steps");
+  only(o.width, "--width", solid, "step");
+  only(o.groove, "--groove", solid, "step");
+  only(o.blank, "--blank", solid && o.groove, "step with --groove");
   const bool inspection = format.format == ExportFormat::Inspection;
   only(o.lead, "--lead", gcode, "gcode");
   only(o.compensation, "--compensation", gcode, "gcode");
   only(o.allowances, "--allowances", gcode, "gcode");
   only(o.form_tolerance, "--form-tolerance", inspection, "inspection");
-  only(o.bore, "--bore", o.drawing, "dxf with --drawing");
-  only(o.keyway, "--keyway", o.drawing, "dxf with --drawing");
+  only(o.bore, "--bore", o.drawing || solid, "step and dxf with --drawing");
+  only(o.keyway, "--keyway", o.drawing || solid, "step and dxf with --drawing");
   if (o.drawing && format.format != ExportFormat::Dxf) {
     throw std::invalid_argument(fmt::format("--drawing is for dxf, not for {}", format.name));
   }
@@ -132,7 +138,11 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
        {std::pair{&o.curve, "--curve"}, {&o.form, "--as"}, {&o.tool, "--tool"}}) {
     only(*option, name, !motion, "curves");
   }
-  only(o.tool, "--tool", !inspection, "drawings and gcode");
+  only(o.tool, "--tool", !inspection && !solid, "drawings and gcode");
+  if (solid && o.curve && !along_profile) {
+    throw std::invalid_argument(
+        fmt::format("--curve {}: step takes profile or second-profile", *o.curve));
+  }
   only(o.tolerance, "--tolerance", (!motion && !inspection) || quintics,
        "curves and drives that take polynomials");
   if (o.step && o.tolerance) {
@@ -366,6 +376,11 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
     const auto cuts = cuts_of(e.design.statement, curves);
     e.notes.insert(e.notes.end(), cuts.begin(), cuts.end());
     return inspection_table(o, e, curves.front());
+  }
+  if (format.format == ExportFormat::Step) {
+    form_of(o, format);  // that it takes no other
+    for (std::string& note : cuts_of(e.design.statement, {})) e.notes.push_back(std::move(note));
+    return solid_text(o, e);
   }
   fit_curves(o, format, e);
   std::vector<std::string> comments = comments_of(e);

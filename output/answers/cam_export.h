@@ -21,13 +21,13 @@ struct ExportOptions {
   std::string file;
   Text format, out, curve, tolerance, step, form, decimals, unit, tool, feed, clearance, depth,
       lead, compensation, allowances, bore, keyway, form_tolerance, slave, master, cycle, columns,
-      separator, cam;
+      separator, cam, width, groove, blank;
   bool decimal_comma = false, drawing = false;
   std::vector<std::string> settings;
   bool json = false;  ///< what is said is for programs
 };
 
-enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Inspection, Table, Drive };
+enum class ExportFormat { Csv, Dxf, Step, Svg, JsonText, Gcode, Inspection, Table, Drive };
 
 struct FormatRow {
   ExportFormat format;

@@ -57,6 +57,24 @@ std::string motion_line(const ExportedMotion& m) {
                      path, not_below(m.deviation.most, 0), m.unit, proof_of(m.deviation.proved));
 }
 
+/// Of a groove's flanks how near they are, and once it is built what it is.
+std::vector<std::string> solid_lines(const ExportedSolid& solid,
+                                     const problems::ExportAccuracy& accuracy) {
+  const problems::LengthUnit& unit = accuracy.unit;
+  std::vector<std::string> lines;
+  for (const problems::SolidFlank& flank : solid.flanks) {
+    lines.push_back(fmt::format(
+        "{}: {} bicubic patches, within {} {} of the exact flank, {}", flank.name, flank.patches,
+        not_below(flank.worst / unit.mm, accuracy.tolerance), unit.name, proof_of(flank.proved)));
+  }
+  if (solid.faces > 0) {
+    lines.push_back(
+        fmt::format("solid: {} faces, {:.9g} {}^3, valid and closed as Open CASCADE checks it",
+                    solid.faces, solid.volume / (unit.mm * unit.mm * unit.mm), unit.name));
+  }
+  return lines;
+}
+
 /// Of each curve how many pieces it has and how far they depart from it; then the notes.
 std::vector<std::string> curve_lines(const Exported& e) {
   std::vector<std::string> lines;
@@ -72,6 +90,9 @@ std::vector<std::string> curve_lines(const Exported& e) {
     if (!e.motion->description.empty()) {
       lines.push_back("written from " + e.motion->description + "; not tried on a drive");
     }
+  }
+  if (e.solid) {
+    for (std::string& line : solid_lines(*e.solid, e.accuracy)) lines.push_back(std::move(line));
   }
   lines.insert(lines.end(), e.notes.begin(), e.notes.end());
   return lines;
@@ -152,6 +173,18 @@ Document export_document(const Exported& e) {
                                  {"worst_deviation", m.deviation.most},
                                  {"proved", m.deviation.proved},
                                  {"description", m.description}});
+  }
+  if (e.solid) {
+    Json flanks = Json::array();
+    for (const problems::SolidFlank& flank : e.solid->flanks) {
+      flanks.push_back({{"name", flank.name},
+                        {"patches", flank.patches},
+                        {"worst_deviation_mm", flank.worst},
+                        {"proved", flank.proved}});
+    }
+    document.fact(
+        "solid",
+        Json{{"faces", e.solid->faces}, {"volume_mm3", e.solid->volume}, {"flanks", flanks}});
   }
   document.fact("buildable", buildable_json(problems::buildability(e.design.statement)));
   return document;

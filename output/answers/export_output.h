@@ -8,6 +8,7 @@
 #include "output/export/drives/drive_files.h"
 #include "output/export/gcode.h"
 #include "output/export/motion_table.h"
+#include "output/export/solid/cam_solid.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
@@ -24,6 +25,13 @@ struct ExportedMotion {
   std::string description = {};  ///< what the file was written from
 };
 
+/// A solid as Open CASCADE has checked it: valid and closed.
+struct ExportedSolid {
+  std::vector<problems::SolidFlank> flanks = {};
+  double volume = 0;      ///< mm^3; 0 until it is built
+  std::size_t faces = 0;  ///< 0 until then
+};
+
 /// What is exported, and where it comes from.
 struct Exported {
   const problems::ReadDesign& design;
@@ -32,6 +40,7 @@ struct Exported {
   std::vector<problems::ExportedCurve> curves = {};
   std::vector<problems::ToolPass> passes = {};  ///< of G-code
   std::optional<ExportedMotion> motion = {};    ///< of drives
+  std::optional<ExportedSolid> solid = {};
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
   std::vector<std::string> unmet = {};  ///< those of the notes that name a limit that is not met

@@ -9,6 +9,7 @@
 #include "machines/model/load_case.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
+#include "problems/statement/bind.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::cli {
@@ -65,39 +66,105 @@ std::vector<Cell> limit_cells(const optim::LimitReport& report,
           {text.place, report.worst_angle}};
 }
 
-Table limits_table(const std::vector<optim::LimitReport>& limits,
-                   const problems::ProblemStatement& design) {
+std::string nearness(const optim::LimitReport& side,
+                     const std::optional<optim::LimitReport>& other) {
+  if (!other || std::isnan(side.margin) || std::isnan(other->margin)) return "";
+  const double tolerance = std::max(side.tolerance, other->tolerance);
+  if (std::abs(side.margin - other->margin) <= tolerance) return "as near";
+  return side.margin < other->margin ? "nearer" : "farther";
+}
+
+SidedLimits both_sides(const problems::ProblemStatement& design,
+                       std::vector<optim::LimitReport> limits) {
+  auto others = problems::other_sides(design, limits);
+  return {std::move(limits), std::move(others)};
+}
+
+namespace {
+
+Json side_json(const optim::LimitReport& side) {
+  return {{"value", to_json(side.value)},
+          {"bound", to_json(side.bound)},
+          {"margin", to_json(side.margin)},
+          {"side", side.is_upper ? "upper" : "lower"},
+          {"met", side.met},
+          {"worst_angle_deg", json_value(side.worst_angle)},
+          {"proved", side.proved}};
+}
+
+/// A side on a line: "met pressure_angle = 29 <= 30 deg (worst at 110 deg)".
+std::string side_line(const optim::LimitReport& side,
+                      const std::optional<optim::LimitReport>& other, const LimitText& text) {
+  const std::string met = side.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad);
+  const std::string margin =
+      other
+          ? fmt::format(", margin {}, {}", with_unit(text.margin, side.unit), nearness(side, other))
+          : "";
+  return fmt::format("{} {} = {} {}{}{}{}\n", met, side.name, text.value,
+                     with_unit(text.bound, side.unit),
+                     text.place.empty() ? "" : fmt::format(" (worst at {})", text.place), margin,
+                     side.met && !side.proved ? " (not proved)" : "");
+}
+
+std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& text,
+                             const std::string& near, const std::string& price) {
+  return {side.name, text.value, text.bound, text.margin,
+          side.unit, text.place, near,       side.proved ? "yes" : "no",
+          price};
+}
+
+}  // namespace
+
+Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design) {
   Table table{.key = "constraints",
               .columns = {words("limit", "name"), numbers("value", "value"),
                           numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
                           words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met"),
-                          data("tolerance"), words("proved", "proved")},
+                          data("tolerance"), words("proved", "proved"), data("other_side")},
               .shown = 0};
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    std::vector<Cell> cells = limit_cells(limits[i], design.constraints[i]);
-    cells.back().text = limit_text(limits[i], design, i).place;
-    cells.insert(cells.begin(), limits[i].name);
-    cells.push_back(datum(limits[i].met));
-    cells.push_back(datum(limits[i].tolerance));
-    cells.push_back(yes_or_no(limits[i].proved));
+  for (std::size_t i = 0; i < sided.limits.size(); ++i) {
+    const optim::LimitReport& limit = sided.limits[i];
+    std::vector<Cell> cells = limit_cells(limit, design.constraints[i]);
+    cells.insert(cells.begin(), limit.name);
+    cells.push_back(datum(limit.met));
+    cells.push_back(datum(limit.tolerance));
+    cells.push_back(yes_or_no(limit.proved));
+    cells.push_back(datum(sided.others[i] ? side_json(*sided.others[i]) : Json(nullptr)));
     table.add(std::move(cells));
   }
   return table;
 }
 
+Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
+                  const std::string& price_title, const std::vector<std::string>& prices) {
+  Table table{.columns = {words("limit"), numbers("value"), numbers("bound"), numbers("margin"),
+                          words("unit"), numbers("at"), words("side"), words("proved"),
+                          numbers(price_title)}};
+  const auto add = [&](std::size_t i, const optim::LimitReport& side,
+                       const std::optional<optim::LimitReport>& other, const std::string& price) {
+    table.add(side_cells(side, limit_text(side, design, i), nearness(side, other), price));
+  };
+  for (std::size_t i = 0; i < sided.limits.size(); ++i) {
+    add(i, sided.limits[i], sided.others[i], prices[i]);
+    if (sided.others[i]) add(i, *sided.others[i], sided.limits[i], "");
+  }
+  const bool has_two = std::any_of(sided.others.begin(), sided.others.end(),
+                                   [](const auto& other) { return other.has_value(); });
+  constexpr std::size_t kSide = 6;
+  table.columns[kSide].in_text = has_two;
+  return table;
+}
+
 Document limits_document(const std::vector<optim::LimitReport>& limits,
                          const problems::ProblemStatement& design) {
+  const SidedLimits sided = both_sides(design, limits);
   Document document;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const optim::LimitReport& limit = limits[i];
-    const LimitText text = limit_text(limit, design, i);
-    document.say(fmt::format("{} {} = {} {}{}{}\n",
-                             limit.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
-                             limit.name, text.value, with_unit(text.bound, limit.unit),
-                             text.place.empty() ? "" : fmt::format(" (worst at {})", text.place),
-                             limit.met && !limit.proved ? " (not proved)" : ""));
+    const auto& other = sided.others[i];
+    document.say(side_line(limits[i], other, limit_text(limits[i], design, i)));
+    if (other) document.say(side_line(*other, limits[i], limit_text(*other, design, i)));
   }
-  document.add(limits_table(limits, design));
+  document.add(limits_table(sided, design));
   return document;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,30 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
 std::vector<Cell> limit_cells(const optim::LimitReport& report,
                               const problems::ConstraintStatement& stated);
 
-/// How limits stand: name, value, bound, side, margin, unit, the worst place, whether met, and
-/// whether proved. Only programs read it, unless `shown` is set.
-Table limits_table(const std::vector<optim::LimitReport>& limits,
-                   const problems::ProblemStatement& design);
+/// Of a limit with two bounds, whether this side is the "nearer" or the "farther" one, or the
+/// design is "as near" to both to within the tolerance; empty for a limit with one, and where a
+/// side is not a number.
+std::string nearness(const optim::LimitReport& side,
+                     const std::optional<optim::LimitReport>& other);
 
-/// The same, for people a line each.
+/// Limits of a design with, where they have a lower and an upper bound, both sides.
+struct SidedLimits {
+  std::vector<optim::LimitReport> limits;
+  std::vector<std::optional<optim::LimitReport>> others;  ///< problems::other_sides
+};
+
+SidedLimits both_sides(const problems::ProblemStatement& design,
+                       std::vector<optim::LimitReport> limits);
+
+/// How limits stand, for programs: name, value, bound, side, margin, unit, the worst place, whether
+/// met, whether proved, and the same of the other side.
+Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design);
+
+/// The same for people, a row for each side; `prices` has what stands in the last column.
+Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
+                  const std::string& price_title, const std::vector<std::string>& prices);
+
+/// Both for programs and for people, a line for each side.
 Document limits_document(const std::vector<optim::LimitReport>& limits,
                          const problems::ProblemStatement& design);
 

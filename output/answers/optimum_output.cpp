@@ -9,6 +9,7 @@
 
 #include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/reached_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
@@ -47,27 +48,35 @@ bool has_prices(const Assessment& a) {
   return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
 }
 
-Table priced_limits(const Answer& answer) {
-  const std::vector<LimitReport> limits = answer.limits();
+std::string price_text(const LimitReport& limit, bool priced) {
+  if (!priced) return "";
+  if (limit.multiplier != 0) return fmt::format("{:.4g}", limit.multiplier);
+  return limit.at_rest ? "at rest" : "";
+}
+
+/// How the design stands to the limits, and what each costs.
+void add_limits(const Answer& answer, Document& document) {
   const bool priced = has_prices(assessment(answer));
   const optim::Optimum& optimum = answer.optimum;
   const bool is_design =
       optimum.found.x.size() == optimum.problem.variables.size() && !optimum.found.x.empty();
-  Table table = limits_table(limits, is_design ? answer.bound.at(optimum.options, optimum.found.x)
-                                               : answer.bound.statement());
-  table.shown = limits.size();
-  table.columns.insert(table.columns.end(),
-                       {numbers(priced ? "price" : "", "multiplier"), data("at_rest")});
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const LimitReport& limit = limits[i];
-    const bool price = priced && limit.multiplier != 0;
-    table.rows[i].insert(table.rows[i].end(), {{price ? fmt::format("{:.4g}", limit.multiplier)
-                                                : priced && limit.at_rest ? "at rest"
-                                                                          : "",
-                                                limit.multiplier},
-                                               datum(limit.at_rest)});
+  const problems::ProblemStatement design =
+      is_design ? answer.bound.at(optimum.options, optimum.found.x) : answer.bound.statement();
+  std::vector<LimitReport> limits = answer.limits();
+  std::vector<std::optional<LimitReport>> none(limits.size());
+  const SidedLimits sided = is_design ? both_sides(design, std::move(limits))
+                                      : SidedLimits{std::move(limits), std::move(none)};
+  Table table = limits_table(sided, design);
+  table.columns.insert(table.columns.end(), {data("multiplier"), data("at_rest")});
+  std::vector<std::string> prices;
+  for (std::size_t i = 0; i < sided.limits.size(); ++i) {
+    const LimitReport& limit = sided.limits[i];
+    table.rows[i].insert(table.rows[i].end(), {datum(limit.multiplier), datum(limit.at_rest)});
+    prices.push_back(price_text(limit, priced));
   }
-  return table;
+  if (!prices.empty()) document.say("\n");
+  document.add(std::move(table));
+  if (!prices.empty()) document.add(sides_table(sided, design, priced ? "price" : "", prices));
 }
 
 /// What one unit more of each pushing limit buys, in words.
@@ -338,8 +347,8 @@ Document answer_document(const Answer& answer) {
   document.say(warnings_text(answer.warnings));
   document.fact("warnings", answer.warnings);
   add_design(answer, document);
-  if (!a.limits.empty()) document.say("\n");
-  document.add(priced_limits(answer));
+  add_limits(answer, document);
+  document.add(reached_document(answer.reached));
   document.add(buildable_document(answer.built));
   add_conditions(answer, document);
   add_knots(answer, document);

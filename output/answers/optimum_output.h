@@ -13,6 +13,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
+#include "problems/tolerance/reached.h"
 
 /// The answer to a problem file, for people, for programs and as a picture.
 namespace camlaw::cli {
@@ -27,6 +28,7 @@ struct Answer {
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
   problems::Buildability built = {};       ///< of the design, buildability_of(*this)
   std::optional<problems::RefinedKnots> knots = {};  ///< where they were found: knots = "auto"
+  problems::Reached reached = {};                    ///< of reliabilities and of a robust objective
 
   /// Option or variable by name, with units: the design.
   std::vector<DesignValue> values() const;

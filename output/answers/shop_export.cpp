@@ -67,14 +67,19 @@ double length_of(const Text& text, const char* name, const problems::LengthUnit&
       fmt::format("{}: {:.6g} mm is outside {:.6g} .. {:.6g} mm", name, value, low, high));
 }
 
+BoreSizes bore_sizes(const ExportOptions& o, const problems::LengthUnit& unit) {
+  BoreSizes sizes{.radius = {}, .keyway = keyway_of(o.keyway, unit)};
+  if (o.bore) sizes.radius = length_of(o.bore, "--bore", unit, 0, 1e-3, 1e5) / 2;
+  return sizes;
+}
+
 std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exported& e) {
   if (!o.drawing) return {};
   problems::ShopSettings settings;
   settings.unit = e.accuracy.unit;
-  if (o.bore) {
-    settings.bore_radius = length_of(o.bore, "--bore", settings.unit, 0, 1e-3, 1e5) / 2;
-  }
-  settings.keyway = keyway_of(o.keyway, settings.unit);
+  const BoreSizes bore = bore_sizes(o, settings.unit);
+  settings.bore_radius = bore.radius;
+  settings.keyway = bore.keyway;
   settings.title = comments_of(e);
   return problems::shop_shapes(e.design.statement, settings);
 }

@@ -15,6 +15,13 @@ namespace camlaw::cli {
 double length_of(const ExportOptions::Text& text, const char* name,
                  const problems::LengthUnit& unit, double default_value, double low, double high);
 
+/// Radius and keyway of --bore and --keyway, mm; what is not there is not asked for.
+struct BoreSizes {
+  std::optional<double> radius;
+  std::optional<problems::Keyway> keyway;
+};
+BoreSizes bore_sizes(const ExportOptions& options, const problems::LengthUnit& unit);
+
 /// What --drawing adds to a DXF: nothing without it.
 std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& options,
                                                const Exported& exported);

@@ -33,11 +33,16 @@ std::size_t variable_named(const optim::Problem& problem, const std::string& nam
 
 }  // namespace
 
-std::vector<double> hundredths(const std::vector<optim::Variable>& variables, optim::Design x) {
-  constexpr double kShare = 0.01;
+std::vector<double> usual_tolerances(const std::vector<optim::Variable>& variables,
+                                     optim::Design x) {
+  constexpr double kLength = 0.02, kAngle = 0.1, kShare = 0.01;  // mm, deg, of a value
   std::vector<double> tolerances;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const optim::Variable& v = variables[i];
+    if (v.unit == "mm" || v.unit == "deg") {
+      tolerances.push_back(v.unit == "mm" ? kLength : kAngle);
+      continue;
+    }
     const double range = std::isfinite(v.upper - v.lower) ? v.upper - v.lower : 1;
     tolerances.push_back(kShare * (x[i] != 0 ? std::abs(x[i]) : range));
   }
@@ -47,7 +52,7 @@ std::vector<double> hundredths(const std::vector<optim::Variable>& variables, op
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments) {
   const optim::Problem problem = problem_of(answer, point);
-  if (assignments.empty()) return hundredths(problem.variables, point.x);
+  if (assignments.empty()) return usual_tolerances(problem.variables, point.x);
   std::vector<double> tolerances(point.x.size(), 0.0);
   for (const std::string& assignment : assignments) {
     const std::size_t equals = assignment.find('=');

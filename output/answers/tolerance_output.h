@@ -11,11 +11,13 @@
 /// What becomes of a design of a front that is not made as it was meant.
 namespace camlaw::cli {
 
-/// Tolerances of a hundredth of each value; of a zero one of its range.
-std::vector<double> hundredths(const std::vector<optim::Variable>& variables, optim::Design x);
+/// What is usual where nobody says more: 0.02 mm of a length, 0.1 deg of an angle, of anything else
+/// a hundredth of its value, and of a zero one of its range.
+std::vector<double> usual_tolerances(const std::vector<optim::Variable>& variables,
+                                     optim::Design x);
 
 /// Tolerances of a point's variables from "name=value" with units; of those that are not named,
-/// none; without any assignment hundredths. Throws
+/// none; without any assignment usual_tolerances. Throws
 /// std::invalid_argument for names and values that are not accepted.
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments);

@@ -10,6 +10,7 @@
 
 #include "numerics/text/units.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/reached_output.h"
 #include "output/answers/tolerance_output.h"
 #include "output/document/formatting.h"
 
@@ -152,15 +153,6 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
   return table;
 }
 
-/// "99.87 %"; of shares near one as many digits as tell it from one.
-std::string share_text(double share) {
-  const double left = 1 - share;
-  const int decimals = left > 0 && left < 0.01
-                           ? std::min(12, 1 - static_cast<int>(std::floor(std::log10(left))))
-                           : 2;
-  return fmt::format("{:.{}f} %", 100 * share, decimals);
-}
-
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
   if (!answer.yield) return;
   const optim::Yield& y = *answer.yield;
@@ -171,6 +163,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("failing", y.failing);
   document.fact("failing_lower", y.failing_between.lower);
   document.fact("failing_upper", y.failing_between.upper);
+  document.fact("unseen_at_most", y.unseen_at_most);
   document.fact("yield_samples", y.samples);
   document.fact("failures", y.failures);
   document.fact("not_possible", y.impossible);
@@ -206,9 +199,14 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
                     share_text(1 - y.failing_at_most)));
   }
   document.say(
-      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of {}\n",
-                  100 * y.failing_between.lower, 100 * y.failing_between.upper,
-                  y.by_importance ? "80 % or more (weighted samples)" : "95 %"));
+      fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
+                  100 * y.failing_between.lower, 100 * y.failing_between.upper));
+  if (y.by_importance) {
+    document.say(
+        fmt::format("  away from the likeliest failures, where no sample fell, up to {:.2g} % may "
+                    "fail besides\n",
+                    100 * y.unseen_at_most));
+  }
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
         "  {} of the limits {} searched anew for each part; --samples takes more parts\n",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/export/cubics.h"
 
+#include <algorithm>
+
 namespace camlaw::problems {
 namespace {
 
@@ -86,6 +88,20 @@ std::vector<Vector2d> CubicPath::control_points() const {
     if (i + 1 == pieces.size() || !is_smooth(i)) points.push_back(control[3]);
   }
   return points;
+}
+
+std::vector<CubicPath> CubicPath::smooth_runs(const std::vector<double>& angles) const {
+  std::vector<CubicPath> runs;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool begins = i == 0 || !is_smooth(i - 1) ||
+                        std::find(angles.begin(), angles.end(), pieces[i].from) != angles.end();
+    if (begins) {
+      if (i > 0) runs.back().pieces.back().control[3] = pieces[i].control[0];
+      runs.push_back({{}, worst, proved});
+    }
+    runs.back().pieces.push_back(pieces[i]);
+  }
+  return runs;
 }
 
 }  // namespace camlaw::problems

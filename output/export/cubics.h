@@ -26,6 +26,10 @@ struct CubicPath {
   std::vector<double> knots() const;
   std::vector<Eigen::Vector2d> control_points() const;
 
+  /// The stretches that are smooth and have none of some angles, deg, within them. Each ends in the
+  /// very digits in which the next begins.
+  std::vector<CubicPath> smooth_runs(const std::vector<double>& angles) const;
+
  private:
   bool is_smooth(std::size_t i) const;  ///< where the pieces i and i + 1 meet
 };

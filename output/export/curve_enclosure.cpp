@@ -98,6 +98,15 @@ CurveStretch PlaneCurve::stretch(double from, double to) const {
   return result;
 }
 
+std::array<optim::Bounds, 3> PlaneCurve::heights(double from, double to) const {
+  const auto y = y_->expand(from, to);
+  const Interval scale(scale_);
+  const Interval all[] = {scale * of(y[0]), scale * of(y[1]), Interval(2 * scale_) * of(y[2])};
+  std::array<optim::Bounds, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = {all[i].lower(), all[i].upper()};
+  return result;
+}
+
 bool PlaneCurve::keeps_on(double from, double to) const {
   const IntervalPoint slope = CurveEnclosure(*this, from, to).slope();
   return is_finite(slope) &&

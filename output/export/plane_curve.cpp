@@ -78,6 +78,11 @@ CurvePoint PlaneCurve::at(optim::Place place) const {
   return point;
 }
 
+std::array<double, 3> PlaneCurve::height(optim::Place place) const {
+  const auto y = y_->at(place);
+  return {scale_ * y[0], scale_ * y[1], scale_ * y[2]};
+}
+
 PlaneCurve PlaneCurve::in(const LengthUnit& unit) const {
   PlaneCurve result = *this;
   result.scale_ *= unit_.mm / unit.mm;

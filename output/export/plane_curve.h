@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,12 @@ class PlaneCurve {
   /// Whether the slope is proved to vanish nowhere from one place to the next, both between the
   /// same breaks: the curve does not turn back there.
   bool keeps_on(double from, double to) const;
+
+  /// The height y, its slope and its second derivative by the angle, mm, mm/deg, mm/deg^2, of a
+  /// curve that runs beside no other.
+  std::array<double, 3> height(optim::Place place) const;
+  /// Bounds of the same over a stretch between two of its breaks; infinite where nothing is proved.
+  std::array<optim::Bounds, 3> heights(double from, double to) const;
 
   /// The same curve in another unit of length: all that is said in mm is then in that one.
   PlaneCurve in(const LengthUnit& unit) const;

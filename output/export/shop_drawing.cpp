@@ -17,15 +17,6 @@ using Eigen::Vector2d;
 
 constexpr double kRadian = 180 / std::numbers::pi;
 
-/// A size of the machine, if it has one of that name.
-std::optional<double> size_of(const ProblemStatement& design, const char* name) {
-  const auto& parameters = design.mechanism->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == name) return constant_of(design, name);
-  }
-  return {};
-}
-
 /// Distances of a closed curve from the cam's centre, and its box.
 struct Reach {
   double least = 1e300, most = 0;
@@ -33,11 +24,11 @@ struct Reach {
 };
 
 Reach reach_of(const std::vector<PlaneCurve>& curves) {
-  constexpr int kLooks = 1440;
+  constexpr int kPlaces = 1440;
   Reach reach;
   for (const PlaneCurve& curve : curves) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Vector2d p = curve.at(optim::even_place(curve.begin(), curve.end(), kLooks, i)).at;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const Vector2d p = curve.at(optim::even_place(curve.begin(), curve.end(), kPlaces, i)).at;
       if (curve.name().ends_with("profile")) {
         reach.least = std::min(reach.least, p.norm()), reach.most = std::max(reach.most, p.norm());
       }
@@ -65,6 +56,8 @@ class Drawing {
     line(layer, at - Vector2d(half, 0), at + Vector2d(half, 0));
     line(layer, at - Vector2d(0, half), at + Vector2d(0, half));
   }
+  void add(const DrawnArc& a) { arc("SHAFT", a.centre, a.radius, a.from, a.to); }
+  void add(const DrawnLine& l) { line("SHAFT", l.from, l.to); }
   std::vector<DrawnShape> take() { return std::move(shapes_); }
 
  private:
@@ -72,39 +65,10 @@ class Drawing {
   std::vector<DrawnShape> shapes_;
 };
 
-/// The bore; with a keyway its arc and the groove's three sides, the groove towards a place.
-void draw_bore(double radius, const std::optional<Keyway>& keyway, const Vector2d& towards,
-               const Reach& reach, Drawing& drawing) {
-  if (radius >= reach.least) {
-    throw std::invalid_argument(fmt::format(
-        "--bore: a bore of {:.6g} mm in radius reaches the profile, which comes as near as {:.6g} "
-        "mm to the centre",
-        radius, reach.least));
-  }
-  if (!keyway) return drawing.arc("SHAFT", {0, 0}, radius);
-  const double half = keyway->width / 2, top = radius + keyway->depth;
-  if (!(half < radius) || std::hypot(half, top) >= reach.least) {
-    throw std::invalid_argument(fmt::format(
-        "--keyway: {:.6g} x {:.6g} mm is too large for a bore of {:.6g} mm in radius and a profile "
-        "that comes as near as {:.6g} mm to the centre",
-        keyway->width, keyway->depth, radius, reach.least));
-  }
-  const double edge = std::sqrt(radius * radius - half * half);
-  const double angle = std::asin(half / radius) * kRadian;
-  const Vector2d out = towards.normalized(), right(out.y(), -out.x());
-  const auto place = [&](double across, double up) { return Vector2d(across * right + up * out); };
-  double middle = std::atan2(out.y(), out.x()) * kRadian;
-  if (middle < 0) middle += 360;
-  drawing.arc("SHAFT", {0, 0}, radius, middle + angle, middle - angle + 360);
-  drawing.line("SHAFT", place(-half, edge), place(-half, top));
-  drawing.line("SHAFT", place(-half, top), place(half, top));
-  drawing.line("SHAFT", place(half, top), place(half, edge));
-}
-
 /// Roller and pivot as they stand at cam angle 0.
 void draw_follower(const ProblemStatement& design, double mark, Drawing& drawing) {
   const auto pitch = cam_curves(design, "pitch");
-  const auto roller = size_of(design, "roller_radius"), pivot = size_of(design, "pivot_distance");
+  const auto roller = own_size(design, "roller_radius"), pivot = own_size(design, "pivot_distance");
   std::optional<Vector2d> centre;
   if (!pitch.empty()) centre = pitch.front().at({pitch.front().begin()}).at;
   if (centre && roller) {
@@ -134,7 +98,7 @@ void draw_rotation(const PlaneCurve& profile, double radius, Drawing& drawing) {
 }
 
 std::vector<std::string> dimension_lines(const ProblemStatement& design, const ShopSettings& s,
-                                         const std::optional<double>& bore, const Reach& reach,
+                                         const std::optional<Bore>& bore, const Reach& reach,
                                          const PlaneCurve& profile) {
   const auto length = [&](double mm) {
     return fmt::format("{:.4f} {}", mm / s.unit.mm, s.unit.name);
@@ -146,7 +110,7 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
     lines.push_back(
         fmt::format("turns {} as drawn", turns_left(profile) ? "counterclockwise" : "clockwise"));
   }
-  if (bore) lines.push_back(fmt::format("bore {} in diameter", length(2 * *bore)));
+  if (bore) lines.push_back(fmt::format("bore {} in diameter", length(2 * bore->radius)));
   if (s.keyway) {
     lines.push_back(fmt::format("keyway {} wide, {} deep, at the zero mark",
                                 length(s.keyway->width), length(s.keyway->depth)));
@@ -190,20 +154,20 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   const Reach reach = reach_of(curves);
   const double mark = 0.02 * (reach.high - reach.low).maxCoeff();
   Drawing drawing(1 / s.unit.mm);
-  std::optional<double> bore = s.bore_radius;
-  if (!bore) bore = size_of(design, "bore_radius");
-  if (bore && !(*bore > 0)) bore.reset();
-  if (s.keyway && !bore) {
-    throw std::invalid_argument("--keyway: the cam has no bore; give one with --bore '25 mm'");
-  }
+  const std::optional<Bore> bore = bore_of(design, s.bore_radius, s.keyway);
   if ((s.keyway || s.bore_radius) && !profile.is_closed()) {
     throw std::invalid_argument("--bore and --keyway are for disc cams");
   }
   const Vector2d zero = profile.at({profile.begin()}).at;
   if (profile.is_closed()) {
-    if (bore) draw_bore(*bore, s.keyway, zero, reach, drawing);
+    if (bore) {
+      const BoreOutline outline = outline_of(*bore, zero, reach.least, "the profile");
+      drawing.add(outline.arc);
+      for (const DrawnLine& line : outline.keyway) drawing.add(line);
+    }
     drawing.cross("CENTRE", {0, 0}, 2 * mark);
-    draw_rotation(profile, bore ? std::midpoint(*bore, reach.least) : 0.7 * reach.least, drawing);
+    draw_rotation(profile, bore ? std::midpoint(bore->radius, reach.least) : 0.7 * reach.least,
+                  drawing);
   }
   const Vector2d inwards =
       profile.is_closed() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));

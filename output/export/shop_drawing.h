@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "output/export/bore.h"
 #include "output/export/length_unit.h"
 #include "output/export/plane_curve.h"
 #include "problems/statement/statement.h"
@@ -14,14 +15,6 @@
 /// at cam angle 0, which way the cam turns, and a title block.
 namespace camlaw::problems {
 
-struct DrawnLine {
-  Eigen::Vector2d from, to;
-};
-/// Counterclockwise, deg; a whole circle from 0 to 360.
-struct DrawnArc {
-  Eigen::Vector2d centre;
-  double radius, from = 0, to = 360;
-};
 struct DrawnText {
   Eigen::Vector2d at;  ///< its lower left corner
   double height;
@@ -30,11 +23,6 @@ struct DrawnText {
 struct DrawnShape {
   std::string layer;
   std::variant<DrawnLine, DrawnArc, DrawnText> shape;
-};
-
-/// A parallel key's groove in the hub: its width, and its depth from the bore's edge, mm.
-struct Keyway {
-  double width, depth;
 };
 
 struct ShopSettings {

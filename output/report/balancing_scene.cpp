@@ -30,6 +30,10 @@ std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, i
   scene.body("path of the roller");
   scene.segment("way", {0, axis + *low}, {0, axis + *high});
   draw_pushed_roller(scene, {0, axis + rise.front()}, radius, "roller_displacement");
+  scene.body("base circle");
+  scene.circle("base", {0, 0}, base);
+  scene.body("direction of rotation");
+  scene.turn_arrow({0, 0}, 1.08 * (base + *high), 1, 200);
   scene.include({0, 0}, base + *high);
   scene.include({0, axis + *high}, 2.4 * radius);
   return scene;

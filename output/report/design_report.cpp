@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "output/answers/buildable_output.h"
+#include "output/answers/design_review.h"
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
+#include "output/figure/thinning.h"
 #include "output/report/design_figure.h"
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
@@ -19,6 +21,7 @@
 #include "output/report/report.h"
 #include "output/report/scene.h"
 #include "output/report/sensitivity_section.h"
+#include "output/report/tiles.h"
 #include "output/report/timing_section.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/parameters.h"
@@ -28,34 +31,12 @@ namespace {
 
 using problems::ProblemStatement;
 
-/// All that is found out about a design before it is told.
-struct Review {
-  std::vector<problems::EvaluatedResponse> evaluated;
-  std::optional<problems::HeldProblem> held;
-  std::optional<optim::Assessment> assessment;  ///< of a problem with one objective
-  std::vector<optim::LimitReport> limits;
-  problems::Buildability built;
-
-  explicit Review(const problems::ReadDesign& read)
-      : evaluated(problems::evaluate(read.statement)),
-        held(problems::held_problem(read)),
-        built(problems::buildability(read.statement)) {
-    const ProblemStatement& design = read.statement;
-    if (held && design.objectives.size() == 1) assessment = problems::judged(*held);
-    limits =
-        assessment ? problems::as_stated(design, assessment->limits) : problems::standing(design);
-  }
-  /// Of the problem with its choices held: so far prices hold.
-  bool is_optimal() const { return assessment && assessment->verdict == optim::Verdict::Certified; }
-  bool is_certified() const { return is_optimal() && held->whole; }
-  std::size_t met() const {
-    return static_cast<std::size_t>(std::count_if(
-        limits.begin(), limits.end(), [](const optim::LimitReport& l) { return l.met; }));
-  }
-};
+constexpr const char* kSpanWords =
+    "Rises are shaded in the first colour of the curves, returns in the second; between them the "
+    "follower dwells.";
 
 /// The value of what is sought.
-std::string objective_text(const ProblemStatement& design, const Review& review) {
+std::string objective_text(const ProblemStatement& design, const DesignReview& review) {
   if (!review.assessment) return "";
   const optim::ObjectiveReport& objective = review.assessment->objective;
   const problems::ObjectiveStatement& stated = design.objectives.front();
@@ -65,40 +46,18 @@ std::string objective_text(const ProblemStatement& design, const Review& review)
                      xml_escape(with_unit(in_digits(objective.value), stated.response.unit)));
 }
 
-std::string limits_words(const Review& review) {
+std::string limits_words(const DesignReview& review) {
   if (review.limits.empty()) return "The problem states no limits.";
   if (review.met() == review.limits.size()) return "Every limit is met.";
   return fmt::format("{} of {} limits are met.", review.met(), review.limits.size());
 }
 
 /// Why the verdict is what it is.
-std::string reasons(const Review& review) {
+std::string reasons(const DesignReview& review) {
   if (!review.is_certified()) return paragraph(limits_words(review));
   const optim::Assessment& a = *review.assessment;
   return paragraph(fmt::format("Certified: {}.", a.reason)) +
          (a.global ? paragraph(fmt::format("Global: {}.", *a.global)) : "");
-}
-
-/// The badge: what this page finds itself, or the words of the search where they agree with it.
-std::string verdict_badge(const std::optional<std::string>& said, const Review& review) {
-  using optim::Verdict;
-  const auto good = [&](const std::string& verdict) {
-    const Headline line = headline(verdict, review.built);
-    return badge(line.spoilt ? "unsure" : "good", line.text);
-  };
-  if (review.is_certified()) return good(std::string(to_string(Verdict::Certified)));
-  const bool meets = review.met() == review.limits.size();
-  if (!meets) {
-    const bool agrees = said == to_string(Verdict::Infeasible);
-    return badge("bad", agrees ? *said : "violates a limit");
-  }
-  // Among its choices the search compared designs; among what varies evenly this page looks itself.
-  const bool optimal = said == to_string(Verdict::Certified) && review.is_optimal();
-  if (optimal) return good(*said);
-  const bool agrees = said == to_string(Verdict::Feasible) ||
-                      (said == to_string(Verdict::Certified) && !review.held);
-  const Headline line = headline(agrees ? *said : "meets its limits", review.built);
-  return badge(line.spoilt ? "unsure" : "plain", line.text);
 }
 
 /// The verdict of the search; of one that found no design with what cannot be met.
@@ -109,19 +68,17 @@ std::string said_of(const problems::ReadDesign& read) {
 }
 
 /// What stands under the title: the verdict, and of values that nobody searched for how to search.
-std::string lead(const ReportedDesign& reported, const Review& review) {
+std::string lead(const ReportedDesign& reported, const DesignReview& review) {
   const ProblemStatement& design = reported.read.statement;
   const auto& verdict = reported.read.verdict;
-  const bool believed = reported.review.is_believed();
   std::string notes;
   for (const std::string& words : reported.review.words()) {
     notes += fmt::format("<p>{} {}</p>\n", badge("bad", "record"), escaped(words));
   }
-  const std::string shown = reported.review.differences.empty()
-                                ? verdict_badge(believed ? verdict : std::nullopt, review)
-                                : badge("bad", "the result is wrong");
-  std::string html = "<p>" + shown + "</p>\n" + notes + warnings_html(warnings_of(design)) +
-                     objective_text(design, review) + reasons(review);
+  const VerdictBadge shown = verdict_badge(reported.read, reported.review, review);
+  std::string html = fmt::format("<p>{}</p>\n", badge(shown.kind, shown.text)) + notes +
+                     warnings_html(warnings_of(design)) + objective_text(design, review) +
+                     reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
     return html +
@@ -140,23 +97,27 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
 }  // namespace
 
 ReportPage design_report(const ReportedDesign& reported) {
-  constexpr int kPoints = 360;
+  constexpr int kPoints = 2000;  // of each curve, which is thinned before it is written
   const ProblemStatement& design = reported.read.statement;
-  const Review review(reported.read);
+  const DesignReview review(reported.read);
   check_possible(reported.file, design, review.evaluated);
   Figure figure = design_figure(design, kPoints);
   std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
+  const std::vector<TimedSpan> spans = motion_spans(design);
   const auto words = panel_words(figure, design, review.evaluated);
+  figure = thinned(std::move(figure));
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
   page.sections = {
-      problem_section(reported.read.problem), values_section(design),
+      tiles_section(design, review), problem_section(reported.read.problem), values_section(design),
       limits_section(design, review.limits, review.is_optimal(), reported.read.blamed)};
   if (auto timing = timing_section(design)) page.sections.push_back(*std::move(timing));
   if (!review.built.checks.empty()) page.sections.push_back(buildable_section(review.built));
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
-    page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
+    page.sections.push_back(
+        {"curves", "Over the cycle",
+         (spans.empty() ? "" : paragraph(kSpanWords)) + plots_html(figure, words)});
   }
   if (auto rulers = rulers_section(design)) page.sections.push_back(*std::move(rulers));
   if (review.held) {
@@ -169,9 +130,12 @@ ReportPage design_report(const ReportedDesign& reported) {
   if (!numbers.html.empty()) page.sections.push_back(numbers);
   Facts facts = reported.facts;
   facts.emplace_back("input", reported.file);
+  add_checksum(facts, reported.file, reported.checksum);
+  page.record = record_line(reported.file, reported.checksum);
   page.sections.push_back(provenance_section(facts, "The problem file", design.text));
   page.data = {{"panels", panels_json(figure, words)},
-               {"designs", Json::array({lines_json(figure)})}};
+               {"designs", Json::array({lines_json(figure)})},
+               {"spans", spans_json(spans)}};
   return page;
 }
 

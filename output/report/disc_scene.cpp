@@ -52,6 +52,12 @@ void draw_cam(Scene& scene, const Disc& disc, double turning) {
   }
   scene.segment("mark", {0, 0}, disc.curves.points("profile").front());
   scene.include({0, 0}, disc.size);
+  if (has_parameter(disc.design, "base_radius")) {
+    scene.body("base circle");
+    scene.circle("base", {0, 0}, disc["base_radius"]);
+  }
+  scene.body("direction of rotation");
+  scene.turn_arrow({0, 0}, 1.08 * disc.size, turning, turning > 0 ? 200 : 240);
 }
 
 /// The straight way of a follower's point, at its x, up and down its stroke.

@@ -117,6 +117,7 @@ ReportPage front_report(const FrontAnswer& answer, const std::string& file) {
   const Figure still = front_figure(answer);
   ReportPage page{.title = stated.title.empty() ? "Front" : stated.title,
                   .lead = lead(answer),
+                  .record = record_line(file, ""),
                   .sections = {problem_section(stated), {"front", "The front", front_html(still)}},
                   .data = {{"panels", panels_json(figure, words)},
                            {"designs", designs_json(answer, shown, figure)},

@@ -55,6 +55,8 @@ std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int)
   scene.segment("arm", {0, 0}, pin_at);
   scene.circle("roller", pin_at, pin);
   scene.circle("pivot", {0, 0}, 0.05 * tip);
+  scene.body("direction of rotation");
+  scene.turn_arrow({0, 0}, crank + 2 * pin, 1, 150);
   scene.include({0, 0}, crank + 1.2 * pin);
   scene.include(wheel, 1.02 * tip);
   return scene;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <stdexcept>
 
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
@@ -126,6 +128,48 @@ std::string html_of(const Document& document) {
     html += std::visit([](const auto& its) { return block_html(its); }, block);
   }
   return html;
+}
+
+namespace {
+
+/// "can-it-be-built" of "Can it be built?".
+std::string id_of(const std::string& title) {
+  std::string id;
+  for (const char c : title) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (std::isalnum(letter) != 0) {
+      id += static_cast<char>(std::tolower(letter));
+    } else if (!id.empty() && id.back() != '-') {
+      id += '-';
+    }
+  }
+  if (!id.empty() && id.back() == '-') id.pop_back();
+  return id;
+}
+
+std::string paragraphs(const std::string& lines) {
+  std::string html;
+  for (const std::string_view line : lines_of(lines)) {
+    if (!line.empty()) html += paragraph(line);
+  }
+  return html;
+}
+
+}  // namespace
+
+std::vector<ReportSection> sections_of(const Document& document) {
+  std::vector<ReportSection> sections;
+  for (const Document::Block& block : document.blocks()) {
+    if (const auto* heading = std::get_if<Heading>(&block)) {
+      sections.push_back({id_of(heading->text), heading->text, {}});
+      continue;
+    }
+    if (sections.empty()) throw std::logic_error("a page's document begins with a heading");
+    const auto* table = std::get_if<Table>(&block);
+    sections.back().html += table != nullptr ? unshaded(html_of(*table))
+                                             : paragraphs(unshaded(std::get<std::string>(block)));
+  }
+  return sections;
 }
 
 }  // namespace camlaw::cli

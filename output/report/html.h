@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/document/document.h"
+#include "output/report/page.h"
 
 /// Parts of an HTML page. What is called text is escaped here; what is called html is taken as it
 /// is.
@@ -32,6 +33,8 @@ std::string definitions(const std::vector<std::pair<std::string, std::string>>& 
 
 /// A table that scrolls sideways where the page is narrow.
 std::string html_of(const Table& table);
+/// A document as the sections of a page: each heading begins one, sentences are paragraphs.
+std::vector<ReportSection> sections_of(const Document& document);
 /// A document as a notebook shows it: sentences as they are laid out, tables, headings.
 std::string html_of(const Document& document);
 

@@ -60,6 +60,8 @@ void draw_discs(Scene& scene, const ProblemStatement& design, const SceneCurves&
   draw_flank(scene, curves, "second_flank", "second_roller_angle", turret, turret.plates - 1);
   scene.circle("bore", {0, 0}, problems::constant_of(design, "bore_radius"));
   scene.segment("mark", {0, 0}, curves.points("flank").front());
+  scene.body("direction of rotation");
+  scene.turn_arrow({0, 0}, 2.5 * problems::constant_of(design, "bore_radius"), 1, 200);
 }
 
 /// A cam whose axis lies in the picture, upwards: its outline, the right-hand side given from the

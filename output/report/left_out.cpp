@@ -15,6 +15,9 @@ namespace {
 
 std::string page_html(const ReportPage&) { refuse(); }
 ReportPage design_report(const ReportedDesign&) { refuse(); }
+ReportPage comparison_report(const std::vector<ComparedDesign>&, const std::vector<std::string>&) {
+  refuse();
+}
 ReportPage front_report(const FrontAnswer&, const std::string&) { refuse(); }
 ReportPage sweep_report(const SweepAnswer&, const std::string&) { refuse(); }
 ReportPage reproduction_report(const std::vector<problems::SystemReproduction>&) { refuse(); }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "chart.min.js.h"
 #include "output/figure/chart_svg.h"
 #include "output/report/assets/front.js.h"
@@ -29,6 +31,24 @@ std::string island(const Json& data) {
   return safe;
 }
 
+/// Text as a string of a style sheet, inside which nothing ends that or the sheet.
+std::string style_string(std::string_view text) {
+  constexpr std::string_view kPlain = " .,:;-+()/_";
+  std::string safe;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = byte >= 0x80 || std::isalnum(byte) != 0 || kPlain.find(c) != kPlain.npos;
+    safe += is_plain ? std::string(1, c) : fmt::format("\\{:06x}", byte);
+  }
+  return "\"" + safe + "\"";
+}
+
+/// The head and the foot of printed sheets: what the record is and which sheet this is.
+std::string sheet_style(const ReportPage& page) {
+  return fmt::format("@page {{ @top-left {{ content: {}; }} @bottom-left {{ content: {}; }} }}\n",
+                     style_string(page.title), style_string(page.record));
+}
+
 std::string head(const ReportPage& page) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -37,8 +57,8 @@ std::string head(const ReportPage& page) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<link rel=\"icon\" href=\"data:,\">\n"
-      "<title>{}</title>\n<style>\n{}</style>\n</head>\n",
-      xml_escape(page.title), data::report_css);
+      "<title>{}</title>\n<style>\n{}{}</style>\n</head>\n",
+      xml_escape(page.title), data::report_css, sheet_style(page));
 }
 
 std::string contents(const ReportPage& page) {

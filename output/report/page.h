@@ -20,6 +20,8 @@ struct ReportSection {
 struct ReportPage {
   std::string title;
   std::string lead;  ///< html under the title: the answer in a line or two
+  /// What printed sheets have at their foot: the file and its checksum, without a date.
+  std::string record = {};
   std::vector<ReportSection> sections;
   Json data;  ///< as report/assets/page.js takes it
 };

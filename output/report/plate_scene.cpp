@@ -15,12 +15,19 @@ using problems::Form;
 using problems::ProblemStatement;
 using Kind = BodyMotion::Kind;
 
+/// A curve three times over, so that it fills the window wherever the cam stands.
+std::vector<Point> thrice(const std::vector<Point>& curve, double period) {
+  std::vector<Point> whole;
+  for (const int turn : {-1, 0, 1}) {
+    for (const Point& p : curve) whole.push_back({p.x + turn * period, p.y});
+  }
+  return whole;
+}
+
 /// The profile three times over, as a body with a straight back.
 std::vector<Point> repeated(const std::vector<Point>& profile, double period, double back) {
-  std::vector<Point> outline{{profile.front().x - period, back}};
-  for (const int turn : {-1, 0, 1}) {
-    for (const Point& p : profile) outline.push_back({p.x + turn * period, p.y});
-  }
+  std::vector<Point> outline = thrice(profile, period);
+  outline.insert(outline.begin(), {profile.front().x - period, back});
   outline.push_back({profile.back().x + period, back});
   return outline;
 }
@@ -44,8 +51,11 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   scene.drawn_at("displacement", curves.values("displacement").front());
   scene.body("cam, developed", {{Kind::Slide, -period / 360, {1, 0}}});
   scene.polyline("cam", repeated(profile, period, back), true);
-  scene.polyline("pitch", pitch, false);
+  scene.polyline("pitch", thrice(pitch, period), false);
   scene.segment("mark", {profile.front().x, back}, profile.front());
+  scene.body("direction in which the cam moves");
+  scene.straight_arrow({centre + 0.46 * period, back - 0.6 * radius},
+                       {centre + 0.34 * period, back - 0.6 * radius});
   if (arm) {
     draw_roller_arm(scene, {0, 0}, pitch.front(), radius);
     scene.include({0, 0}, radius);

@@ -33,10 +33,12 @@ std::string margin_bar(const optim::LimitReport& limit) {
       limit.met ? "good" : "bad", share < 0 ? 50 - width : 50, width);
 }
 
+constexpr std::size_t kSideColumn = 7;
+
 Table limit_table(bool priced) {
   Table table{.columns = {names("limit"), words(""), numbers("value"), numbers("bound"),
-                          numbers("margin"), words("unit"), numbers("worst at"), words(""),
-                          words("proved")}};
+                          numbers("margin"), words("unit"), numbers("worst at"), words("side"),
+                          words(""), words("proved")}};
   if (priced) table.columns.push_back(numbers("price"));
   return table;
 }
@@ -53,7 +55,8 @@ Cell with_html(std::string html) {
   return cell;
 }
 
-std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& text, bool priced,
+std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& text,
+                            const std::string& side, bool priced,
                             const std::vector<std::string>& blamed) {
   const bool is_blamed = std::find(blamed.begin(), blamed.end(), limit.name) != blamed.end();
   std::vector<Cell> row{limit.name,
@@ -64,23 +67,11 @@ std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& te
                         text.margin,
                         shown_unit(limit.unit),
                         text.place,
+                        side,
                         with_html(margin_bar(limit)),
                         limit.proved ? "yes" : "no"};
   if (priced) row.push_back(limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "");
   return row;
-}
-
-/// How a design stands against the side of a limit from both sides that its report is not about.
-std::optional<optim::LimitReport> other_side(const ProblemStatement& design, std::size_t i,
-                                             const optim::LimitReport& nearer) {
-  ProblemStatement alone = design;
-  alone.constraints = {design.constraints[i]};
-  problems::ConstraintStatement& c = alone.constraints.front();
-  if (nearer.is_equation || !c.lower || !c.upper) return {};
-  (nearer.is_upper ? c.upper : c.lower).reset();
-  optim::LimitReport other = problems::standing(alone).front();
-  other.name = nearer.name;
-  return other;
 }
 
 /// Where a design stands among its bounds, "10 to 120".
@@ -163,17 +154,27 @@ ReportSection limits_section(const ProblemStatement& design,
                              const std::vector<std::string>& blamed) {
   if (limits.empty()) return {"limits", "Limits", paragraph("The problem states no limits.")};
   Table table = limit_table(priced);
+  const auto others = problems::other_sides(design, limits);
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const problems::ConstraintStatement& stated = design.constraints[i];
-    table.add(limit_row(limits[i], limit_text(limits[i], design, i), priced, blamed));
-    if (const auto other = other_side(design, i, limits[i])) {
-      table.add(limit_row(*other, limit_text(*other, stated), priced, {}));
-    }
+    const auto& other = others[i];
+    table.add(limit_row(limits[i], limit_text(limits[i], design, i), nearness(limits[i], other),
+                        priced, blamed));
+    if (!other) continue;
+    table.add(
+        limit_row(*other, limit_text(*other, design, i), nearness(*other, limits[i]), priced, {}));
   }
+  const bool has_two = std::any_of(others.begin(), others.end(),
+                                   [](const auto& other) { return other.has_value(); });
+  table.columns[kSideColumn].on_page = has_two;
   std::string notes =
       "The bar shows the margin relative to the bound: to the right of the middle if the limit is "
       "met, to the left if it is violated. Proved: by intervals, over the whole cycle, rounding "
       "included.";
+  if (has_two) {
+    notes +=
+        " Side: of a limit with a lower and an upper bound, which of the two the design is nearer "
+        "to.";
+  }
   if (!blamed.empty())
     notes += " Blamed: the search found that these limits cannot be met, alone or together.";
   if (priced)
@@ -200,19 +201,25 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
   const Peaks<double> peak = peaks(design.laws.front().law());
   const std::optional<double> lambda = limit_index(peak);
   Table table{.columns = {words("constant"), numbers("of this law"), numbers("least of any law"),
-                          numbers("above it")}};
-  const auto row = [&](const char* name, double value, std::optional<double> least) {
+                          numbers("above it"), words("what it decides")}};
+  const auto row = [&](const char* name, double value, std::optional<double> least,
+                       const char* decides) {
     const bool measured = lambda && least && std::isfinite(value) && std::isfinite(*least);
     table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
-               measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : ""});
+               measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : "",
+               decides});
   };
-  row("C_v", peak.max_velocity(), 1.0);
-  row("C_a", peak.max_acceleration(), least_acceleration(peak.max_velocity()));
+  row("C_v", peak.max_velocity(), 1.0,
+      "It sets the pressure angle, and so how large the cam must be.");
+  row("C_a", peak.max_acceleration(), least_acceleration(peak.max_velocity()),
+      "It sets the inertia force, and so the spring and the contact stress.");
   row("C_j", peak.max_jerk(),
       std::isfinite(peak.max_jerk())
           ? std::optional(least_jerk(peak.max_velocity(), peak.max_acceleration()))
-          : std::nullopt);
-  row("C_Mdyn", peak.max_dynamic_moment(), {});
+          : std::nullopt,
+      "It sets how strongly the follower's train is made to vibrate.");
+  row("C_Mdyn", peak.max_dynamic_moment(), {},
+      "It sets the peak of the torque that the moved mass asks of the shaft.");
   return ReportSection{
       "rulers", "Figures of merit",
       html_of(table) + paragraph(ruler_words(peak, lambda)) +
@@ -221,10 +228,24 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
                   : "")};
 }
 
+namespace {
+
+/// What the lines of a moving cam's picture are, of those that it has.
+std::string line_words(const std::string& svg) {
+  const auto has = [&](const char* shape) { return svg.find(shape) != std::string::npos; };
+  if (!has("class=\"arrow\"")) return "";
+  std::string words = "The arrow is the direction in which the driving part moves.";
+  if (has("class=\"base\"")) words += " The dotted circle is the base circle.";
+  if (has("<path class=\"pitch\"")) words += " The dashed curve is the pitch curve.";
+  return paragraph(words);
+}
+
+}  // namespace
+
 ReportSection motion_section(const ProblemStatement& design, const std::string& svg) {
   const std::string place = problems::place_name(design);
   const std::string stage = "<div class=\"stage\">" + svg + "</div>\n";
-  std::string html = "<div class=\"motion\">\n" + (svg.empty() ? "" : stage);
+  std::string html = "<div class=\"motion\">\n" + (svg.empty() ? "" : stage + line_words(svg));
   html +=
       "<div class=\"controls\"><button type=\"button\" id=\"play\" "
       "aria-pressed=\"false\">Play</button>\n<label>" +

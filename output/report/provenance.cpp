@@ -7,8 +7,9 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 
-#include "optim/solvers/solver.h"
+#include "optim/versions.h"
 #include "output/report/html.h"
 
 namespace camlaw::cli {
@@ -28,13 +29,27 @@ ReportSection provenance_section(Facts facts, const std::string& input_name,
                                  const std::string& input_text) {
   facts.insert(facts.begin(), {"program", "camlaw " CAMLAW_VERSION});
   facts.insert(facts.begin() + 1,
-               {"solvers", fmt::format("{}", fmt::join(optim::solver_versions(), ", "))});
+               {"libraries", fmt::format("{}", fmt::join(optim::library_versions(), ", "))});
   facts.emplace_back("written",
                      fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(time_of_report())));
   facts.emplace_back("plots", "Chart.js, MIT licence, https://www.chartjs.org");
   std::string html = definitions(facts);
   if (!input_text.empty()) html += details(input_name, preformatted(input_text));
   return {"provenance", "Provenance", html};
+}
+
+void add_checksum(Facts& facts, const std::string& file, const std::string& checksum) {
+  if (checksum.empty()) return;
+  const std::string name = std::filesystem::path(file).filename().string();
+  facts.emplace_back("SHA-256 of " + name,
+                     checksum + fmt::format(" (as 'sha256sum {}' prints it)", name));
+}
+
+std::string record_line(const std::string& file, const std::string& checksum) {
+  constexpr std::size_t kDigits = 16;
+  const std::string name = std::filesystem::path(file).filename().string();
+  return "camlaw " CAMLAW_VERSION ", " + name +
+         (checksum.empty() ? "" : ", SHA-256 " + checksum.substr(0, kDigits) + "...");
 }
 
 }  // namespace camlaw::cli

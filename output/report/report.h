@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "output/answers/claim_output.h"
+#include "output/answers/comparison_output.h"
 #include "output/answers/front_answer.h"
 #include "output/answers/search_facts.h"
 #include "output/answers/sweep_answer.h"
@@ -20,11 +21,18 @@ struct ReportedDesign {
   std::string file;           ///< as it was named
   Facts facts = {};           ///< of the search that found it
   ClaimReview review = {};    ///< of the result as a record
+  std::string checksum = {};  ///< SHA-256 of the file's bytes
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.
 /// Throws std::invalid_argument for a design that cannot be at all.
 ReportPage design_report(const ReportedDesign& reported);
+
+/// Designs side by side: tables with the best marked, profiles and curves over one another, and
+/// what they do not share. `checksums` are the SHA-256 of their files. Throws std::invalid_argument
+/// for a design that cannot be at all.
+ReportPage comparison_report(const std::vector<ComparedDesign>& designs,
+                             const std::vector<std::string>& checksums);
 
 /// A front with the curves of its designs, of which two can be compared.
 ReportPage front_report(const FrontAnswer& answer, const std::string& file);

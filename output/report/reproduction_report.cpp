@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "output/answers/reproduction_output.h"
+#include "output/document/short_version.h"
 #include "output/report/html.h"
 #include "output/report/provenance.h"
 #include "output/report/report.h"
@@ -66,6 +67,7 @@ std::string lead(const std::vector<SystemReproduction>& results) {
 ReportPage reproduction_report(const std::vector<SystemReproduction>& results) {
   ReportPage page{.title = "Published tables, computed again",
                   .lead = lead(results),
+                  .record = short_version(),
                   .sections = {overview(results)},
                   .data = Json::object()};
   for (const SystemReproduction& r : results) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "output/figure/chart_svg.h"
@@ -66,6 +68,39 @@ void Scene::segment(std::string_view kind, Point from, Point to) {
 void Scene::roller(Point centre, double radius) {
   circle("roller", centre, radius);
   circle("pin", centre, 0.15 * radius);
+}
+
+void Scene::arrow_head(Point tip, Point direction, double length) {
+  const double norm = std::hypot(direction.x, direction.y);
+  const Point along{length * direction.x / norm, length * direction.y / norm};
+  const Point across{-0.4 * along.y, 0.4 * along.x};
+  polyline("head",
+           {{tip.x + along.x, tip.y + along.y},
+            {tip.x + across.x, tip.y + across.y},
+            {tip.x - across.x, tip.y - across.y}},
+           true);
+}
+
+void Scene::turn_arrow(Point centre, double radius, double turning, double angle) {
+  constexpr double kReach = 30, kSteps = 20;  // deg; pieces
+  const double sense = turning < 0 ? -1 : 1;
+  std::vector<Point> arc;
+  Point along{};
+  for (int i = 0; i <= kSteps; ++i) {
+    const double at = (angle + sense * kReach * i / kSteps) * std::numbers::pi / 180;
+    arc.push_back({centre.x + radius * std::cos(at), centre.y + radius * std::sin(at)});
+    along = {-sense * std::sin(at), sense * std::cos(at)};
+  }
+  polyline("arrow", arc, false);
+  arrow_head(arc.back(), along, 0.07 * radius);
+  for (const Point& p : arc) include(p, 0.07 * radius);
+}
+
+void Scene::straight_arrow(Point from, Point to) {
+  segment("arrow", from, to);
+  const Point along{to.x - from.x, to.y - from.y};
+  arrow_head(to, along, 0.2 * std::hypot(along.x, along.y));
+  include(from), include(to, 0.1 * std::hypot(along.x, along.y));
 }
 
 void Scene::include(Point p) {

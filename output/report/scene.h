@@ -43,6 +43,10 @@ class Scene {
   void segment(std::string_view kind, Point from, Point to);
   /// A roller with the mark of its pin.
   void roller(Point centre, double radius);
+  /// An arrow about a centre, counterclockwise where `turning` is above 0, from `angle`, deg.
+  void turn_arrow(Point centre, double radius, double turning, double angle);
+  /// A straight arrow.
+  void straight_arrow(Point from, Point to);
   /// The window shows this point.
   void include(Point point);
   /// The same with all within `radius`.
@@ -55,6 +59,8 @@ class Scene {
   std::string svg() const;
 
  private:
+  void arrow_head(Point tip, Point direction, double length);
+
   std::string title_, bodies_;
   std::map<std::string, double> drawn_at_;
   bool open_ = false;

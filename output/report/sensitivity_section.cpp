@@ -69,13 +69,14 @@ std::string spread_table(const optim::ToleranceReport& report) {
 ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x) {
   constexpr std::size_t kSamples = 300;  // a page is to be there at once
   const auto& variables = problem.variables;
-  const std::vector<double> tolerances = hundredths(variables, x);
+  const std::vector<double> tolerances = usual_tolerances(variables, x);
   const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
-  std::string html = paragraph(fmt::format(
-      "How the design changes when {} off by up to a hundredth of {} value, up or down.",
-      variables.size() == 1 ? plain_name(variables.front().name) + " is"
-                            : "each continuous variable is",
-      "its"));
+  std::string html =
+      paragraph(fmt::format("How the design changes when {} off, up or down: a length by up to "
+                            "0.02 mm, an angle by up to "
+                            "0.1 deg, anything else by up to a hundredth of its value.",
+                            variables.size() == 1 ? plain_name(variables.front().name) + " is"
+                                                  : "each continuous variable is"));
   if (variables.size() <= kListed) html += change_table(variables, tolerances, report);
   html += spread_table(report);
   std::string notes = fmt::format(

@@ -9,7 +9,8 @@
 
 namespace camlaw::cli {
 
-/// What becomes of a design when each variable is off by up to a hundredth of its value: the change
+/// What becomes of a design when each variable is off by its usual tolerance
+/// (tolerance_output.h): the change
 /// by each, and the spread of all together.
 ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x);
 

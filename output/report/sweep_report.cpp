@@ -180,6 +180,7 @@ ReportPage sweep_report(const SweepAnswer& answer, const std::string& file) {
   }
   ReportPage page{.title = stated.title.empty() ? "Sweep" : stated.title,
                   .lead = sweep_lead(answer),
+                  .record = record_line(file, ""),
                   .sections = {{"map", "The map", map_html()}},
                   .data = {{"sweep", sweep_json(answer)}}};
   std::string best;

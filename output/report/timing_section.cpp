@@ -94,17 +94,39 @@ std::string axis() {
 
 }  // namespace
 
-std::vector<TimedSpan> timed_spans(const ProblemStatement& design, std::size_t cam) {
-  const Member law = laws_side_by_side(design.laws.front()).at(cam);
+namespace {
+
+/// The parts of a law that begins at `phase` of the shaft, deg.
+std::vector<TimedSpan> spans_of(const Member& law, double phase) {
   const auto motion = law.possible_law();
   std::vector<TimedSpan> result;
   if (!law.family->spans || !motion) return result;
   for (const NamedSpan& span : law.family->spans(law.arguments)) {
-    const double from = in_turn(span.begin * kDegrees + phase_of(design, cam));
+    const double from = in_turn(span.begin * kDegrees + phase);
     result.push_back({span.name, kind_of(*motion, span.begin, span.end), from,
                       from + (span.end - span.begin) * kDegrees});
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<TimedSpan> timed_spans(const ProblemStatement& design, std::size_t cam) {
+  return spans_of(laws_side_by_side(design.laws.front()).at(cam), phase_of(design, cam));
+}
+
+std::vector<TimedSpan> motion_spans(const ProblemStatement& design) {
+  const bool is_one = design.cams.empty() && !design.laws.empty() &&
+                      design.mechanism->moved_by == problems::MovedBy::Program;
+  return is_one ? spans_of(design.laws.front(), 0) : std::vector<TimedSpan>{};
+}
+
+Json spans_json(const std::vector<TimedSpan>& spans) {
+  Json list = Json::array();
+  for (const TimedSpan& span : spans) {
+    list.push_back({{"kind", word_of(span.kind)}, {"from", span.from}, {"to", span.to}});
+  }
+  return list;
 }
 
 std::optional<ReportSection> timing_section(const ProblemStatement& design) {

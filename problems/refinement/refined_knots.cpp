@@ -238,8 +238,10 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
 }
 
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
-                        int workers, const std::function<double()>& spent) {
+                        int workers, const std::function<double()>& spent,
+                        const std::function<void()>& begins) {
   const auto once = [&](const ProblemStatement& stated) {
+    if (begins) begins();
     optim::OptimiseOptions how = search;
     how.spent = spent();
     const BoundProblem bound(stated);

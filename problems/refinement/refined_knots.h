@@ -42,8 +42,9 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop);
 
 /// The same with optimise() in so many processes, within the search's time limit, of which so many
-/// seconds are spent.
+/// seconds are spent. `begins` is called before each round.
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
-                        int workers, const std::function<double()>& spent);
+                        int workers, const std::function<double()>& spent,
+                        const std::function<void()>& begins = {});
 
 }  // namespace camlaw::problems

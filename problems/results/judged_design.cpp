@@ -268,7 +268,8 @@ optim::Assessment judged_on_front(const HeldProblem& held) {
 
 }  // namespace
 
-VerifiedDesign verified(const ReadDesign& read) {
+VerifiedDesign verified(const ReadDesign& read,
+                        const std::function<void(optim::Assessment&)>& also) {
   if (!read.verdict) {
     throw std::invalid_argument(
         "a problem file claims nothing; verify takes the result.json of a search, or what --json "
@@ -278,6 +279,7 @@ VerifiedDesign verified(const ReadDesign& read) {
   if (!held) throw std::invalid_argument("nothing varies in this result, so it claims nothing");
   VerifiedDesign result;
   result.found = held->problem.objectives.size() == 1 ? judged(*held) : judged_on_front(*held);
+  if (also && held->problem.objectives.size() == 1) also(result.found);
   result.whole = held->whole;
   result.found.limits.resize(held->problem.constraints.size());  // without those on objectives
   result.limits = as_stated(read.statement, result.found.limits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "optim/verdict/assessment.h"
@@ -48,7 +49,9 @@ struct VerifiedDesign {
 
 /// Of a point of a front: as the least of one objective, no other worse than its own. Throws
 /// std::invalid_argument where there is nothing to judge: no objective, nothing that varies, or a
-/// design without a claim.
-VerifiedDesign verified(const ReadDesign& read);
+/// design without a claim. `also`: what else the verdict of a design with one objective is held to
+/// (problems/tolerance/reached.h).
+VerifiedDesign verified(const ReadDesign& read,
+                        const std::function<void(optim::Assessment&)>& also = {});
 
 }  // namespace camlaw::problems

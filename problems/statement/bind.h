@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 
 #include "optim/problem/problem.h"
 #include "optim/verdict/assessment.h"
@@ -95,6 +96,11 @@ std::vector<optim::LimitReport> standing(const ProblemStatement& statement);
 /// largest size of a curve is one from above, whichever side of the curve comes near it.
 std::vector<optim::LimitReport> as_stated(const ProblemStatement& statement,
                                           std::vector<optim::LimitReport> limits);
+
+/// How the statement's starts stand against the other side of each limit that has a lower and an
+/// upper bound: the side that its report is not about. None for a limit with one side.
+std::vector<std::optional<optim::LimitReport>> other_sides(
+    const ProblemStatement& statement, const std::vector<optim::LimitReport>& limits);
 
 /// The statement's constraints as functions of a binding's variables. Of several on one response
 /// the names are numbered from the second on, "inertia_force (2)".

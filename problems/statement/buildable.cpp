@@ -237,6 +237,10 @@ void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
 
 }  // namespace
 
+bool runs_in_groove(const ProblemStatement& problem) {
+  return closure_of(problem, {}) == Closure::Form;
+}
+
 std::string_view to_string(Built built) {
   switch (built) {
     case Built::Holds:

@@ -40,6 +40,9 @@ struct Buildability {
 /// Of a statement's constants, inputs and starts.
 Buildability buildability(const ProblemStatement& design);
 
+/// Whether the roller runs in a groove: the problem asks for what grooves alone have.
+bool runs_in_groove(const ProblemStatement& problem);
+
 /// "undercut 1.11 at 60 deg".
 std::string failure_text(const BuildableAnswer& answer);
 /// "cannot be built: undercut 1.11 at 60 deg, wall 2 mm at 0 deg"; empty where nothing fails.

@@ -134,4 +134,29 @@ std::vector<optim::LimitReport> as_stated(const ProblemStatement& statement,
   return limits;
 }
 
+namespace {
+
+std::optional<optim::LimitReport> other_side(const ProblemStatement& statement, std::size_t i,
+                                             const optim::LimitReport& shown) {
+  ProblemStatement alone = statement;
+  alone.constraints = {statement.constraints[i]};
+  ConstraintStatement& c = alone.constraints.front();
+  if (shown.is_equation || !c.lower || !c.upper) return {};
+  (shown.is_upper ? c.upper : c.lower).reset();
+  optim::LimitReport other = standing(alone).front();
+  other.name = shown.name;
+  return other;
+}
+
+}  // namespace
+
+std::vector<std::optional<optim::LimitReport>> other_sides(
+    const ProblemStatement& statement, const std::vector<optim::LimitReport>& limits) {
+  std::vector<std::optional<optim::LimitReport>> sides;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    sides.push_back(other_side(statement, i, limits[i]));
+  }
+  return sides;
+}
+
 }  // namespace camlaw::problems

@@ -74,8 +74,9 @@ std::vector<ConstraintStatement> with_reliability(
     side.is_size = limit.is_size || limit.response.part == Part::Magnitude;
     ResponseName of = limit.response;
     if (is_curve) of.part = is_upper ? Part::Highest : Part::Lowest;
-    const double share = is_upper ? *limit.reliability : 1 - *limit.reliability;
-    side.of_range = robust_number(problem.mechanism, of, varying, {true, 0, share});
+    const double wanted = limit.searched_share.value_or(*limit.reliability);
+    side.of_range = robust_number(problem.mechanism, of, varying,
+                                  {true, 0, is_upper ? wanted : 1 - wanted, *limit.reliability});
     if (own) {
       auto both = std::make_shared<std::pair<Held, Held>>(own, side.of_range);
       side.of_range = Held(both, both->second.get());
@@ -184,6 +185,24 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
   if (limit.lower) add(false, *limit.lower);
   if (limit.response.part == Part::Magnitude && limit.upper) add(false, -*limit.upper);
   return sides;
+}
+
+bool is_quantile(const ConstraintStatement& limit) {
+  return limit.reliability && limit.of_range && !limit.of_range->over_ranges;
+}
+
+ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit) {
+  if (!is_quantile(limit)) return limit;
+  limit.response.response = find_response(*problem.mechanism, limit.of_range->name).response;
+  limit.of_range = nullptr;
+  return limit;
+}
+
+ConstraintStatement searched_at(const ProblemStatement& problem, const ConstraintStatement& limit,
+                                double share) {
+  ConstraintStatement again = of_one_value(problem, limit);
+  again.searched_share = share;
+  return over_ranges(problem, again).front();  // it has one side
 }
 
 ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective) {

@@ -19,6 +19,14 @@ std::vector<TakenRange> taken_ranges(const ProblemStatement& problem);
 /// matters. A limit on a parameter itself likewise.
 std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
                                              const ConstraintStatement& limit);
+/// Whether a limit is one on a quantile over parts, for it has a reliability.
+bool is_quantile(const ConstraintStatement& limit);
+/// Of such a limit the same on the response itself; another as it is.
+ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit);
+/// Of such a limit the same on another quantile of its parts.
+ConstraintStatement searched_at(const ProblemStatement& problem, const ConstraintStatement& limit,
+                                double share);
+
 /// What is sought over all values of the ranges: the least highest value, the greatest lowest one;
 /// of the largest size of a curve the least of both.
 ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective);

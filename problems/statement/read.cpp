@@ -35,10 +35,10 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"format",    "title",     "mechanism", "machine",    "cams",
-                    "responses", "constants", "law",       "free",       "program",
-                    "parts",     "variables", "objective", "objectives", "constraints",
-                    "cases",     "ranges",    "variation", "buildable",  "solver"});
+  check_keys(file, {"format",    "title",      "mechanism",   "machine", "cams",   "responses",
+                    "constants", "law",        "free",        "program", "parts",  "variables",
+                    "objective", "objectives", "constraints", "cases",   "ranges", "variation",
+                    "buildable", "profile",    "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });
@@ -61,6 +61,7 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
   read_objectives(file, problem);
   read_constraints(file, problem);
   read_buildable(file, problem);
+  read_profile_errors(file, problem);
   limit_to_laws(problem);
   read_solver(file, problem);
   return problem;

@@ -95,6 +95,8 @@ void read_objectives(const Entry& file, ProblemStatement& problem);
 void read_constraints(const Entry& file, ProblemStatement& problem);
 /// Its inputs of the mechanism's checks; where it requires these, they are limits.
 void read_buildable(const Entry& file, ProblemStatement& problem);
+/// How its profile is made other than it is meant, [profile].
+void read_profile_errors(const Entry& file, ProblemStatement& problem);
 void read_solver(const Entry& file, ProblemStatement& problem);
 
 }  // namespace camlaw::problems

@@ -64,8 +64,9 @@ struct PartStatement {
 /// What is taken of a response that differs between load cases.
 enum class OverCases : char { Worst, Mean };
 
-struct Robust;      // robust.h
-struct Variations;  // variation.h
+struct Robust;         // robust.h
+struct Variations;     // variation.h
+struct ProfileErrors;  // profile_errors.h
 
 struct ObjectiveStatement {
   ResponseName response;
@@ -92,6 +93,9 @@ struct ConstraintStatement {
   bool is_size = false;  ///< of one over ranges: a side of a limit on the largest size of a curve
   /// The probability with which it must hold, whatever manufacture does; none: always.
   std::optional<double> reliability = {};
+  /// The share that a search asks of its few parts in place of the reliability, so that enough of
+  /// all parts hold it (tolerance/reliable_search.h).
+  std::optional<double> searched_share = {};
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
 };
 
@@ -168,6 +172,7 @@ struct ProblemStatement {
   std::vector<ParameterRange> ranges = {};              ///< parameters that take any value within
   std::shared_ptr<const Variations> variation = {};     ///< what manufacture does; none: nothing
   BuildableStatement buildable = {};
+  std::shared_ptr<const ProfileErrors> profile = {};  ///< what the shop makes of it; none: nothing
   std::string source = {};         ///< the file, for what is found out about the problem as a whole
   std::string text = {};           ///< as it was read
   bool finds_knots = false;        ///< [free] knots = "auto": refinement/refined_knots

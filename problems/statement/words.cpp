@@ -7,6 +7,7 @@
 
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
+#include "problems/statement/profile_errors.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::problems {
@@ -326,6 +327,9 @@ std::string in_words(const ProblemStatement& problem) {
   }
   words += objectives_sentence(problem.objectives);
   for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
+  if (problem.profile) {
+    words += fmt::format("Its profile is looked at with {}.\n", words_of(*problem.profile));
+  }
   return words + buildable_sentence(problem) + solver_sentence(problem.solver);
 }
 

@@ -59,6 +59,8 @@ std::size_t samples_for(const GridReport& grid) {
   return std::min(kSamples, std::max<std::size_t>(1024, kSearches / grid.without_grid));
 }
 
+}  // namespace
+
 optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& options,
                       GridReport& grid) {
   const GridRooms rooms = grid_rooms(varied);
@@ -77,8 +79,6 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
   }
   return optim::yield(drawer, slopes, varied.meant, varied.variations, own);
 }
-
-}  // namespace
 
 bool ToleranceAnswer::nothing_fails(const std::vector<optim::Variation>& variations) const {
   const bool is_bounded = std::none_of(variations.begin(), variations.end(),

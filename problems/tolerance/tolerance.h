@@ -45,6 +45,10 @@ struct ToleranceOptions {
   optim::Hands hands = {};  ///< who counts the parts of the yield; nobody: the calling thread
 };
 
+/// The yield of the design's limits, and how it was worked out.
+optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& options,
+                      GridReport& grid);
+
 /// All of it, as far as the design's deadline lets it get.
 ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions& options = {});
 

@@ -51,10 +51,7 @@ ProblemStatement of_one_part(const ProblemStatement& problem) {
   ProblemStatement result = problem;
   result.variation = nullptr;
   for (ConstraintStatement& limit : result.constraints) {
-    if (limit.reliability && limit.of_range && !limit.of_range->over_ranges) {
-      limit.response.response = find_response(*result.mechanism, limit.of_range->name).response;
-      limit.of_range = nullptr;
-    }
+    limit = of_one_value(result, std::move(limit));
     if (limit.response.response == nullptr || !limit.response.response->over_ranges) continue;
     limit.of_range = limit.response.response->over_ranges->of;
     limit.response.response = limit.of_range.get();

@@ -38,6 +38,9 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
       {"allowances", &options.allowances},
       {"bore", &options.bore},
       {"keyway", &options.keyway},
+      {"width", &options.width},
+      {"groove", &options.groove},
+      {"blank", &options.blank},
       {"form_tolerance", &options.form_tolerance}};
   const std::map<std::string, bool*> switches{{"drawing", &options.drawing},
                                               {"decimal_comma", &options.decimal_comma}};

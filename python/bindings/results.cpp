@@ -33,6 +33,7 @@
 #include "problems/results/stated_numbers.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/solver_settings.h"
+#include "problems/tolerance/reliable_search.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
@@ -163,7 +164,9 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   optim::Crew crew(
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
+  problems::Reached reached = problems::search_until_reached(found->bound, search, found->optimum);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
+  answer.reached = std::move(reached);
   answer.knots = knots;
   answer.warnings = cli::warnings_of(answer);
   answer.built = cli::buildability_of(answer);
@@ -224,7 +227,7 @@ nb::dict verified(const StoredResult& result) {
   };
   const auto [found, notes] = run_whole([&](const Work& work) {
     const ReadDesign design = within(work, design_in(result));
-    return Verified{problems::verified(design),
+    return Verified{problems::verified(design, problems::held_to_parts(design.statement)),
                     problems::record_notes(design, cli::short_version())};
   });
   nb::dict object;

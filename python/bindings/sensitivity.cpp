@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "optim/study/recorded_hands.h"
+#include "output/answers/profile_output.h"
 #include "output/answers/sensitivity_output.h"
 #include "output/answers/variation_output.h"
 #include "output/document/printing.h"
 #include "output/report/html.h"
+#include "problems/statement/profile_errors.h"
+#include "problems/tolerance/profile_loss.h"
 #include "problems/tolerance/tolerance.h"
 #include "problems/tolerance/tolerance_study.h"
 #include "problems/tolerance/tolerance_worker.h"
@@ -55,6 +58,12 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
       [&](Work& work) {
         const problems::ProblemStatement& design = problem.statement;
         const optim::Deadline deadline(time_limit, work.stop());
+        const problems::ProfileErrors errors = problems::profile_errors_of(design);
+        std::optional<problems::ProfileAnswer> profile;
+        if (errors.any()) profile = problems::profile_answer(design, errors);
+        if (profile && record.empty() && problems::asked_variations(design, tolerances).empty()) {
+          return cli::with_profile(design, *profile);
+        }
         const problems::VariedDesign varied = problems::varied_design(
             design, problems::asked_variations(design, tolerances), deadline);
         optim::Hands hands = hands_of(labour, problems::tolerance_program(design, tolerances));
@@ -71,7 +80,9 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
               hands(errands, service);
               work.tell(errands.share(), "parts of the yield");
             }};
-        return cli::variation_document(varied, problems::tolerance_of(varied, options));
+        cli::Document document =
+            cli::variation_document(varied, problems::tolerance_of(varied, options));
+        return profile ? cli::with_profile(design, *profile, std::move(document)) : document;
       },
       progress));
 }

@@ -220,14 +220,14 @@ class Result(Answer):
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam for drawing, cutting or control, as the text of a file; written to `path` if given, whose
-        ending decides the format: .csv, .dxf, .svg, .json, .nc.
+        ending decides the format: .csv, .dxf, .step, .svg, .json, .nc.
 
-        format: csv, dxf, svg, json, gcode, inspection, table, or a drive's: beckhoff-points,
+        format: csv, dxf, step, svg, json, gcode, inspection, table, or a drive's: beckhoff-points,
         beckhoff-motion, codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch,
         cutter, all. cam: of several cams on one shaft, the one to export; none for a slave that is a
         curve of the shaft itself. tolerance: how far the exact curve may be from what is written. step:
         even steps of the angle instead of a tolerance. form: lines, arcs, spline. docs/exports.md explains
-        decimals, tool, feed, clearance, depth, slave and others; drawing and decimal_comma are True or
+        decimals, tool, feed, clearance, depth, width, slave and others; drawing and decimal_comma are True or
         False. Warns of each limit that the design does not meet.
         """
         return exported(native.export_result(self._native, export_options(path, options)), path)

@@ -57,6 +57,11 @@ const std::map<std::string, Names>& libraries() {
       {"mpi.h", {"optim/crew/mpi_plugin.cpp"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
+      // Open CASCADE, by what its headers' names begin with.
+      {"BRep", {"output/export/solid/step_plugin.cpp"}},
+      {"Geom", {"output/export/solid/step_plugin.cpp"}},
+      {"STEPControl_", {"output/export/solid/step_plugin.cpp"}},
+      {"TopoDS", {"output/export/solid/step_plugin.cpp"}},
       // Matrices are everywhere; what factors them takes seconds to compile in each unit.
       {"Eigen/Dense", {}},
       {"Eigen/Cholesky", {"numerics/linear/dense.cpp", "numerics/linear/quadratic_program.cpp"}},

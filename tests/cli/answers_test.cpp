@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An answer is one document: what a command prints for people and what --json gives say the same.
 #include <cmath>
+#include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
@@ -109,6 +111,60 @@ TEST_CASE("what front, study and fit print is in their JSON", "[program]") {
   check_same_numbers({"front", study, "--knee"});
   check_same_numbers({"study", "sheet-delivery"});
   check_same_numbers({"fit", "--constants", "B=1.6125, C=4.66"});
+}
+
+/// The lines of a text that begin with these words.
+std::vector<std::string> lines_with(const std::string& text, const std::string& words) {
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(words)) found.push_back(line);
+  }
+  return found;
+}
+
+TEST_CASE("evaluate shows both sides of a limit with two bounds, each with its margin",
+          "[program]") {
+  const ParsedJson said = json_of({"evaluate", kCam, "--json"});
+  const ParsedJson& angle = said["responses"]["pressure_angle"];
+  const ParsedJson& limit = said["constraints"][0];
+  const double to_lower = angle["lowest"].get<double>() + 40;
+  const double to_upper = 30 - angle["highest"].get<double>();
+  const bool is_upper = to_upper < to_lower;
+  CHECK(limit["side"] == (is_upper ? "upper" : "lower"));
+  CHECK(limit["other_side"]["side"] == (is_upper ? "lower" : "upper"));
+  CHECK(limit["margin"].get<double>() == Approx(std::min(to_lower, to_upper)).epsilon(1e-9));
+  CHECK(limit["other_side"]["margin"].get<double>() ==
+        Approx(std::max(to_lower, to_upper)).epsilon(1e-9));
+  CHECK(said["constraints"][1]["other_side"].is_null());  // it has an upper bound alone
+  const auto lines = lines_with(done({"evaluate", kCam}), "met pressure_angle");
+  REQUIRE(lines.size() == 2);
+  CHECK_THAT(lines[0], Contains(is_upper ? "<= 30 deg" : ">= -40 deg") && Contains(", nearer"));
+  CHECK_THAT(lines[1], Contains(is_upper ? ">= -40 deg" : "<= 30 deg") && Contains(", farther"));
+}
+
+TEST_CASE("optimize's table has a row for each side and says which is nearer", "[program]") {
+  const Folder folder;
+  const std::string lines =
+      "mechanism = 'spine-cutter'\n[law]\nname = 'modified-sine'\n[variables.cam_radius]\n"
+      "lower = '10 mm'\nupper = '100 mm'\nstart = '50 mm'\n[objective]\n"
+      "minimize = 'cam_radius'\n[[constraints]]\n"
+      "response = 'cam_pressure_angle'\nupper = '30 deg'\n";
+  const auto rows = [&](const std::string& lower) {
+    std::ofstream(folder / "p.toml") << lines << lower;
+    return lines_with(done({"optimize", folder / "p.toml"}), "cam_pressure_angle ");
+  };
+  const auto two = rows("lower = '-35 deg'\n");
+  REQUIRE(two.size() == 2);
+  CHECK_THAT(two[0], Contains("<= 30") && Contains(" nearer "));
+  CHECK_THAT(two[1], Contains(">= -35") && Contains(" 5 ") && Contains(" farther "));
+  const auto even = rows("lower = '-30 deg'\n");
+  REQUIRE(even.size() == 2);
+  CHECK_THAT(even[0] + even[1], Contains(">= -30") && Contains("<= 30"));
+  CHECK_THAT(even[0], Contains(" as near "));
+  const auto one = rows("");
+  REQUIRE(one.size() == 1);
+  CHECK_THAT(one[0], !Contains("near"));
 }
 
 TEST_CASE("check tells programs what it understood", "[program]") {

@@ -365,8 +365,8 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
     more.insert(more.begin(), {"export", kRoller});
     return failed(more, 2);
   };
-  CHECK_THAT(refused({}), Contains("--format is missing") && Contains("csv, dxf, svg, json"));
-  CHECK_THAT(refused({"--out", folder / "cam.step"}), Contains("--format is missing"));
+  CHECK_THAT(refused({}), Contains("--format is missing") && Contains("csv, dxf, step, svg, json"));
+  CHECK_THAT(refused({"--out", folder / "cam.prt"}), Contains("--format is missing"));
   CHECK_THAT(refused({"--format", "iges"}), Contains("'iges' is not a format; use one of csv"));
   CHECK_THAT(refused({"--format", "csv", "--curve", "base"}),
              Contains("there is no curve 'base'; use all, profile"));
@@ -417,7 +417,8 @@ TEST_CASE("the help of export explains every option", "[export]") {
     REQUIRE(at != std::string::npos);
     CHECK(help.find("\n  -", at) > at + 50);
   }
-  CHECK_THAT(help, Contains("--format {csv,dxf,svg,json,gcode,inspection,table,beckhoff-points") &&
+  CHECK_THAT(help, Contains("--format {csv,dxf,step,svg,json,gcode,inspection,table,"
+                            "beckhoff-points") &&
                        Contains("--curve {all,profile,second-profile,pitch,cutter}") &&
                        Contains("--as {lines,arcs,spline}"));
 }

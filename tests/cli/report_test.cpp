@@ -5,50 +5,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "problems/results/seal.h"
-#include "tests/cli/program_runner.h"
-#include "tests/paths.h"
+#include "tests/cli/report_pages.h"
 
 namespace camlaw::cli::report_test {
 namespace {
-
-std::string shipped(const std::string& name) { return testing::source("problems/") + name; }
-
-std::string page_of(const std::string& input, const Folder& folder) {
-  const std::string page = folder / "page.html";
-  CHECK(done({"report", input, "-o", page}) == "wrote " + page + "\n");
-  return read(page);
-}
-
-/// A result as the program would write it, with its checksum.
-std::string sealed(const ParsedJson& result) {
-  problems::Json object = problems::Json::parse(result.dump());
-  problems::seal(object);
-  return object.dump();
-}
-
-/// The JSON that a page carries for its scripts.
-ParsedJson data_of(const std::string& page) {
-  const std::string begin = "<script type=\"application/json\" id=\"data\">";
-  const std::size_t from = page.find(begin) + begin.size();
-  return ParsedJson::parse(page.substr(from, page.find("</script>", from) - from));
-}
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    ++count;
-  }
-  return count;
-}
-
-/// Index of a panel by its curve.
-std::size_t panel_of(const ParsedJson& data, const std::string& id) {
-  for (std::size_t i = 0; i < data["panels"].size(); ++i) {
-    if (data["panels"][i]["id"] == id) return i;
-  }
-  throw std::runtime_error("no panel " + id);
-}
 
 /// A page that loads nothing: no address but those that readers are told.
 void check_whole(const std::string& page) {
@@ -158,13 +118,6 @@ TEST_CASE("text of a problem file stays text in its report", "[cli][report][long
   CHECK(count_of(page, "alert(1)") > 0);
   CHECK(count_of(page, "<script>alert(1)") == 0);
   CHECK(count_of(page, "<script") == count_of(page, "</script>"));
-}
-
-/// What stands between a section's heading and the next section.
-std::string section_of(const std::string& page, const std::string& id) {
-  const std::size_t from = page.find("<section id=\"" + id + "\"");
-  REQUIRE(from != std::string::npos);
-  return page.substr(from, page.find("</section>", from) - from);
 }
 
 const std::string kCertified = "<span class=\"badge good\">certified optimum</span>";
@@ -383,6 +336,9 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
     done({"pareto", shipped(front + std::string(".toml")), "--points", "10", "--db", study});
     add({"report", study, "-o"}, std::filesystem::path(study).stem().string() + "_study.html");
   }
+  add({"report", shipped("cams/roller_least_base.toml"), shipped("cams/flat_least_base.toml"),
+       shipped("cams/end_rise_share.toml"), shipped("spine_cutter/least_radius.toml"), "-o"},
+      "comparison.html");
   add({"reproduce", "spine-cutter", "die-press", "--report"}, "reproduction.html");
   const std::string said = folder / "said.txt";
   const std::string command = "python3 '" + testing::source("tests/report/open_reports.py") + "'" +

@@ -6,6 +6,7 @@
 
 #include "output/answers/cam_export.h"
 #include "output/export/plane_curve.h"
+#include "output/export/solid/step_file.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
@@ -291,17 +292,32 @@ TEST_CASE("every export of a design past its limits names them in the file and o
                     bound = "must be at most 30 deg";
   for (const cli::FormatRow& format : cli::export_formats()) {
     INFO(format.name);
+    const bool is_solid = format.format == ExportFormat::Step;
+    if (is_solid && !problems::has_step()) continue;
     const std::string out = folder / "cam";
-    const std::string said =
-        done({"export", result, "--set", small, "--format", format.name, "--out", out});
+    const auto words = [&](Words more) {
+      more.insert(more.begin(), {"export", result, "--format", format.name});
+      if (is_solid) more.insert(more.end(), {"--width", "15 mm"});
+      return more;
+    };
+    const std::string said = done(words({"--set", small, "--out", out}));
     CHECK_THAT(said, Contains(note) && Contains(bound));
-    CHECK_THAT(read(out), Contains(note) && Contains(bound));
-    const Outcome shown = run({"export", result, "--set", small, "--format", format.name});
+    std::string written = read(out);
+    if (is_solid) std::erase(written, '\n');  // its lines are short, texts go on in the next
+    CHECK_THAT(written, Contains(note) && Contains(bound));
+    const Outcome shown = run(words({"--set", small}));
     CHECK_THAT(shown.err, Contains(note) && Contains(bound));
-    const Outcome met = run({"export", result, "--format", format.name});
+    const Outcome met = run(words({}));
     CHECK(met.err.empty());
     CHECK(met.out.find("limit not met") == std::string::npos);
   }
+}
+
+TEST_CASE("a build without STEP says how to get it", "[export][shop]") {
+  if (problems::has_step()) return;
+  CHECK_THAT(failed({"export", kRoller, "--format", "step", "--width", "15 mm"}, 2),
+             Contains("this build has no STEP") && Contains("packages-step.txt") &&
+                 Contains("-DCAMLAW_STEP=ON"));
 }
 
 TEST_CASE("an export refuses steps whose chords cut deep into the cam", "[export][shop]") {

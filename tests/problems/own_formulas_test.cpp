@@ -434,7 +434,7 @@ TEST_CASE("linear problems go to Clp by their shapes alone", "[formulas]") {
       "[responses.worth]\nformula = 'p + 3 * q'\nmeaning = 'what it is worth'\n"
       "[variables.p]\nlower = 0\nupper = 9\n[variables.q]\nlower = 0\nupper = 9\n"
       "[[constraints]]\nresponse = 'worth'\nlower = 4\n[objective]\n";
-  CHECK(solver_of(own + "minimize = 'cost'\n") == "interior");
+  CHECK(solver_of(own + "minimize = 'cost'\n") == "clp");
   CHECK(solver_of(own + "minimize = 'more'\n") == "slsqp");
   const std::string family =
       "mechanism = 'spine-cutter'\n[law]\nname = 'polynomial-5'\n[variables.alpha]\nlower = -9\n"

@@ -190,7 +190,7 @@ TEST_CASE("the shipped cam takes the smallest roller of its catalogue that lives
   const Law<double> law = design.laws.front().law();
   double prime = 0;
   for (int i = 0; i < 360000; ++i) {
-    const Motion<double> m = law(i / 360000.0);
+    const camlaw::Motion<double> m = law(i / 360000.0);
     const double slope = 30 * std::abs(m.v) / (2 * std::numbers::pi);
     prime = std::max(prime, slope / std::tan(std::numbers::pi / 6) - 30 * m.s);
   }

@@ -8,6 +8,7 @@
 #include "numerics/sampling/sobol_points.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
+#include "problems/tolerance/reliable_search.h"
 #include "problems/tolerance/tolerance.h"
 #include "tests/problems/complaint.h"
 
@@ -110,6 +111,21 @@ TEST_CASE("What manufacture does not change has no reliability", "[variation]") 
              Contains("robust") && Contains("no variation"));
 }
 
+TEST_CASE("A reliability over ranges, and a robust objective of ranges or cases, are refused",
+          "[variation]") {
+  const std::string range = "[machine.parameters.d]\ndefault = 1\nlower = 0\nupper = 9\n";
+  std::string whole = machine("b + c + d",
+                              "[ranges.d]\nlower = 1\nupper = 2\n"
+                              "[objective]\nminimize = 'f'\nrobust = 'mean'\n");
+  whole.insert(whole.find("[responses.f]"), range);
+  CHECK_THAT(testing::complaint(whole), Contains("drop the ranges and the cases"));
+  whole = machine("b + c + d",
+                  "[ranges.d]\nlower = 1\nupper = 2\n[objective]\nminimize = 'f'\n"
+                  "[[constraints]]\nresponse = 'f'\nupper = 9\nreliability = 0.9\n");
+  whole.insert(whole.find("[responses.f]"), range);
+  CHECK_THAT(testing::complaint(whole), Contains("reliability") && Contains("drop the ranges"));
+}
+
 TEST_CASE("A limit on a parameter may have a reliability", "[variation]") {
   // b >= 1 for 90 % of all parts: b = 1 + 0.2 * 1.2816.
   const BoundProblem bound(
@@ -142,6 +158,109 @@ TEST_CASE("A limit with a reliability leaves out the parts that it may", "[varia
   REQUIRE(answer.yield);
   CHECK(answer.yield->by_limit[0] == Approx(0.1).margin(0.02));
   CHECK(answer.yield->by_limit[1] == Approx(0.5).margin(0.03));
+}
+
+namespace {
+
+/// 3 b + c <= 6 with a reliability, c given: the share is that of a normal value of deviation 0.6.
+ProblemStatement with_room(double c, double reliability) {
+  ProblemStatement design = read(machine(
+      "3 * b + c", fmt::format("[objective]\nminimize = 'f'\nrobust = 'mean + 3 sigma'\n"
+                               "[[constraints]]\nresponse = 'f'\nupper = 6\nreliability = {}\n",
+                               reliability)));
+  set_value(design, "b=0");
+  set_value(design, fmt::format("c={:.15g}", c));
+  return design;
+}
+
+constexpr double kDeviation = 0.6;
+
+}  // namespace
+
+TEST_CASE("What a design reaches of its reliability is the closed form", "[variation]") {
+  for (const double reliability : {0.7, 0.98, 0.999}) {
+    for (const double index : {0.6, 2.0, 3.2}) {
+      const double exact = normal_share(index);
+      const ProblemStatement design = with_room(6 - index * kDeviation, reliability);
+      int missed = 0;
+      for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        const Reached found = reached_by(design, optim::Deadline({}, nullptr), seed);
+        REQUIRE(found.limits.size() == 1);
+        const ReachedShare& share = found.limits.front();
+        INFO("asked for " << share.wanted << ", exactly " << exact << ", found " << share.share
+                          << " between " << share.between.lower << " and " << share.between.upper);
+        CHECK(share.wanted == reliability);
+        CHECK(share.share == Approx(exact).margin(0.02 * (1 - exact)));
+        missed += !(share.between.lower <= exact && exact <= share.between.upper);
+        CHECK(share.reach == (exact >= reliability ? IsReached::Yes : IsReached::No));
+      }
+      CHECK(missed <= 3);  // of 12 at 95 %: more come once in 500 times
+    }
+  }
+}
+
+TEST_CASE("A design that stands exactly at its reliability is not called safe", "[variation]") {
+  for (const double reliability : {0.9, 0.999}) {
+    const ProblemStatement design =
+        with_room(6 - kDeviation * normal_quantile(reliability), reliability);
+    int safe = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const Reached found = reached_by(design, optim::Deadline({}, nullptr), seed);
+      safe += found.limits.front().reach == IsReached::Yes;
+      CHECK(found.all() == (found.limits.front().reach == IsReached::Yes));
+    }
+    INFO(reliability << ": " << safe << " of 40");
+    CHECK(safe <= 4);  // 2.5 % on this side of a 95 % interval: one
+  }
+}
+
+TEST_CASE("A verdict does not say that a reliability is met which is not reached", "[variation]") {
+  // 99.87 % where 99.9 % are asked for.
+  const ProblemStatement design = with_room(6 - 3.0 * kDeviation, 0.999);
+  const Reached found = reached_by(design);
+  CHECK(found.limits.front().reach == IsReached::No);
+  optim::Assessment assessment;
+  assessment.verdict = optim::Verdict::Feasible;
+  assessment.objective.value = 1;
+  assessment.limits.resize(1);
+  assessment.limits.front().met = true;
+  assessment.limits.front().tolerance = 1e-6;
+  hold_to(found, assessment);
+  CHECK(assessment.verdict == optim::Verdict::Failed);
+  CHECK_FALSE(assessment.limits.front().met);
+  CHECK_THAT(assessment.reason, Contains("does not reach its reliability") && Contains("99.9 %"));
+}
+
+TEST_CASE("A robust objective is told over parts that the search did not have", "[variation]") {
+  const Reached found = reached_by(with_room(1, 0.9));
+  REQUIRE(found.objective);
+  const double exact = 1 + 3 * kDeviation;
+  CHECK(found.objective->value == Approx(exact).margin(0.02));
+  CHECK(found.objective->between.lower <= exact);
+  CHECK(found.objective->between.upper >= exact);
+  CHECK(found.objective->samples >= 2048);
+}
+
+TEST_CASE("A search goes on until its reliabilities are reached by other parts", "[variation]") {
+  // The largest c such that 3 b + c <= 6 for a share of all parts: 6 - 0.6 * quantile, b at 0.
+  for (const double reliability : {0.9, 0.99}) {
+    const BoundProblem bound(read(machine(
+        "3 * b + c", fmt::format("[responses.most]\nformula = 'c + 3 * b'\n"
+                                 "[objective]\nmaximize = 'most'\nrobust = 'mean'\n"
+                                 "[[constraints]]\nresponse = 'f'\nupper = 6\nreliability = {}\n",
+                                 reliability))));
+    optim::Optimum optimum = optim::optimise(bound.space(), {});
+    const auto reached_at = [](const optim::Optimum& o) {
+      return normal_share((6 - 3 * o.found.x[0] - o.found.x[1]) / kDeviation);
+    };
+    const double at_first = reached_at(optimum);
+    const Reached found = search_until_reached(bound, {}, optimum);
+    INFO(reliability << ": " << at_first << ", then " << reached_at(optimum));
+    CHECK(found.all());
+    CHECK(optimum.found.assessment.verdict == optim::Verdict::Feasible);
+    CHECK(reached_at(optimum) >= reliability);
+    CHECK(1 - reached_at(optimum) >= 0.85 * (1 - reliability));  // and gives little away
+  }
 }
 
 }  // namespace camlaw::problems::robust_test

@@ -71,7 +71,9 @@ report.mark = (plot) => {
   const inside = height >= 0 && height <= area.bottom - area.top;
   plot.dot.style.display = inside ? '' : 'none';
   plot.dot.style.top = height - 4 + 'px';
-  plot.output.textContent = report.withUnit(report.text(value), plot.panel.y.unit);
+  const values = report.shown.map((one) => report.valueAt(one, plot.index, report.place));
+  plot.output.textContent = report.withUnit(values.map((one) => report.text(one)).join(' | '),
+    plot.panel.y.unit);
 };
 
 report.goTo = (place) => {

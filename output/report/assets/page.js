@@ -30,7 +30,7 @@ report.start = () => {
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
   Chart.defaults.color = report.colour('soft');
   const designs = report.data.designs || [];
-  report.shown = designs.slice(0, 1);
+  report.shown = report.data.overlaid ? designs : designs.slice(0, 1);
   document.querySelectorAll('figure.plot').forEach(report.plot);
   report.startMotion();
   report.startFront();

@@ -76,12 +76,18 @@ report.stepOf = (axis) => {
   return whole ? (axis.upper - axis.lower) / 6 : undefined;
 };
 
+// The colours of designs over one another, as in report.css.
+report.seriesColour = (i) => report.colour(['a', 'b', 'g3', 'g4'][i]);
+report.seriesDash = (i) => [[], [9, 4], [3, 3], [10, 3, 2, 3]][i];
+report.letter = (i) => 'ABCD'[i];
+
 report.datasets = (panel, index) => {
   const sets = report.shown.map((design, i) => ({
     label: design.label || panel.name,
     data: report.points(design, index),
-    borderColor: report.colour(i === 0 ? 'a' : 'b'),
-    backgroundColor: report.colour(i === 0 ? 'a' : 'b'),
+    borderColor: report.seriesColour(i),
+    backgroundColor: report.seriesColour(i),
+    borderDash: report.seriesDash(i),
     borderWidth: 1.7,
   }));
   for (const limit of panel.limits) {
@@ -108,6 +114,52 @@ report.tooltip = (panel) => ({
   },
 });
 
+// Which line is whose, where there are several; a design without the curve has no entry.
+report.legend = () => ({
+  display: report.shown.length > 1,
+  position: 'top',
+  align: 'end',
+  onClick: () => {},
+  labels: {
+    boxWidth: 18, boxHeight: 0, padding: 8, color: report.colour('ink'),
+    generateLabels: (chart) => chart.data.datasets.map((set, i) => ({ set, i }))
+      .filter(({ set }) => !set.isLimit && set.data.some((p) => Number.isFinite(p.y)))
+      .map(({ set, i }) => ({ text: report.letter(i), strokeStyle: set.borderColor, lineWidth: 2,
+                              lineDash: set.borderDash,
+                              fontColor: report.colour('ink'), datasetIndex: i })),
+  },
+});
+
+// Rises and returns of the motion lie behind the curves; over that of the displacement they and the
+// dwells between them have their names.
+report.spansOf = (panel) =>
+  (panel.x.unit === 'deg' && panel.x.lower === 0 && panel.x.upper === 360 && report.data.spans) || [];
+report.hasSpanNames = (panel) =>
+  panel.id.endsWith('displacement') && report.spansOf(panel).length > 0;
+
+report.spanPlugin = (panel) => ({
+  id: 'spans',
+  beforeDatasetsDraw: (chart) => {
+    const { ctx, chartArea: area, scales } = chart;
+    ctx.save();
+    ctx.font = `11px ${Chart.defaults.font.family}`;
+    ctx.textAlign = 'center';
+    for (const span of report.spansOf(panel)) {
+      const [left, right] = [span.from, span.to].map((at) => scales.x.getPixelForValue(at));
+      if (span.kind !== 'dwell') {
+        ctx.globalAlpha = 0.1;
+        ctx.fillStyle = report.colour(span.kind === 'rise' ? 'a' : 'b');
+        ctx.fillRect(left, area.top, right - left, area.bottom - area.top);
+      }
+      if (!report.hasSpanNames(panel) || ctx.measureText(span.kind).width > right - left - 2) continue;
+      ctx.globalAlpha = 1;
+      ctx.fillStyle = report.colour('soft');
+      ctx.fillText(span.kind, (left + right) / 2, area.top - 4);
+    }
+    ctx.restore();
+  },
+});
+
 report.yAxis = (panel, index) => report.axis({
   ...report.rangeOf(panel, report.shown.map((design) => report.points(design, index))),
   ticks: { maxTicksLimit: 7, callback: (value) => report.text(value, 6) },
@@ -122,6 +174,7 @@ report.plot = (figure) => {
   plot.chart = new Chart(canvas, {
     type: 'line',
     data: { datasets: report.datasets(panel, index) },
+    plugins: [report.spanPlugin(panel)],
     options: {
       animation: false,
       responsive: true,
@@ -135,7 +188,8 @@ report.plot = (figure) => {
         line: { tension: 1e-9, capBezierPoints: false },
       },
       interaction: { mode: 'nearest', axis: 'x', intersect: false },
-      plugins: { legend: { display: false }, tooltip: report.tooltip(panel) },
+      layout: { padding: { top: report.hasSpanNames(panel) ? 14 : 0 } },
+      plugins: { legend: report.legend(), tooltip: report.tooltip(panel) },
       scales: {
         x: report.axis({
           min: panel.x.lower, max: panel.x.upper,
@@ -167,6 +221,7 @@ report.show = (designs) => {
   for (const plot of report.plots) {
     plot.chart.data.datasets = report.datasets(plot.panel, plot.index);
     plot.chart.options.scales.y = report.yAxis(plot.panel, plot.index);
+    plot.chart.options.plugins.legend = report.legend();
     plot.chart.update();
   }
 };

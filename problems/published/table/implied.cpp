@@ -90,7 +90,7 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
   const auto& printed = model.row(row).row->printed;
   const std::string& unit = model.row(row).problem->mechanism->parameters[of.parameter].unit;
   if (!shared.is_found()) {
-    return {fmt::format("no value of {}{} gives the printed value", implied.parameter,
+    return {fmt::format("no value of {}{} gives the printed valueed value", implied.parameter,
                         with_settings(implied))};
   }
   std::vector<std::string> result{fmt::format("{}{} is what {} needs",

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "output/answers/limit_text.h"
+#include "output/document/formatting.h"
+#include "output/report/html.h"
+
+namespace camlaw::cli {
+namespace {
+
+using optim::LimitReport;
+using problems::Mechanism;
+using problems::ProblemStatement;
+
+constexpr std::size_t kMostTiles = 12;
+
+struct Tile {
+  std::string name, value;
+  std::string kind;     ///< "good", "bad" or "plain"
+  std::string meaning;  ///< what it is
+  std::string sentence;
+};
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+/// "At 1 the profile is undercut; it keeps 0.3 ...": the consequence before a clause on the design.
+std::string sentence_of(const std::string& consequence, const std::string& clause) {
+  return capitalised(consequence.empty() ? clause : consequence + "; " + clause) + ".";
+}
+
+std::string tile_html(const Tile& tile) {
+  return fmt::format(
+      "<div class=\"tile {}\"><h3>{}</h3>\n<p class=\"value\">{}</p>\n{}<p>{}</p></div>\n",
+      tile.kind, escaped(plain_name(tile.name)), escaped(tile.value),
+      tile.meaning.empty() ? ""
+                           : "<p class=\"notes\">" + escaped(capitalised(tile.meaning)) + "</p>\n",
+      escaped(tile.sentence));
+}
+
+/// What easing a limit by one unit would do to the objective, where that is known.
+std::string gain(const LimitReport& limit, const ProblemStatement& design, bool priced) {
+  if (!priced || !(std::abs(limit.multiplier) > 0) || design.objectives.empty()) return "";
+  const problems::ObjectiveStatement& objective = design.objectives.front();
+  return fmt::format(
+      "; easing it by 1{} would {} {} by {}", limit.unit == "1" ? "" : " " + limit.unit,
+      objective.sense == optim::Sense::Minimize ? "reduce" : "increase",
+      plain_name(objective.response.name),
+      with_unit(fmt::format("{:.3g}", std::abs(limit.multiplier)), objective.response.unit));
+}
+
+std::string limit_clause(const LimitReport& limit, const std::string& near,
+                         const ProblemStatement& design, bool priced) {
+  if (std::isnan(limit.margin)) return "it is not a number in this design";
+  const std::string bound = with_unit(in_digits(limit.bound), limit.unit);
+  const std::string which =
+      limit.is_equation
+          ? "the value of " + bound + " that it must have"
+          : fmt::format("{} limit of {}", limit.is_upper ? "its upper" : "its lower", bound);
+  const std::string side = near == "nearer"    ? ", the nearer of the two"
+                           : near == "as near" ? ", and is as near to the other one"
+                                               : "";
+  const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
+  const auto distance = [&](double margin) {
+    return with_unit(significant(margin, size, 3), limit.unit);
+  };
+  if (!limit.met) return fmt::format("the design passes {} by {}", which, distance(-limit.margin));
+  if (limit.margin <= limit.tolerance)
+    return fmt::format("the design stands at {}{}{}", which, side, gain(limit, design, priced));
+  return fmt::format("the design keeps {} from {}{}", distance(limit.margin), which, side);
+}
+
+Tile limit_tile(const LimitReport& limit, const std::string& near,
+                const problems::ResponseName& response, const ProblemStatement& design,
+                bool priced) {
+  const ToldResponse told_of = told(response, *design.mechanism);
+  const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
+  const std::string place =
+      limit.worst_angle ? ", at " + place_text(*limit.worst_angle, response) : "";
+  const std::string value = std::isnan(limit.value)
+                                ? "not a number"
+                                : with_unit(significant(limit.value, size), limit.unit) + place;
+  return {limit.name, value, limit.met ? "good" : "bad", told_of.meaning,
+          sentence_of(told_of.consequence, limit_clause(limit, near, design, priced))};
+}
+
+/// The objective; none where there is not one that has a value.
+std::string objective_tile(const ProblemStatement& design, const DesignReview& review) {
+  if (!review.assessment || std::isnan(review.assessment->objective.value)) return "";
+  const problems::ObjectiveStatement& stated = design.objectives.front();
+  const bool least = stated.sense == optim::Sense::Minimize;
+  const ToldResponse told_of = told(stated.response, *design.mechanism);
+  const std::string clause =
+      review.is_optimal()
+          ? fmt::format("no design near has {} without passing a limit",
+                        least ? "a smaller value" : "a larger one")
+          : fmt::format("it is what the problem asks to be as {} as the limits allow",
+                        least ? "small" : "large");
+  return tile_html({stated.response.name,
+                    with_unit(in_digits(review.assessment->objective.value), stated.response.unit),
+                    "plain", told_of.meaning, sentence_of(told_of.consequence, clause)});
+}
+
+/// A margin as a share of what it is measured on, by which tiles are sorted.
+double share_left(const LimitReport& limit) {
+  const double size = std::max(std::abs(limit.bound), std::abs(limit.value));
+  return std::isnan(limit.margin) ? -2 : size > 0 ? limit.margin / size : 0;
+}
+
+}  // namespace
+
+ToldResponse told(const problems::ResponseName& name, const Mechanism& mechanism) {
+  if (name.response == nullptr) {
+    const bool is_known = name.parameter < mechanism.parameters.size();
+    return {is_known ? mechanism.parameters[name.parameter].meaning : "", ""};
+  }
+  const std::string& text = name.response->meaning;
+  const std::size_t end = text.find("; ");
+  const std::string consequence = end == std::string::npos ? "" : text.substr(end + 2);
+  const auto peak = std::find_if(mechanism.peaks.begin(), mechanism.peaks.end(),
+                                 [&](const problems::NamedPeak& p) { return p.name == name.name; });
+  if (peak == mechanism.peaks.end()) return {text.substr(0, end), consequence};
+  const std::size_t peak_end = peak->meaning.find("; ");
+  return {peak->meaning.substr(0, peak_end),
+          peak_end == std::string::npos ? consequence : peak->meaning.substr(peak_end + 2)};
+}
+
+ReportSection tiles_section(const ProblemStatement& design, const DesignReview& review) {
+  const SidedLimits sided = both_sides(design, review.limits);
+  std::vector<std::size_t> order(sided.limits.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return share_left(sided.limits[a]) < share_left(sided.limits[b]);
+  });
+  std::string html = objective_tile(design, review);
+  const std::size_t shown = std::min(order.size(), kMostTiles);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::size_t i = order[k];
+    html += tile_html(limit_tile(sided.limits[i], nearness(sided.limits[i], sided.others[i]),
+                                 design.constraints[i].response, design, review.is_optimal()));
+  }
+  std::string notes;
+  if (shown < order.size()) {
+    notes = paragraph(fmt::format("{} of {} limits are shown, those with the least margins.", shown,
+                                  order.size()));
+  }
+  if (html.empty()) html = paragraph("The file names no objective and no limits.");
+  return {"glance", "At a glance", "<div class=\"tiles\">\n" + html + "</div>\n" + notes};
+}
+
+}  // namespace camlaw::cli

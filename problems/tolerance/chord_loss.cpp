@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/chord_loss.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camlaw::problems {
+namespace {
+
+inline double above_zero(double x) { return std::max(x, 0.0); }
+inline Interval above_zero(const Interval& x) {
+  Interval result;
+  result.assign(std::max(x.lower(), 0.0), std::max(x.upper(), 0.0));
+  return result;
+}
+
+/// 1 above zero, else 0.
+inline double is_above_zero(double x) { return x > 0 ? 1 : 0; }
+inline Interval is_above_zero(const Interval& x) {
+  return Interval(is_above_zero(x.lower()), is_above_zero(x.upper()));
+}
+
+/// (PE9) By how much the follower's velocity changes from one chord to the next, of a curvature.
+template <class T>
+T velocity_change(const ProfilePlace<T>& p, const T& curvature, const ProfileErrors& errors,
+                  double speed) {
+  using std::sqrt;
+  const T turned = p.lift.value * p.arc;
+  if (errors.chord) return T(speed) * turned * sqrt(T(8 * *errors.chord / 1e3) * curvature);
+  const T step(*errors.chord_step / profile::kPerDegree);
+  return T(speed) * turned * (p.arc * curvature) * step;
+}
+
+template <class F>
+ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const char* unit,
+                        double drawn, const F& formula) {
+  const auto over = [&](const auto& jets) { return formula(geometry.place(jets)); };
+  const CyclePeak rough = highest_over_cycle(geometry.traces(), over, kInfinite);
+  const double accuracy = std::max(1e-3 * rough.value, 1e-12);
+  const CyclePeak peak = highest_over_cycle(geometry.traces(), over, accuracy);
+  return {std::move(name), unit, drawn, peak.value, peak.at, peak.proved};
+}
+
+}  // namespace
+
+std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double acceleration,
+                                         const ProfileErrors& errors) {
+  const double speed = geometry.speed(), square = speed * speed;
+  const char* velocity_unit = geometry.swings() ? "rad/s" : "m/s";
+  const char* unit = geometry.swings() ? "rad/s2" : "m/s2";
+  const auto convex = [&](const auto& p) {
+    return velocity_change(p, above_zero(p.curvature), errors, speed);
+  };
+  const double radius = geometry.roller();
+  const auto hollow = [&](const auto& p) {
+    using T = std::decay_t<decltype(p.curvature)>;
+    const T k = above_zero(T(-p.curvature));
+    return velocity_change(p, k, errors, speed) * (T(1) - T(radius) * k);
+  };
+  if (geometry.contact() != ProfileContact::Roller) {
+    std::vector<ProfileEffect> all{
+        effect_of(geometry, "jump of the velocity at corners", velocity_unit, 0, convex)};
+    if (geometry.contact() == ProfileContact::Edge) {
+      all.push_back(
+          effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow));
+    }
+    return all;
+  }
+  return {effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
+          effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
+          effect_of(geometry, "acceleration away, along a chord", unit, acceleration,
+                    [&](const auto& p) {
+                      using T = std::decay_t<decltype(p.curvature)>;
+                      const T k = above_zero(p.curvature);
+                      return p.acceleration + T(square) * p.lift.value * profile::square(p.arc) *
+                                                  k * (T(1) + T(radius) * k);
+                    }),
+          effect_of(geometry, "acceleration towards, over a corner", unit, acceleration,
+                    [&](const auto& p) {
+                      using T = std::decay_t<decltype(p.curvature)>;
+                      return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -
+                             p.acceleration;
+                    })};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "problems/tolerance/profile_geometry.h"
+#include "problems/tolerance/profile_loss.h"
+
+namespace camlaw::problems {
+
+/// Of a profile that is made of chords, within a deviation or of a step of the cam angle: how the
+/// velocity changes at its corners, and where a roller smooths that, its acceleration (docs/
+/// theory.md, PE9 to PE11). `acceleration`: the peak as drawn.
+std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double acceleration,
+                                         const ProfileErrors& errors);
+
+}  // namespace camlaw::problems

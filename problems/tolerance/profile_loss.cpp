@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/profile_loss.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "problems/tolerance/chord_loss.h"
+#include "problems/tolerance/profile_geometry.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kFine = 1e-3;  // of a change: how closely a peak is proved
+
+/// Formulas of the place, for highest_over_cycle().
+template <class F>
+auto at_place(const ProfileGeometry& geometry, F formula) {
+  return [&geometry, formula](const auto& jets) { return formula(geometry.place(jets)); };
+}
+
+template <class F>
+CyclePeak highest(const ProfileGeometry& geometry, double accuracy, F formula) {
+  return highest_over_cycle(geometry.traces(), at_place(geometry, formula), accuracy);
+}
+
+/// The higher one of two peaks.
+CyclePeak higher(const CyclePeak& a, const CyclePeak& b) {
+  CyclePeak result = b.value > a.value ? b : a;
+  result.at_most = std::max(a.at_most, b.at_most);
+  result.proved = a.proved && b.proved;
+  return result;
+}
+
+CyclePeak peak_as_drawn(const ProfileGeometry& geometry) {
+  const auto peak = [&](double accuracy) {
+    return higher(highest(geometry, accuracy, [](const auto& p) { return p.acceleration; }),
+                  highest(geometry, accuracy, [](const auto& p) { return -p.acceleration; }));
+  };
+  return peak(1e-6 * peak(kInfinite).value);
+}
+
+CyclePeak peak_with(const ProfileGeometry& geometry, const Waves& waves, bool any, double amplitude,
+                    double accuracy) {
+  const double speed = geometry.speed();
+  return higher(highest(geometry, accuracy,
+                        [&](const auto& p) { return worst_away(p, waves, any, amplitude, speed); }),
+                highest(geometry, accuracy, [&](const auto& p) {
+                  return worst_towards(p, waves, any, amplitude, speed);
+                }));
+}
+
+/// The largest amplitude, m, at which the follower still reaches into every valley: min K / k^2.
+std::optional<double> bridged_from(const ProfileGeometry& geometry, const Waves& waves) {
+  if (geometry.contact() == ProfileContact::Edge) return {};
+  const CyclePeak chi = highest(geometry, kInfinite, [&](const auto& p) {
+    return valley_share(p, wave_acceleration(p, waves, false).number, 1);
+  });
+  const CyclePeak fine = highest(geometry, kFine * chi.value, [&](const auto& p) {
+    return valley_share(p, wave_acceleration(p, waves, false).number, 1);
+  });
+  return 1 / fine.at_most;
+}
+
+/// Of the contact, relative to what it is as drawn: its square, at a phase of the waves (PE7).
+double stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>& p,
+                    const Waves& waves, double amplitude, double phase) {
+  const WaveAcceleration<double> w = wave_acceleration(p, waves, false);
+  const double chi = valley_share(p, w.number, amplitude);
+  const double c = std::cos(phase), s = std::sin(phase);
+  const double q = p.lift.value, k = w.number;
+  const double dk = waves.in_turn ? 0 : 2 * std::numbers::pi / waves.length * p.arc_slope;
+  const double bend = amplitude * (-q * k * k * c / (1 + chi * c) -
+                                   (2 * p.lift.slope * k + q * dk) * s + p.lift.bend * c);
+  const double speed = geometry.speed();
+  const double force =
+      geometry.mass() * speed * speed * bend + geometry.spring() * q * amplitude * c;
+  return (1 + force / p.force) * (1 + chi * c);
+}
+
+/// Looked for at even places and phases: not proved.
+ProfileEffect stress_effect(const ProfileGeometry& geometry, const Waves& waves, double amplitude) {
+  constexpr int kPlaces = 400, kPhases = 72;
+  ProfileEffect result{"peak contact stress", geometry.stress_unit()};
+  const std::vector<double> breaks = geometry.stress()->breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double width = breaks[k + 1] - breaks[k];
+    const int count = std::max(8, static_cast<int>(kPlaces * width / (breaks.back() - breaks[0])));
+    for (int i = 0; i <= count; ++i) {
+      const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], count, i);
+      const double stress = geometry.stress()->at(place)[0];
+      if (!std::isfinite(stress)) continue;
+      result.as_drawn = std::max(result.as_drawn, stress);
+      const ProfilePlace<double> p = geometry.place_at(place);
+      for (int m = 0; m < kPhases; ++m) {
+        const double ratio =
+            stress_ratio(geometry, p, waves, amplitude, 2 * std::numbers::pi * m / kPhases);
+        const double own = ratio > 0 ? stress * std::sqrt(ratio) : 0;
+        if (own > result.worst) result.worst = own, result.at = place.angle;
+      }
+    }
+  }
+  return result;
+}
+
+/// What acts along the follower's way: the highest, and the least.
+std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry, const Waves& waves,
+                                         bool any, double amplitude) {
+  const double speed = geometry.speed(), mass = geometry.mass();
+  const double moved = geometry.spring() * amplitude;
+  const char* unit = geometry.swings() ? "N m" : "N";
+  const auto size = highest(geometry, kInfinite, [](const auto& p) { return absolute(p.force); });
+  const double accuracy = 1e-5 * size.value;
+  const auto up = highest(geometry, accuracy, [](const auto& p) { return p.force; });
+  const auto down = highest(geometry, accuracy, [](const auto& p) { return -p.force; });
+  const auto most = highest(geometry, accuracy, [&](const auto& p) {
+    using T = std::decay_t<decltype(p.force)>;
+    return p.force + T(mass) * (worst_away(p, waves, any, amplitude, speed) - p.acceleration) +
+           T(moved) * p.lift.value;
+  });
+  const auto least = highest(geometry, accuracy, [&](const auto& p) {
+    using T = std::decay_t<decltype(p.force)>;
+    return T(mass) * (worst_towards(p, waves, any, amplitude, speed) + p.acceleration) +
+           T(moved) * p.lift.value - p.force;
+  });
+  const std::string what = geometry.swings() ? "follower torque" : "follower force";
+  return {{"highest " + what, unit, up.value, most.value, most.at, most.proved},
+          {"least " + what, unit, -down.value, -least.value, least.at, least.proved}};
+}
+
+WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn,
+                         const std::optional<Waves>& waves, bool any, double amplitude) {
+  WaveEffects result;
+  result.amplitude = 1e6 * amplitude;
+  const auto lift = highest(geometry, kInfinite, [](const auto& p) { return p.lift.value; });
+  const double listed = geometry.swings() ? 1e3 * profile::kPerDegree : 1e6;
+  result.displacement = listed * amplitude * lift.value;
+  if (!waves) return result;
+  result.bridged_from = bridged_from(geometry, *waves);
+  if (result.bridged_from) {
+    result.valley_share = amplitude / *result.bridged_from;
+    *result.bridged_from *= 1e6;
+    if (result.valley_share >= 1) return result;
+  }
+  const double rough = peak_with(geometry, *waves, any, amplitude, kInfinite).value;
+  const double accuracy = std::max(kFine * (rough - drawn.value), 1e-6 * rough);
+  const CyclePeak peak = peak_with(geometry, *waves, any, amplitude, accuracy);
+  const char* unit = geometry.swings() ? "rad/s2" : "m/s2";
+  result.effects.push_back(
+      {"peak acceleration", unit, drawn.value, peak.value, peak.at, peak.proved && drawn.proved});
+  result.effects.push_back({geometry.swings() ? "peak inertia torque" : "peak inertia force",
+                            geometry.swings() ? "N m" : "N", geometry.mass() * drawn.value,
+                            geometry.mass() * peak.value, peak.at, peak.proved && drawn.proved});
+  for (ProfileEffect& effect : force_effects(geometry, *waves, any, amplitude)) {
+    result.effects.push_back(std::move(effect));
+  }
+  if (geometry.stress() != nullptr && !any) {
+    result.effects.push_back(stress_effect(geometry, *waves, amplitude));
+  }
+  return result;
+}
+
+/// The largest amplitude, m, whose peak is proved not to exceed `allowed`.
+double largest_amplitude(const ProfileGeometry& geometry, const CyclePeak& drawn,
+                         const Waves& waves, bool any, double allowed) {
+  const double accuracy = kFine * (allowed - drawn.value);
+  const auto holds = [&](double amplitude) {
+    return peak_with(geometry, waves, any, amplitude, accuracy).at_most <= allowed;
+  };
+  const double most = bridged_from(geometry, waves).value_or(1);
+  double good = 0, bad = most;
+  const auto steep = highest(
+      geometry, kInfinite, [&](const auto& p) { return wave_acceleration(p, waves, any).either; });
+  const double speed = geometry.speed();
+  // No less than this is allowed where the acceleration as drawn is least.
+  double step = (allowed - drawn.value) / (speed * speed * steep.value);
+  while (step < bad && holds(step)) good = step, step *= 2;
+  bad = std::min(bad, step);
+  while (bad - good > kFine * bad) {
+    const double middle = good + (bad - good) / 2;
+    (holds(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+std::vector<ShopLimit> shop_limits(const ProfileGeometry& geometry, const CyclePeak& drawn,
+                                   const ProfileErrors& errors) {
+  std::vector<ShopLimit> result;
+  const double allowed = (1 + *errors.loss) * drawn.value;
+  const auto add = [&](const Waves& waves) {
+    ShopLimit limit;
+    limit.waves = waves.in_turn;
+    if (!waves.in_turn) limit.wavelength = errors.wavelength;
+    limit.amplitude = 1e6 * largest_amplitude(geometry, drawn, waves, false, allowed);
+    limit.form = 2e6 * largest_amplitude(geometry, drawn, waves, true, allowed);
+    limit.proved = drawn.proved;
+    result.push_back(limit);
+  };
+  if (errors.wavelength) {
+    add({{}, *errors.wavelength / 1e3});
+  } else if (errors.waves) {
+    add({errors.waves, 0});
+  } else {
+    for (const double waves : {5.0, 10.0, 20.0, 50.0, 100.0, 200.0}) add({waves, 0});
+  }
+  return result;
+}
+
+/// Refuses a profile that the follower does not touch at one place alone.
+void check_profile(const ProfileGeometry& geometry) {
+  constexpr int kPlaces = 24;  // of each smooth stretch
+  const std::vector<double> breaks = geometry.traces().front()->breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    for (int i = 0; i <= kPlaces; ++i) {
+      const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], kPlaces, i);
+      const ProfilePlace<double> p = geometry.place_at(place);
+      if (p.arc > 0 && std::isfinite(p.curvature) && !(p.stiffness && !(*p.stiffness > 0))) {
+        continue;
+      }
+      throw std::invalid_argument(
+          fmt::format("errors of the profile: it is undercut or has no points at {:.4g} deg, so "
+                      "that no follower moves as it is meant to; change the design first",
+                      place.angle));
+    }
+  }
+}
+
+}  // namespace
+
+ProfileAnswer profile_answer(const ProblemStatement& design, const ProfileErrors& errors) {
+  check_profile_errors(errors);
+  const ProfileGeometry geometry(design);
+  check_profile(geometry);
+  const CyclePeak drawn = peak_as_drawn(geometry);
+  ProfileAnswer answer;
+  answer.errors = errors;
+  answer.acceleration = drawn.value;
+  answer.acceleration_unit = geometry.swings() ? "rad/s2" : "m/s2";
+  answer.displacement_unit = geometry.swings() ? "mdeg" : "um";
+  std::optional<Waves> waves;
+  if (errors.has_length()) waves = Waves{errors.waves, errors.wavelength.value_or(0) / 1e3};
+  if (errors.waviness) {
+    answer.waviness = wave_effects(geometry, drawn, waves, false, *errors.waviness / 1e6);
+  }
+  if (errors.form) {
+    answer.form = wave_effects(geometry, drawn, waves, true, *errors.form / 2e3);
+  }
+  if (errors.chord || errors.chord_step) {
+    answer.chords = chord_effects(geometry, drawn.value, errors);
+  }
+  if (errors.loss) answer.shop = shop_limits(geometry, drawn, errors);
+  return answer;
+}
+
+}  // namespace camlaw::problems

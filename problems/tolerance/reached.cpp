@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/reached.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "machines/model/robust_number.h"
+#include "numerics/linear/statistics.h"
+#include "numerics/sampling/sobol_points.h"
+#include "optim/cycle/peak_function.h"
+#include "problems/statement/ranges.h"
+#include "problems/tolerance/tolerance.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kSure = 0.95;
+
+std::vector<VariationStatement> of_the_machine(const ProblemStatement& design) {
+  std::vector<VariationStatement> result = variations_of(design);
+  std::erase_if(result, [](const VariationStatement& v) { return v.parameter.of_law; });
+  return result;
+}
+
+/// The limits with a reliability, by their numbers.
+std::vector<std::size_t> with_a_reliability(const ProblemStatement& design) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < design.constraints.size(); ++i) {
+    if (is_quantile(design.constraints[i])) result.push_back(i);
+  }
+  return result;
+}
+
+/// Whether all limits are formulas in which nothing is searched for, so that parts are cheap.
+bool are_formulas(const std::vector<ConstraintStatement>& limits) {
+  return std::all_of(limits.begin(), limits.end(), [](const ConstraintStatement& limit) {
+    const MechanismResponse* response = limit.response.response;
+    return response == nullptr || (response->write && !response->curve && response->inner.empty());
+  });
+}
+
+IsReached reach_of(const optim::Bounds& between, double wanted) {
+  if (between.lower >= wanted) return IsReached::Yes;
+  return between.upper < wanted ? IsReached::No : IsReached::NotDecided;
+}
+
+void judge_limits(const ProblemStatement& design, const optim::Deadline& deadline,
+                  std::uint64_t seed, Reached& reached) {
+  const std::vector<std::size_t> numbers = with_a_reliability(design);
+  if (numbers.empty()) return;
+  ProblemStatement only = design;
+  only.objectives.clear();
+  only.constraints.clear();
+  for (const std::size_t i : numbers) {
+    const ConstraintStatement& limit = design.constraints[i];
+    only.constraints.push_back(limit);
+    // What is known until it is worked out.
+    reached.limits.push_back({i, limit.response.name, *limit.reliability, std::nan(""), {0, 1}});
+  }
+  const VariedDesign varied = varied_design(only, of_the_machine(design), deadline);
+  ToleranceOptions options;
+  options.seed = seed;
+  constexpr std::size_t kCheap = 100000;
+  if (are_formulas(varied.design.constraints)) options.samples = kCheap;
+  GridReport grid;
+  const optim::Yield yield = yield_of(varied, options, grid);
+  if (yield.stopped) throw optim::Interrupted();
+  reached.samples = yield.samples;
+  reached.limits.clear();
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const optim::Bounds failing = yield.by_limit_between[k];
+    const double wanted = *design.constraints[numbers[k]].reliability;
+    const double most = std::min(1.0, failing.upper + yield.unseen_at_most);
+    const optim::Bounds between{1 - most, 1 - failing.lower};
+    reached.limits.push_back({numbers[k], varied.problem.constraints[k].response.name, wanted,
+                              1 - yield.by_limit[k], between, reach_of(between, wanted)});
+  }
+}
+
+/// Repetitions of parts that are drawn, with the values of a response.
+std::vector<std::vector<double>> values_of(const optim::Function& f, const VariedDesign& varied,
+                                           std::size_t each, std::uint64_t seed) {
+  constexpr std::uint64_t kRepetitions = 32;
+  const std::size_t n = varied.meant.size();
+  std::vector<std::vector<double>> all;
+  std::vector<double> shares(n);
+  for (std::uint64_t r = 0; r < kRepetitions; ++r) {
+    SobolPoints points(n, mixed(seed, r));
+    all.emplace_back();
+    for (std::size_t k = 0; k < each; ++k) {
+      points.next(shares);
+      std::vector<double> part = varied.meant, own;
+      for (std::size_t i = 0; i < n; ++i) part[i] += varied.variations[i].at_share(shares[i]);
+      for (const std::size_t i : f.inputs()) own.push_back(part[i]);
+      all.back().push_back(f.value(own));
+    }
+  }
+  return all;
+}
+
+double taken(const std::vector<double>& values, double factor) {
+  const auto count = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / count;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return mean + factor * std::sqrt(squares / (count - 1));
+}
+
+/// mean + factor * deviation: Student's interval over the repetitions.
+optim::Bounds mean_between(const std::vector<std::vector<double>>& all, double factor,
+                           double value) {
+  std::vector<double> own;
+  for (const auto& values : all) own.push_back(taken(values, factor));
+  const auto count = static_cast<double>(own.size());
+  double middle = 0, squares = 0;
+  for (const double one : own) middle += one / count;
+  for (const double one : own) squares += (one - middle) * (one - middle);
+  const double error = std::sqrt(squares / (count - 1) / count);
+  const double reach = optim::student_quantile(static_cast<int>(own.size()) - 1, kSure) * error;
+  return {value - reach, value + reach};
+}
+
+/// The values in order between which the quantile lies: as many as lie below it are binomial.
+optim::Bounds quantile_between(std::vector<double> values, double share) {
+  const auto count = static_cast<double>(values.size());
+  const double reach =
+      normal_quantile((1 + kSure) / 2) * std::sqrt(count * share * (1 - share)) + 1;
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double place) {
+    return values[static_cast<std::size_t>(std::clamp(place, 0.0, count - 1))];
+  };
+  return {at(std::floor(count * share - reach)), at(std::ceil(count * share + reach))};
+}
+
+void judge_objective(const ProblemStatement& design, const optim::Deadline& deadline,
+                     std::uint64_t seed, Reached& reached) {
+  if (design.objectives.size() != 1 || !design.objectives.front().robust) return;
+  const Robust& robust = *design.objectives.front().robust;
+  ProblemStatement only = design;
+  only.constraints.clear();
+  const VariedDesign varied = varied_design(only, of_the_machine(design), deadline);
+  const optim::Objective& sought = varied.problem.objectives.front();
+  const optim::Function f =
+      sought.response.is_curve()
+          ? optim::peak_function(sought.response, sought.part, varied.meant.size())
+          : sought.response.function();
+  constexpr double kBeyond = 64;
+  constexpr std::size_t kEach = 64;
+  const double beyond = robust.is_quantile ? std::min(robust.share, 1 - robust.share) : 1;
+  const auto each = std::max(kEach, static_cast<std::size_t>(std::ceil(kBeyond / beyond / 32)));
+  const auto all = values_of(f, varied, each, seed);
+  std::vector<double> values;
+  for (const auto& own : all) values.insert(values.end(), own.begin(), own.end());
+  ReachedObjective result;
+  result.name = design.objectives.front().response.name;
+  result.unit = sought.response.unit;
+  result.samples = values.size();
+  if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
+    result.value = std::nan("");
+    result.between = {std::nan(""), std::nan("")};
+  } else if (robust.is_quantile) {
+    result.value = optim::quantile(values, robust.share);
+    result.between = quantile_between(values, robust.share);
+  } else {
+    result.value = taken(values, robust.factor);
+    result.between = mean_between(all, robust.factor, result.value);
+  }
+  reached.objective = std::move(result);
+}
+
+}  // namespace
+
+std::string_view to_string(IsReached reach) {
+  switch (reach) {
+    case IsReached::Yes:
+      return "reached";
+    case IsReached::No:
+      return "not reached";
+    case IsReached::NotDecided:
+      break;
+  }
+  return "not decided";
+}
+
+bool Reached::all() const {
+  return cut_short.empty() && std::all_of(limits.begin(), limits.end(), [](const auto& limit) {
+           return limit.reach == IsReached::Yes;
+         });
+}
+
+std::string Reached::fault() const {
+  if (!cut_short.empty()) {
+    return "how many parts hold the limits with a reliability was not worked out: " + cut_short;
+  }
+  for (const ReachedShare& limit : limits) {
+    if (limit.reach == IsReached::Yes) continue;
+    return fmt::format(
+        "{} {} its reliability: between {:.6g} % and {:.6g} % of all parts hold it, {:.6g} % are "
+        "asked for",
+        limit.name, limit.reach == IsReached::No ? "does not reach" : "is not known to reach",
+        100 * limit.between.lower, 100 * limit.between.upper, 100 * limit.wanted);
+  }
+  return {};
+}
+
+Reached reached_by(const ProblemStatement& design, const optim::Deadline& deadline,
+                   std::uint64_t seed) {
+  Reached result;
+  try {
+    judge_limits(design, deadline, seed, result);
+    judge_objective(design, deadline, seed, result);
+  } catch (const optim::Interrupted&) {
+    const bool is_open = result.samples == 0 && !result.limits.empty();
+    result.cut_short = is_open ? deadline.reason() : "";
+  }
+  return result;
+}
+
+std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& design) {
+  return [&design](optim::Assessment& assessment) {
+    if (!with_a_reliability(design).empty()) hold_to(reached_by(design), assessment);
+  };
+}
+
+void hold_to(const Reached& reached, optim::Assessment& assessment) {
+  if (reached.all() || !optim::is_feasible(assessment)) return;
+  assessment.verdict = optim::Verdict::Failed;
+  assessment.reason = reached.fault();
+  for (const ReachedShare& limit : reached.limits) {
+    if (limit.reach != IsReached::Yes && limit.limit < assessment.limits.size()) {
+      assessment.limits[limit.limit].met = false;
+    }
+  }
+}
+
+}  // namespace camlaw::problems

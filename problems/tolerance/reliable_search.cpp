@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/reliable_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/limits.h"
+#include "problems/statement/ranges.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// The problem with shares that ask for more where a limit is not reached (TV11).
+ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reached) {
+  constexpr double kSpare = 0.98, kLeast = 1e-4;
+  for (const ReachedShare& own : reached.limits) {
+    if (own.reach == IsReached::Yes) continue;
+    ConstraintStatement& limit = statement.constraints[own.limit];
+    const double before = 1 - limit.searched_share.value_or(*limit.reliability);
+    const double after = kSpare * before * (1 - own.wanted) / (1 - own.between.lower);
+    limit = searched_at(statement, limit, 1 - std::clamp(after, kLeast, before));
+  }
+  return statement;
+}
+
+/// The same design in the problem as it is stated.
+optim::Optimum restated(const BoundProblem& bound, optim::Optimum found) {
+  found.problem = bound.problem(found.options);
+  optim::Assessment& own = found.found.assessment;
+  const optim::Sizes sizes = optim::sizes(found.problem, found.found.x);
+  const auto prices =
+      std::exchange(own.limits, optim::limit_reports(found.problem, sizes, found.found.x, false));
+  for (std::size_t i = 0; i < own.limits.size() && i < prices.size(); ++i) {
+    own.limits[i].multiplier = prices[i].multiplier;
+  }
+  own.global.reset();
+  own.best_possible.reset();
+  own.is_global = false;
+  return found;
+}
+
+}  // namespace
+
+Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOptions& options,
+                             optim::Optimum& optimum) {
+  constexpr int kMost = 4;
+  if (!optim::is_feasible(optimum.found.assessment)) return {};
+  const optim::Deadline clock(options.time_limit, options.stop, options.spent + optimum.wall_s);
+  const auto judged = [&](const optim::Optimum& one) {
+    return reached_by(bound.at(one.options, one.found.x), clock);
+  };
+  Reached reached = judged(optimum);
+  ProblemStatement statement = bound.statement();
+  for (int k = 0; k < kMost && reached.cut_short.empty() && !reached.all(); ++k) {
+    statement = asking_for_more(std::move(statement), reached);
+    optim::OptimiseOptions again = options;
+    again.spent = clock.spent();
+    again.progress = {};
+    again.candidate = {};
+    optim::Optimum found = optim::optimise(BoundProblem(statement).space(), again);
+    if (!optim::is_feasible(found.found.assessment)) break;
+    found = restated(bound, std::move(found));
+    found.found.add_work(optimum.found);
+    found.wall_s += optimum.wall_s;
+    Reached next = judged(found);
+    if (!next.cut_short.empty()) break;
+    optimum = std::move(found);
+    reached = std::move(next);
+  }
+  hold_to(reached, optimum.found.assessment);
+  return reached;
+}
+
+}  // namespace camlaw::problems

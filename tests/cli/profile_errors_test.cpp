@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// 'camlaw tolerance' of errors of the profile, and what a search says of a reliability.
+#include "tests/cli/program_runner.h"
+#include "tests/paths.h"
+
+namespace camlaw::cli::profile_errors_test {
+namespace {
+
+const std::string kFile = testing::source("problems/cams/roller_least_base.toml");
+
+ParsedJson facts_of(Words words) {
+  words.push_back("--json");
+  return json_of(words);
+}
+
+}  // namespace
+
+TEST_CASE("tolerance says what waves and chords do, and what must be held", "[program][profile]") {
+  const ParsedJson facts =
+      facts_of({"tolerance", kFile, "--waviness", "2 um", "--waves", "40", "--form", "0.01 mm",
+                "--chord", "5 um", "--loss", "10 %"})["profile"];
+  CHECK(facts["waviness"][0]["name"] == "peak acceleration");
+  CHECK(facts["waviness"][0]["proved"] == true);
+  const double drawn = facts["waviness"][0]["as_drawn"], worst = facts["waviness"][0]["worst"];
+  CHECK(worst > 1.02 * drawn);
+  CHECK(worst < 1.06 * drawn);
+  CHECK(facts["form"].size() == 4);  // no stress of an error that is not a wave
+  CHECK(facts["chords"].size() == 4);
+  REQUIRE(facts["shop"].size() == 1);
+  CHECK(facts["shop"][0]["waves"] == 40);
+  CHECK(double(facts["shop"][0]["amplitude"]) > 2);
+  // Without a number of waves a table of several.
+  CHECK(facts_of({"tolerance", kFile, "--loss", "10 %"})["profile"]["shop"].size() == 6);
+}
+
+TEST_CASE("options for the profile take the place of the file's", "[program][profile]") {
+  const std::string file = testing::source("problems/cams/tolerances.toml");
+  const auto text =
+      done({"tolerance", file, "--samples", "64", "--wavelength", "4 mm", "--workers", "1"});
+  CHECK_THAT(text, Contains("waviness 2 um (4 mm each)"));
+  CHECK_THAT(text, Contains("yield"));
+}
+
+TEST_CASE("tolerance says what it lacks to tell of a profile", "[program][profile]") {
+  CHECK_THAT(run({"tolerance", kFile, "--waviness", "2 um"}).err, Contains("state waves"));
+  CHECK_THAT(run({"tolerance", kFile, "--loss", "-1"}).err, Contains("above 0"));
+  CHECK_THAT(done({"tolerance", kFile, "--form", "0.02 mm"}),
+             Contains("does not bound the acceleration"));
+  const std::string conjugate = testing::source("problems/cams/conjugate_least_distance.toml");
+  CHECK_THAT(run({"tolerance", conjugate, "--form", "0.02 mm"}).err, Contains("two profiles"));
+}
+
+TEST_CASE("optimize says which reliability is reached", "[program][variation]") {
+  const std::string file = testing::source("problems/cams/robust_force.toml");
+  const ParsedJson facts = facts_of({"optimize", file, "--starts", "1"});
+  REQUIRE(facts["reliability"].size() == 1);
+  const ParsedJson& own = facts["reliability"][0];
+  CHECK(own["wanted"] == 0.98);
+  CHECK(own["reach"] == "reached");
+  CHECK(double(own["lower"]) >= 0.98);
+  CHECK(double(own["lower"]) <= double(own["share"]));
+  CHECK(double(own["upper"]) >= double(own["share"]));
+  CHECK(facts["robust_objective"]["samples"] == 2048);
+  CHECK(facts["verdict"] == "feasible");
+}
+
+TEST_CASE("a reliability that was not worked out is not called met, nor verified",
+          "[program][variation]") {
+  const std::string file = testing::source("problems/cams/robust_force.toml");
+  const ParsedJson facts =
+      ParsedJson::parse(run({"optimize", file, "--time-limit", "0.001", "--json"}).out);
+  CHECK(facts["verdict"] != "feasible");
+  for (const auto& limit : facts["constraints"]) CHECK(limit["met"] == false);
+  const Folder folder;
+  const std::string out = folder / "result";
+  done({"optimize", file, "--starts", "1", "--out", out});
+  CHECK_THAT(done({"verify", out + "/result.json"}), Contains("the claim holds"));
+}
+
+}  // namespace camlaw::cli::profile_errors_test
