@@ -43,10 +43,10 @@ inline std::optional<Impossible> polydyne_fault(const Law<double>& wanted, std::
             "velocity jumps: use laws in which it does not, such as 5-6-7-8-9",
             360 * pieces[i].begin)};
       }
-      return Impossible{fmt::format(
-          "a polydyne lift has the wanted motion's {} in its own {}, and at {:.6g} deg that jumps: "
-          "use laws in which it does not, such as 5-6-7-8-9",
-          kNames[k], kNames[k - 2], 360 * pieces[i].begin)};
+      return Impossible{
+          fmt::format("a polydyne lift has the wanted motion's {} in its own {}, and at {:.6g} deg "
+                      "that one jumps: use laws in which it does not, such as 5-6-7-8-9",
+                      kNames[k], kNames[k - 2], 360 * pieces[i].begin)};
     }
   }
   return {};

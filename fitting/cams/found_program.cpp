@@ -109,9 +109,8 @@ FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
   FoundProgram result;
   std::string& text = result.problem;
   text = fmt::format(
-      "# A measured cam. Angle 0 is where it stands at {} deg as it was measured.\n"
-      "title = \"A measured cam\"\nmechanism = \"{}\"\n\n[constants]\n{}"
-      "\n[program]\nmatched = \"displacement\"\n",
+      "# A measured cam. Its angle 0 is at {} deg of the measurement.\ntitle = \"A measured "
+      "cam\"\nmechanism = \"{}\"\n\n[constants]\n{}\n[program]\nmatched = \"displacement\"\n",
       number(turn.phases.front().begin), machine.mechanism->name,
       sizes_text(fit.cam, machine, turn));
   for (std::size_t i = 0; i < turn.phases.size(); ++i) {

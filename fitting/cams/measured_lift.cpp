@@ -176,7 +176,7 @@ Possible<Touch> roller_touch(const ProfilePoint& p, const MeasuredFollower& foll
   const Complex along = -p.tangent * turn, back = std::conj(way.g);
   const double length = -std::real(way.w * back) / std::imag(along * back);
   if (!(length > 0)) {
-    return fault(fmt::format("the follower cannot follow {}: the pressure angle passes 90 deg",
+    return fault(fmt::format("the follower cannot follow {}: the pressure angle exceeds 90 deg",
                              place_of(theta)));
   }
   const double ds = (length * std::real(along * back) - std::imag(way.w * back)) / std::norm(way.g);
@@ -198,7 +198,7 @@ Possible<Touch> face_touch(const ProfilePoint& p, const MeasuredFollower& follow
                            Rotation rotation, double theta) {
   if (!(p.curvature > 0)) {
     return fault(
-        fmt::format("it is hollow {}: a flat face does not touch it there", place_of(theta)));
+        fmt::format("it is hollow {}, where a flat face does not touch it", place_of(theta)));
   }
   const double sense = rotation == Rotation::Clockwise ? -1 : 1;
   const Complex seen = p.place * std::conj(p.normal);
@@ -208,8 +208,8 @@ Possible<Touch> face_touch(const ProfilePoint& p, const MeasuredFollower& follow
   const FaceWay& way = *found;
   const double lever = way.foot_rate + (way.swings ? sense * aside : 0);
   if (!(lever > 0)) {
-    return fault(
-        fmt::format("the face cannot follow {}: it is touched behind its pivot", place_of(theta)));
+    return fault(fmt::format("the face cannot follow {}: the contact lies behind its pivot",
+                             place_of(theta)));
   }
   const double ds = -aside / lever;
   const double turning = way.swings ? 1 + sense * ds : 1;  // how fast the normal turns

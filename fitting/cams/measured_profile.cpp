@@ -105,8 +105,8 @@ optim::SmoothingSpline closed_spline(const PolarPoints& points, optim::Smoothing
 MeasuredProfile MeasuredProfile::polar(std::span<const double> theta, std::span<const double> r,
                                        const optim::SmoothingOptions& smoothing) {
   if (theta.size() != r.size()) {
-    refuse(fmt::format("{} polar angles and radii and {} do not belong together", theta.size(),
-                       r.size()));
+    refuse(fmt::format("{} polar angles and {} radii: there must be as many of one as of the other",
+                       theta.size(), r.size()));
   }
   PolarPoints polar = checked({{theta.begin(), theta.end()}, {r.begin(), r.end()}});
   optim::SmoothingSpline spline = closed_spline(polar, smoothing);

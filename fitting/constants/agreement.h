@@ -12,7 +12,7 @@
 namespace camlaw::problems {
 
 /// The question with which values of the unknowns some of the constants agree with their prints:
-/// |f_k(q) - m_k| <= w_k (docs/optimisation.md, (P2)). The model must outlive it.
+/// |f_k(q) - m_k| <= w_k (docs/optimisation.md, (FS2)). The model must outlive it.
 class Agreement {
  public:
   Agreement(const PrintedModel& model, std::vector<std::size_t> constants);

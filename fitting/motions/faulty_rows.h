@@ -32,9 +32,9 @@ struct MotionRecord {
 void leave_out_stray_places(MotionRecord& record);
 
 /// Leaves out rows whose value lies farther off the curve of their neighbours than chance explains
-/// ((P4) in docs/optimisation.md): of 24 samples and more by a robust smoothing spline, of nine and
-/// more one row without which a cubic through neighbours misses none by an eighth as much. `period`
-/// as in find_motions.
+/// ((FS4) in docs/optimisation.md): of 24 samples and more by a robust smoothing spline, of nine
+/// and more one row without which a cubic through neighbours misses none by an eighth as much.
+/// `period` as in find_motions.
 void leave_out_far_values(MotionRecord& record, double period);
 
 /// Whether so few rows of so many lie off that the others can be relied upon: one in fifty, or

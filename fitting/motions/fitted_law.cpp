@@ -41,8 +41,8 @@ Possible<Law<double>> periodic_law(const optim::SmoothingSpline& spline, double 
 Possible<Law<double>> possible_spline_law(const optim::SmoothingSpline& spline, double zero,
                                           double stroke) {
   if (!std::isfinite(stroke) || !std::isfinite(zero) || stroke == 0) {
-    return Impossible{
-        fmt::format("law of a spline: a stroke of {:.6g} from {:.6g} is none", stroke, zero)};
+    return Impossible{fmt::format("law of a spline: {:.6g} is not a possible stroke (from {:.6g})",
+                                  stroke, zero)};
   }
   if (spline.basis().periodic()) return periodic_law(spline, zero, stroke);
   const auto& places = spline.basis().places();
@@ -58,7 +58,7 @@ Possible<Law<double>> possible_spline_law(const optim::SmoothingSpline& spline, 
 
 Possible<Law<double>> possible_stretch_law(const optim::SmoothingSpline& spline) {
   if (spline.basis().periodic()) {
-    return Impossible{"law of a spline: a periodic one is not a stretch"};
+    return Impossible{"law of a spline: a periodic spline is not a single motion"};
   }
   // A clamped spline begins and ends at its outer coefficients.
   const double from = spline.coefficients().front(), to = spline.coefficients().back();

@@ -8,7 +8,7 @@
 namespace camlaw::problems {
 
 /// Adds to each criterion what the law was worth before the samples were seen, and sets the weights
-/// (S2): laws with as many numbers share a third of what those with a number less share.
+/// (LC2): laws with as many numbers share a third of what those with a number less share.
 void weigh(std::vector<LawFit>& fits);
 
 /// Sorts by the criterion; first comes the law with the fewest numbers of those that noise does not
@@ -27,7 +27,7 @@ inline constexpr std::size_t kFewLaws = 12;
 AsGood as_good(const std::vector<LawFit>& ranking);
 
 /// Intervals of begin, end, stroke and zero of the first fit as they are after the choice: of the
-/// mixture of what all laws say, by weight (S3). The deviations are those of the mixture about the
+/// mixture of what all laws say, by weight (LC3). The deviations are those of the mixture about the
 /// first fit's values.
 void widen_by_others(std::vector<LawFit>& ranking, double confidence);
 

@@ -107,7 +107,7 @@ double LawFit::value(double place, int order) const {
 
 std::optional<Impossible> bad_motion(const MotionSamples& samples, const MotionGuess& guess) {
   if (samples.place.size() != samples.value.size()) {
-    return Impossible{"samples: there must be as many values as places"};
+    return Impossible{"samples: there must be as many values as abscissas"};
   }
   if (samples.place.size() < 2) return Impossible{"samples: at least two are needed"};
   for (std::size_t i = 0; i < samples.place.size(); ++i) {

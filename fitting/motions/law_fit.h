@@ -62,9 +62,9 @@ struct LawFit {
   Skew skew = Skew::Held;   ///< whether the crossover is one of the coefficients
   std::size_t base = 4;     ///< how many stand before the coefficients
   std::size_t numbers = 0;  ///< of all the ones that were free
-  /// Twice the negative logarithm of how likely the law is (S1).
+  /// Twice the negative logarithm of how likely the law is (LC1).
   double criterion = 0;
-  double weight = 1;  ///< among the laws that were tried (S2)
+  double weight = 1;  ///< among the laws that were tried (LC2)
   double begin = 0, end = 1, from = 0, to = 1;
   /// By how much rounding makes each deviation larger than that of independent residuals.
   std::vector<double> inflation = {};

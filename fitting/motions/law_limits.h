@@ -13,7 +13,7 @@
 /// (docs/optimisation.md, "Fits to samples").
 namespace camlaw::problems {
 
-/// (P5) The part of 1 that coefficients leave, 1 - sum factors[i] q[i]: not below 0, or none.
+/// (FS5) The part of 1 that coefficients leave, 1 - sum factors[i] q[i]: not below 0, or none.
 struct LawLimit {
   std::vector<double> factors;  ///< of coefficients_of(law)
   std::string name;             ///< of what is left, "1 - 4 ramp - 2 constant"

@@ -81,7 +81,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
       options.loss == optim::Loss::None && draws(outliers_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
   if (!fit.is_told) {
-    return fmt::format("with noise of {} the law cannot be told: {}, {} may be behind the samples",
+    return fmt::format("with noise of {} the law cannot be identified; these are possible: {}, {}",
                        quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
                        first_names(fit.as_good));
   }

@@ -18,8 +18,8 @@ struct MotionLayout {
   std::size_t first() const { return with_zero ? 4 : 3; }  ///< of the coefficients
 };
 
-/// (P1) of docs/optimisation.md: y = zero + h s(u), u = (x - begin) / (end - begin) within 0 and 1,
-/// or its first or second derivative by x, less the samples.
+/// (FS1) of docs/optimisation.md: y = zero + h s(u), u = (x - begin) / (end - begin) within 0 and
+/// 1, or its first or second derivative by x, less the samples.
 class MotionResiduals final : public optim::Residuals {
  public:
   /// `samples` gives places and values, order and layout() the rest; the coefficients are those of

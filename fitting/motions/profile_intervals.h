@@ -8,7 +8,7 @@
 
 namespace camlaw::problems {
 
-/// Intervals of the first `count` parameters of a least-squares fit by its profile (S4): as far as
+/// Intervals of the first `count` parameters of a least-squares fit by its profile (LC4): as far as
 /// the sum of squares, the other parameters fitted, stays below
 ///   S (1 + f^2 t^2 / nu)
 /// with Student's t and nu degrees of freedom. Where residuals are linear in the parameters these

@@ -19,8 +19,8 @@ void check_enough(const MotionSamples& samples) {
   const std::size_t count = samples.place.size();
   if (count >= kFewestOfMotion) return;
   throw std::invalid_argument(
-      fmt::format("{} sample{} cannot tell a motion, which has begin, end, stroke and zero; at "
-                  "least {} rows of numbers are needed",
+      fmt::format("{} sample{} cannot determine a motion, which has begin, end, stroke and zero; "
+                  "at least {} rows of numbers are needed",
                   count, count == 1 ? "" : "s", kFewestOfMotion));
 }
 

@@ -11,7 +11,7 @@ namespace camlaw::problems {
 /// tells no laws apart.
 double least_sum_of_squares(const MotionSamples& samples);
 
-/// Covariance and intervals of a fit to rounded values (S4): where noise is less than the step,
+/// Covariance and intervals of a fit to rounded values (LC4): where noise is less than the step,
 /// neighbours on a slow stretch are rounded alike, and their mean is not nearer than one of them.
 /// `given` are the parameters as they were fitted, `residuals` what they were fitted to. Without
 /// rounding nothing changes. Returns by how much each deviation has grown; 1 where it has none.

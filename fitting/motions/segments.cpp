@@ -23,7 +23,7 @@ using Chain = MotionChain;
 void check(const SegmentOptions& options) {
   for (const double share : {options.least_dwell, options.least_motion}) {
     if (share > 0 && share < 0.5) continue;
-    refuse(fmt::format("the least share, {:.6g}, is not between 0 and 0.5", share));
+    refuse(fmt::format("the least fraction, {:.6g}, is not between 0 and 0.5", share));
   }
 }
 
@@ -211,7 +211,7 @@ Possible<std::vector<FoundSegment>> segments_in(const LiftCurve& lift) {
   std::vector<Chain> rough = rough_chains(lift);
   if (rough.empty()) {
     return Impossible{
-        fmt::format("segments: the lift does not move by more than {:.6g}", lift.least)};
+        fmt::format("segments: the lift does not vary by more than {:.6g}", lift.least)};
   }
   std::vector<Chain> chains = refined(lift, rough);
   while (join_short_dwell(lift, rough, chains)) chains = refined(lift, rough);

@@ -75,7 +75,7 @@ std::vector<optim::FitParameter> variables_of(const ProblemStatement& machine) {
   for (const VariableStatement& v : machine.variables) {
     if (v.integer || !v.values.empty()) {
       throw std::invalid_argument(fmt::format(
-          "variable '{}' is chosen from values; only continuous ones can be fitted", v.name));
+          "variable '{}' is chosen from values; only continuous variables can be fitted", v.name));
     }
     result.push_back({v.name, v.unit, v.lower, v.upper, v.start, v.scale});
   }
@@ -107,12 +107,13 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
   const std::vector<double> breaks = curve.trace(x)->breaks();
   if (breaks.back() - breaks.front() == kTurnDegrees) return;
   if (options.place_shift) {
-    throw std::invalid_argument("the zero of the place can be fitted of whole turns only");
+    throw std::invalid_argument(
+        "the zero of the abscissa can be fitted only if the curve covers whole turns");
   }
   for (const double place : record.place) {
     if (place >= breaks.front() && place <= breaks.back()) continue;
     throw std::invalid_argument(
-        fmt::format("the record goes to {:.6g}, {} is known from {:.6g} to {:.6g}", place,
+        fmt::format("the record reaches {:.6g}, but {} is defined from {:.6g} to {:.6g}", place,
                     record.response.name, breaks.front(), breaks.back()));
   }
 }
@@ -121,7 +122,7 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
 void check_enough(const RecordedCurve& record, std::size_t unknowns) {
   if (record.place.size() > unknowns) return;
   throw std::invalid_argument(
-      fmt::format("{} rows of numbers cannot tell {} unknowns; at least {} are needed",
+      fmt::format("{} rows of numbers cannot determine {} unknowns; at least {} are needed",
                   record.place.size(), unknowns, unknowns + 1));
 }
 
@@ -159,7 +160,8 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   const std::size_t variables = parameters.size();
   const BoundProblem bound = BoundProblem(machine).with_stop(options.stop);
   if (!bound.choices().empty()) {
-    throw std::invalid_argument("there is a list of laws to choose from; state the one that runs");
+    throw std::invalid_argument(
+        "there is a list of laws to choose from; state the one that the machine has");
   }
   const optim::Response response =
       response_of(bound.statement(), record.response, bound.binding({}));

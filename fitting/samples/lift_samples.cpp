@@ -19,7 +19,8 @@ Impossible no_segments(const std::string& why) { return {"segments: " + why}; }
 
 std::optional<Impossible> bad_lengths(std::size_t x, std::size_t s) {
   if (x == s) return {};
-  return no_segments(fmt::format("{} angles and {} lifts do not belong together", x, s));
+  return no_segments(
+      fmt::format("{} angles and {} lifts: there must be as many of one as of the other", x, s));
 }
 
 std::optional<Impossible> bad_samples(std::span<const double> phi, std::span<const double> s,

@@ -29,7 +29,7 @@ double beside(const std::vector<double>& sizes, std::size_t i) {
 Outliers find_outliers(std::span<const double> place, std::span<const double> residual,
                        std::size_t parameters, double least, double chance) {
   if (place.size() != residual.size()) {
-    throw std::invalid_argument("outliers: there must be as many residuals as places");
+    throw std::invalid_argument("outliers: there must be as many residuals as abscissas");
   }
   constexpr double kBeside = 5;
   const std::size_t count = residual.size();

@@ -15,7 +15,7 @@ struct Outliers {
   double bound = 0;      ///< how far off the farthest of all is with `chance`
 };
 
-/// (P4) |r| > z sigma with sigma = 1.4826 median |r| sqrt(n / (n - p)) and the normal quantile z
+/// (FS4) |r| > z sigma with sigma = 1.4826 median |r| sqrt(n / (n - p)) and the normal quantile z
 /// that any of n residuals exceeds with `chance`; and |r| > 5 q, q the larger of the lower
 /// quartiles of the five neighbours' |r| on each side: where those are far off too it is the curve
 /// that is wrong.

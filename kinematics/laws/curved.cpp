@@ -31,22 +31,22 @@ std::vector<Family> curved_families() {
            "Rothbart (ed.), Cam Design Handbook, 2004; C_v = n pi / 2 from n = sqrt(2/3) on",
            {{"n", "1", 0.2, 5, {1.2}, "ratio of the ellipse's axes; 1 is the cosine law"}}},
           []<class S>(const Arguments<S>& a) { return elliptic<S>(a.scalar(0)); }),
-      rest_to_rest(
-          {"inclined-sinusoid",
-           {"inclined sinusoid of displacement", "Похила синусоїда", "Нахилена синусоїда"},
-           "x = t - cot(angle) sin(2 pi t) / (2 pi), s = t - sin(2 pi t) / (2 pi)",
-           2,
-           true,
-           "Alt; Wildt; the die-press study",
-           {{"angle",
-             "deg",
-             50,
-             130,
-             {82},
-             "of the sine's ordinates to the x axis of the unit square; 90 is the cycloid"}}},
-          []<class S>(const Arguments<S>& a) {
-            return inclined_sinusoid<S>(a.scalar(0) * pi<S>() / number<S>(180));
-          }),
+      rest_to_rest({"inclined-sinusoid",
+                    {"inclined sinusoid of displacement", "Похила синусоїда", "Нахилена синусоїда"},
+                    "x = t - cot(angle) sin(2 pi t) / (2 pi), s = t - sin(2 pi t) / (2 pi)",
+                    2,
+                    true,
+                    "Alt; Wildt; the die-press study",
+                    {{"angle",
+                      "deg",
+                      50,
+                      130,
+                      {82},
+                      "angle between the sine's ordinates and the x axis in the unit square; 90 "
+                      "gives the cycloid"}}},
+                   []<class S>(const Arguments<S>& a) {
+                     return inclined_sinusoid<S>(a.scalar(0) * pi<S>() / number<S>(180));
+                   }),
   };
 }
 

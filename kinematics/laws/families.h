@@ -35,7 +35,7 @@ struct RestToRest {
   std::vector<Room> rooms = {};
 };
 
-/// (P5) 1 - sum factors[i] p[i] of a family's first parameters.
+/// (FS5) 1 - sum factors[i] p[i] of a family's first parameters.
 inline Room rest_of_one(std::string name, std::vector<double> factors) {
   return {std::move(name), [factors]<class S>(const Arguments<S>& a) {
             S rest = number<S>(1);
@@ -63,8 +63,8 @@ Family rest_to_rest(RestToRest about, F construct) {
        0.02,
        0.98,
        {0.5},
-       "where the acceleration of a symmetric law changes sign; 0.5 leaves any law as it is, and "
-       "others are skewed alike"});
+       "where the acceleration of a symmetric law changes sign; 0.5 leaves every law unchanged, "
+       "and laws that are not symmetric are skewed in the same way"});
   return {std::move(about.name),
           std::move(about.aliases),
           std::move(about.formula),

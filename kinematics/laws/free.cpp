@@ -94,7 +94,7 @@ void check(const FreeLaw& shape) {
   if (reach(shape.begin) + reach(shape.end) > coefficients(shape) ||
       free_coefficients(shape).empty()) {
     refuse(
-        fmt::format("nothing is free: the ends{} decide all {} coefficients; a higher degree or "
+        fmt::format("nothing is free: the ends{} determine all {} coefficients; a higher degree or "
                     "more knots give more",
                     shape.symmetric ? " and the symmetry" : "", coefficients(shape)));
   }
@@ -159,7 +159,7 @@ std::vector<T> all_coefficients(const FreeLaw& shape, const std::vector<T>& own,
 /// Where there are not as many values as parameters.
 std::optional<Impossible> bad_count(const char* name, std::size_t given, std::size_t wanted) {
   if (given == wanted) return {};
-  return Impossible{fmt::format("{}: {} given, there are {}", name, given, wanted)};
+  return Impossible{fmt::format("{}: {} given, but {} are needed", name, given, wanted)};
 }
 
 /// Interior knots and coefficients.
@@ -219,17 +219,17 @@ std::vector<double> even_knots(int n) {
 
 Member free_law(const FreeLaw& shape, const Law<double>& start) {
   check(shape);
-  std::vector<Parameter> parameters{{"coefficients", "1", -kMostCoefficient, kMostCoefficient,
-                                     starting_coefficients(shape, start),
-                                     "of the spline, but those that the ends decide", true, false,
-                                     true}};
+  std::vector<Parameter> parameters{
+      {"coefficients", "1", -kMostCoefficient, kMostCoefficient,
+       starting_coefficients(shape, start),
+       "coefficients of the spline, except those that the ends determine", true, false, true}};
   // A piece is moved by degree + 1 neighbours, and by those that an end decides from these.
   constexpr std::size_t kDecided = 3;
   parameters.back().reach = static_cast<std::size_t>(shape.degree) + 1 + kDecided;
   if (shape.moving_knots) {
     const auto end = shape.knots.begin() + static_cast<std::ptrdiff_t>(own_knots(shape));
     parameters.push_back(
-        {"knots", "1", 0, 1, {shape.knots.begin(), end}, "places where the pieces meet", true});
+        {"knots", "1", 0, 1, {shape.knots.begin(), end}, "abscissas where the pieces meet", true});
   }
   Family family{
       .name = "free",

@@ -84,12 +84,12 @@ std::vector<Family> straight_phases() {
       rest_to_rest(
           {"trapezoidal-acceleration",
            {"Beschleunigungstrapez"},
-           "acceleration: straight ramps, constant between, zero for what is left, mirrored",
+           "acceleration: linear ramps, constant between them, zero for the rest, mirrored",
            2,
            true,
            "VDI 2143",
-           {fraction("ramp", 0.125, "each of four ramps"),
-            fraction("constant", 0.25, "each stretch of constant acceleration")},
+           {fraction("ramp", 0.125, "duration of each of the four ramps"),
+            fraction("constant", 0.25, "duration of each phase of constant acceleration")},
            {rest_of_one("1 - 4 ramp - 2 constant", {4, 2})}},
           []<class S>(const Arguments<S>& a) {
             return possible_trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
@@ -104,7 +104,8 @@ std::vector<Family> straight_phases() {
            "drive controllers; lambda = 1",
            {s_curve_peak("C_v", "B", 100, {1.6}, "peak velocity"),
             s_curve_peak("C_a", "C", 1e4, {5.8}, "peak acceleration"),
-            s_curve_peak("C_j", "D", 1e6, {}, "peak jerk; left out, it follows from C_v and C_a")},
+            s_curve_peak("C_j", "D", 1e6, {},
+                         "peak jerk; if omitted, it follows from C_v and C_a")},
            s_curve_rooms()},
           []<class S>(const Arguments<S>& a) -> Possible<Law<S>> {
             if (a.list(2).size() > 1) return Impossible{"C_j takes one value at most"};
@@ -153,9 +154,9 @@ std::vector<Family> trigonometric_phases() {
                     2,
                     true,
                     "Norton, Cam Design and Manufacturing Handbook",
-                    {fraction("a", 0.3, "both sine ramps, of the whole stretch"),
-                     fraction("b", 0.2, "both stretches of constant acceleration"),
-                     fraction("c", 0.3, "both cosine ramps")},
+                    {fraction("a", 0.3, "duration of both sine ramps, as a fraction of the whole"),
+                     fraction("b", 0.2, "duration of both phases of constant acceleration"),
+                     fraction("c", 0.3, "duration of both cosine ramps")},
                     {rest_of_one("1 - a - b - c", {1, 1, 1})}},
                    []<class S>(const Arguments<S>& a) {
                      return possible_scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));

@@ -20,7 +20,7 @@ std::vector<Family> fixed_harmonics() {
                     "VDI 2143; the spine-cutter study"},
                    []<class S>(const Arguments<S>&) { return cosine<S>(); }),
       {"harmonic",
-       {"cosine from turn to turn"},
+       {"cosine from reversal to reversal"},
        "(1 - cos(pi x)) / 2",
        {},
        "U-U",

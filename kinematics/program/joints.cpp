@@ -50,7 +50,7 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
     const bool meets = at_begin ? !jump_of(joint.left, round, joint.rate, program.matched)
                                 : !jump_of(round, joint.right, joint.rate, program.matched);
     if (!meets) return;
-    result += fmt::format("turn the law of '{}' round (reversed = {}), ", stated.name,
+    result += fmt::format("reverse the law of '{}' (reversed = {}), ", stated.name,
                           stated.reversed ? "false" : "true");
   };
   turning(joint.before, false);

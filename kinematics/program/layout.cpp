@@ -66,13 +66,11 @@ void add_joining(const ProgramSegment& segment, bool is_last, SegmentParameters&
       levels.push_back(point.to);
       angles.push_back(point.angle);
     }
-    places.points = parameters.add_motion("_points", kMostLevel, levels,
-                                          "displacements at the points of " + segment.name +
-                                              " in parts of the "
-                                              "stroke",
-                                          true);
+    places.points = parameters.add_motion(
+        "_points", kMostLevel, levels,
+        "displacements at the points of " + segment.name + " as fractions of the stroke", true);
     places.point_angles = parameters.add_angles(
-        "_point_angles", angles, "cam angles of the points since the beginning of ", true);
+        "_point_angles", angles, "cam angles of the points from the beginning of ", true);
   }
   if (is_last) return;
   if (segment.velocity) {
@@ -163,7 +161,7 @@ Layout lay_out(const StatedProgram& program) {
     if (!segment.rests && &segment != &*last_move) {
       places.to = parameters.add_motion(
           "_to", kMostLevel, {segment.to},
-          "displacement at the end of " + segment.name + " in parts of the stroke");
+          "displacement at the end of " + segment.name + " as a fraction of the stroke");
     }
     if (joins(segment)) {
       const ProgramSegment& next =

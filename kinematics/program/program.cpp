@@ -61,8 +61,8 @@ void check_motion(const ProgramSegment& segment) {
                   [](const ProgramPoint& point) { return point.acceleration.has_value(); });
   if (states_acceleration && segment.continuity == 2) {
     refuse_program(
-        fmt::format("'{}' is made of pieces of degree 3, of which no acceleration can be "
-                    "stated; continuity = 4 has pieces of degree 5",
+        fmt::format("'{}' is made of pieces of degree 3, for which no acceleration can be stated; "
+                    "continuity = 4 has pieces of degree 5",
                     segment.name));
   }
   double before = 0;
@@ -154,9 +154,10 @@ std::string words_of(const StatedProgram& program) {
     if (!segment.rests) result += motion_words(segment);
   }
   if (program.polydyne) {
-    result +=
-        fmt::format("; the lift that makes an end with {:.6g} natural periods in a cycle move so",
-                    *program.polydyne);
+    result += fmt::format(
+        "; the lift that gives this motion to the end of an elastic train with {:.6g} natural "
+        "periods in a cycle",
+        *program.polydyne);
   }
   return result;
 }

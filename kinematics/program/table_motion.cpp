@@ -26,7 +26,7 @@ void check_rows(std::span<const double> x, std::span<const double> s) {
     const bool follows = i == 0 ? x[0] >= 0 : x[i] > x[i - 1];
     if (!follows || !(x[i] < 1) || !std::isfinite(s[i])) {
       throw std::invalid_argument(
-          "places must increase within one cycle, with a displacement each");
+          "angles must increase within one cycle, each with a displacement");
     }
   }
 }
@@ -102,8 +102,8 @@ optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const
   const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power)); };
   if (deviation_of(at(low)) > wanted || deviation_of(at(high)) < wanted) {
     throw std::invalid_argument(
-        fmt::format("no smoothing spline is just as far from the rows; what there is goes from "
-                    "{:.3g} to {:.3g} of the table's range",
+        fmt::format("no smoothing spline is exactly that far from the rows; possible distances are "
+                    "from {:.3g} to {:.3g} of the table's range",
                     deviation_of(at(low)), deviation_of(at(high))));
   }
   constexpr int kHalvings = 40;

@@ -56,11 +56,11 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
 
   /// Deflection of a spring that catalogues count with, m: f_n = 0.75 h_0.
   T nominal_deflection() const { return ratio<T>(3, 4) * cone_height; }
-  /// (G9) Rate that the law of displacement takes for a packet's, N/m: c = P(f_n) / f_n.
+  /// (BC9) Rate that the law of displacement takes for a packet's, N/m: c = P(f_n) / f_n.
   T packet_rate() const {
     return nested * spring().force(nominal_deflection()) / nominal_deflection();
   }
-  /// (G10) Working stroke of the stack's end that stores the surplus work, m, from A =
+  /// (BC10) Working stroke of the stack's end that stores the surplus work, m, from A =
   /// (c / i) S_sp^2 (1/2 + psi).
   T stroke(const T& surplus) const {
     using std::sqrt;
@@ -70,7 +70,7 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   T deflection(const T& surplus) const {
     return (number<T>(1) + preload_ratio) * stroke(surplus) / springs;
   }
-  /// (G11) Springs in a row whose greatest deflection is f_n, not rounded:
+  /// (BC11) Springs in a row whose greatest deflection is f_n, not rounded:
   /// i = A f_n / (P_1 (f_n - f_min)^2 (1/2 + psi)), P_1 = P(f_n), f_min = psi f_n / (1 + psi).
   T springs_needed(const T& surplus) const {
     const T one = number<T>(1), f = nominal_deflection();
@@ -109,7 +109,7 @@ class BalancedTurn {
   GenevaMotion<X> wheel(std::size_t section, const X& phi) const {
     return machine_.wheel(machine_.moves(section), phi);
   }
-  /// (G5) Energy in the springs above the least, over its range: (A_max - A) / A_surplus,max, and
+  /// (BC5) Energy in the springs above the least, over its range: (A_max - A) / A_surplus,max, and
   /// its derivatives by phi.
   template <class X>
   FollowerMotion<X> stored(std::size_t section, const X& phi) const {
@@ -119,7 +119,7 @@ class BalancedTurn {
     return {level / surplus_.range, rate / surplus_.range,
             -designed_.torque_slope(beta) / surplus_.range, number<X>(0)};
   }
-  /// (G7) The law of displacement, 0 to 1: a = -psi + sqrt(psi^2 + (1 + 2 psi) e), e the stored
+  /// (BC7) The law of displacement, 0 to 1: a = -psi + sqrt(psi^2 + (1 + 2 psi) e), e the stored
   /// energy; a' = (1/2 + psi) e' / (a + psi), a'' = ((1/2 + psi) e'' - a'^2) / (a + psi).
   template <class X>
   FollowerMotion<X> displacement(std::size_t section, const X& phi) const {
@@ -143,14 +143,14 @@ class BalancedTurn {
   X spring_force(const FollowerMotion<X>& a) const {
     return machine_.stack().force(stroke_ * (a.s + machine_.preload_ratio));
   }
-  /// (G12) Force along a roller's way, N: that of the stack and m omega^2 y''. Below 0 the roller
+  /// (BC12) Force along a roller's way, N: that of the stack and m omega^2 y''. Below 0 the roller
   /// leaves the cam.
   template <class X>
   X roller_force(const FollowerMotion<X>& a) const {
     const T inertia = machine_.moved_mass * machine_.angular_speed * machine_.angular_speed;
     return spring_force(a) + inertia * stroke_ / machine_.cams * a.dds;
   }
-  /// (G13) What the rollers ask of the driver, N m: F y' of each, together F S_sp a'.
+  /// (BC13) What the rollers ask of the driver, N m: F y' of each, together F S_sp a'.
   template <class X>
   X balancing_torque(const FollowerMotion<X>& a) const {
     return roller_force(a) * (stroke_ * a.ds);

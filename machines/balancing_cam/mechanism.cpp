@@ -18,24 +18,26 @@ const std::vector<MechanismParameter>& balancing_parameters() {
         {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is cut for", 60, 1e-3, 1e6},
         {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 0.02,
          100},
-        {"springs", "i", "1", "1", "packets of disc springs in a row", 44, 1, 10000, true},
+        {"springs", "i", "1", "1", "packets of disc springs in series", 44, 1, 10000, true},
         {"nested", "n_s", "1", "1", "springs in a packet, nested", 1, 1, 10, true},
         {"outer_diameter", "D_e", "mm", "m", "outer diameter of a spring", 31.5, 1, 1000},
         {"inner_diameter", "D_i", "mm", "m", "inner diameter of a spring", 16.3, 0.5, 1000},
         {"thickness", "t", "mm", "m", "thickness of a spring", 1.75, 0.05, 100},
-        {"cone_height", "h_0", "mm", "m", "free height of a spring's cone, its deflection to flat",
-         0.7, 0.01, 100},
+        {"cone_height", "h_0", "mm", "m",
+         "cone height of the free spring, which is its deflection to flat", 0.7, 0.01, 100},
         {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of springs, cam and roller", 206,
          1e-3, 1e4},
         {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of springs, cam and roller", 0.3, 0,
          0.5},
-        {"cams", "k", "1", "1", "1, or 2 equal cams on both ends of the stack", 1, 1, 2, true},
+        {"cams", "k", "1", "1", "number of cams: 1, or 2 equal ones, one at each end of the stack",
+         1, 1, 2, true},
         {"base_radius", "r_b", "mm", "m", "least radius of the cam's profile", 60, 0.1, 1e5},
         {"roller_radius", "r_r", "mm", "m", "radius of the roller", 25, 0.1, 1e5},
         {"face_width", "b", "mm", "m", "width of roller and cam in contact", 25, 0.1, 1e4},
         {"moved_mass", "m", "kg", "kg", "mass that moves with each roller", 1, 0, 1e6},
         {"lift_off", "delta", "deg", "rad",
-         "angle from the engagement on in which the rollers are off the cam", 0, 0, 60}};
+         "angle, from the engagement of the pin, over which the rollers are off the cam", 0, 0,
+         60}};
     result.insert(result.end(), own.begin(), own.end());
     return result;
   }();
@@ -109,7 +111,7 @@ MechanismResponse share(const char* name, const char* meaning, F torque) {
 template <template <class> class M>
 MechanismResponse residual_fraction() {
   return share<M>("residual_fraction",
-                  "residual torque over the greatest before balancing: its peak is 1 / K",
+                  "residual torque over the greatest torque before balancing; its peak is 1 / K",
                   residual_torque);
 }
 template <template <class> class M>
@@ -122,12 +124,12 @@ template <template <class> class M>
 std::vector<MechanismResponse> turn_curves() {
   using At = std::size_t;
   return {
-      curve<M>({"stored_energy", "J", "J", "energy in the springs above the least"},
+      curve<M>({"stored_energy", "J", "J", "energy stored in the springs in excess of its minimum"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.surplus().range * turn.stored(section, phi).s;
                }),
       curve<M>({"balancing_displacement", "1", "1",
-                "displacement of the stack's end over its stroke, equation 7"},
+                "displacement of the end of the stack over its stroke (equation 7 of the source)"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.displacement(section, phi).s;
                }),
@@ -135,18 +137,19 @@ std::vector<MechanismResponse> turn_curves() {
                [](const auto& turn, At section, const auto& phi) {
                  return turn.roller(section, phi).s;
                }),
-      curve<M>({"spring_force", "N", "N", "force of the stack by its own characteristic"},
-               [](const auto& turn, At section, const auto& phi) {
-                 return turn.spring_force(turn.displacement(section, phi));
-               }),
+      curve<M>(
+          {"spring_force", "N", "N", "force of the stack, from the springs' own characteristic"},
+          [](const auto& turn, At section, const auto& phi) {
+            return turn.spring_force(turn.displacement(section, phi));
+          }),
       curve<M>({"roller_force", "N", "N",
-                "force along a roller's path, if it were always on the cam; below 0 it leaves the "
-                "cam"},
+                "force along a roller's path, if it were always on the cam; below 0 the roller "
+                "leaves the cam"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.roller_force(turn.displacement(section, phi));
                }),
       curve<M>({"balancing_torque", "N m", "N m",
-                "torque that the rollers require of the driver, if they were always on the cam"},
+                "torque that the rollers take from the driver, if they were always on the cam"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.balancing_torque(turn.displacement(section, phi));
                }),
@@ -155,7 +158,8 @@ std::vector<MechanismResponse> turn_curves() {
                touching_torque),
       residual_fraction<M>(),
       touching_fraction<M>(),
-      curve<M>({"pressure_angle", "deg", "rad", "between the normal and the path of the roller"},
+      curve<M>({"pressure_angle", "deg", "rad",
+                "angle between the normal of the profile and the path of the roller"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.machine().cam().pressure_angle(turn.roller(section, phi));
                }),
@@ -203,12 +207,12 @@ std::vector<MechanismResponse> numbers() {
       number<M>({"surplus_range", "J", "J",
                  "work that the springs store and return, at the speed the cam is cut for"},
                 [](const auto&, const auto& surplus) { return surplus.range; }),
-      number<M>(
-          {"ideal_balance", "1", "1",
-           "greatest over mean torque at the speed the cam is cut for: K of an ideal balance"},
-          [](const auto& machine, const auto& surplus) {
-            return surplus.peak_torque / machine.mean_torque();
-          }),
+      number<M>({"ideal_balance", "1", "1",
+                 "greatest torque over mean torque at the speed the cam is cut for: K of an ideal "
+                 "balance"},
+                [](const auto& machine, const auto& surplus) {
+                  return surplus.peak_torque / machine.mean_torque();
+                }),
       number<M>(
           {"spring_stroke", "mm", "m", "working stroke of the stack"},
           [](const auto& machine, const auto& surplus) { return machine.stroke(surplus.range); }),
@@ -216,27 +220,28 @@ std::vector<MechanismResponse> numbers() {
                 [](const auto& machine, const auto& surplus) {
                   return machine.deflection(surplus.range);
                 }),
-      number<M>({"flattening", "1", "1",
-                 "greatest deflection of a spring over the one to flat; catalogues allow 0.75"},
-                [](const auto& machine, const auto& surplus) {
-                  return machine.deflection(surplus.range) / machine.cone_height;
-                }),
       number<M>(
-          {"springs_needed", "1", "1",
-           "packets in a row for a greatest deflection of 0.75 h_0, equation 10, not rounded"},
+          {"flattening", "1", "1",
+           "greatest deflection of a spring over its deflection to flat; catalogues allow 0.75"},
           [](const auto& machine, const auto& surplus) {
-            return machine.springs_needed(surplus.range);
+            return machine.deflection(surplus.range) / machine.cone_height;
           }),
+      number<M>({"springs_needed", "1", "1",
+                 "packets in series for a greatest deflection of 0.75 h_0 (equation 10 of the "
+                 "source), not rounded"},
+                [](const auto& machine, const auto& surplus) {
+                  return machine.springs_needed(surplus.range);
+                }),
       number<M>({"spring_stress", "MPa", "Pa",
-                 "compression at the inner upper edge of a spring, the greatest"},
+                 "greatest compressive stress, at the inner upper edge of a spring"},
                 [](const auto& machine, const auto& surplus) {
                   return -machine.spring().stress_upper_inner(machine.deflection(surplus.range));
                 }),
-      number<M>(
-          {"spring_tension", "MPa", "Pa", "greatest tension at the outer lower edge of a spring"},
-          [](const auto& machine, const auto& surplus) {
-            return machine.spring().stress_lower_outer(machine.deflection(surplus.range));
-          })};
+      number<M>({"spring_tension", "MPa", "Pa",
+                 "greatest tensile stress at the outer lower edge of a spring"},
+                [](const auto& machine, const auto& surplus) {
+                  return machine.spring().stress_lower_outer(machine.deflection(surplus.range));
+                })};
 }
 
 /// K = greatest torque before balancing over the greatest after.
@@ -249,9 +254,10 @@ MechanismResponse balance(const char* name, const char* meaning, const Mechanism
 template <template <class> class M>
 Mechanism balancing_cam(const char* name, const char* title) {
   std::vector<MechanismResponse> responses = numbers<M>();
-  responses.push_back(balance<M>("balancing_coefficient",
-                                 "greatest torque before balancing over the greatest after, K",
-                                 residual_fraction<M>()));
+  responses.push_back(
+      balance<M>("balancing_coefficient",
+                 "greatest torque before balancing over the greatest torque after it, K",
+                 residual_fraction<M>()));
   responses.push_back(balance<M>("touching_coefficient", "K, if the rollers were always on the cam",
                                  touching_fraction<M>()));
   append(responses, drive_curves<M>());

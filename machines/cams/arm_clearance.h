@@ -45,10 +45,9 @@ MechanismResponse arm_clearance_response() {
                    static_cast<std::size_t>(pivot - all.begin()),
                    turns_back ? -1.0 : 1.0};
   return arm_clearance(
-      detail::described<M>(
-          {"arm_clearance", "mm", "mm",
-           "least distance of the profile from the middle line of the arm, "
-           "between roller and pivot; below 0 where the arm runs through the cam"}),
+      detail::described<M>({"arm_clearance", "mm", "mm",
+                            "least distance of the profile from the arm's centre line, between "
+                            "roller and pivot; below 0 where the arm cuts into the cam"}),
       std::move(of));
 }
 

@@ -11,15 +11,13 @@ namespace {
 const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
       {"wheel_radius", "mm", "radius of the grinding wheel"},
-      {"wall", "mm",
-       "least wall between profile and bore; unless stated, a quarter of bore_radius"},
-      {"keyway_depth", "mm",
-       "how far a keyway of the hub reaches beyond bore_radius, to its corner"},
-      {"arm_width", "mm", "width of the arm, and of its eye round the pivot"},
-      {"free_length", "mm", "length of the spring without load"},
-      {"solid_length", "mm", "length of the spring with all its coils closed"},
+      {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius"},
+      {"keyway_depth", "mm", "how far the corner of the hub's keyway lies beyond bore_radius"},
+      {"arm_width", "mm", "width of the arm, and of its eye around the pivot"},
+      {"free_length", "mm", "free length of the spring"},
+      {"solid_length", "mm", "solid length of the spring, with all its coils closed"},
       {"solid_angle", "deg", "deflection at which the spring of the arm is solid"},
-      {"allowable_pressure", "MPa", "greatest Hertz pressure that the material bears"}};
+      {"allowable_pressure", "MPa", "permissible Hertz pressure of the material"}};
   return all;
 }
 
@@ -53,7 +51,7 @@ BuildableCheck undercut(const std::string& of, Closure closure = Closure::Any) {
 /// Hollows of a profile; where it is undercut, what a tool would do there says nothing.
 Checks hollows(const std::string& of, const std::string& after, Closure closure = Closure::Any) {
   return {{.name = of + "hollow",
-           .fault = "the tool does not fit a hollow of the profile",
+           .fault = "the tool does not fit into a hollow of the profile",
            .response = of + "tool_fit",
            .is_upper = true,
            .bound = whole,
@@ -61,7 +59,7 @@ Checks hollows(const std::string& of, const std::string& after, Closure closure 
            .closure = closure,
            .after = after},
           {.name = of + "hollow_of_the_wheel",
-           .fault = "the grinding wheel does not fit a hollow of the profile",
+           .fault = "the grinding wheel does not fit into a hollow of the profile",
            .response = of + "profile_curvature",
            .is_upper = false,
            .bound = round_the_wheel,
@@ -72,7 +70,7 @@ Checks hollows(const std::string& of, const std::string& after, Closure closure 
 
 BuildableCheck wall_of(const std::string& of) {
   return {.name = of + "wall",
-          .fault = "the wall round the bore is too thin",
+          .fault = "the wall around the bore is too thin",
           .response = of + "wall",
           .is_upper = false,
           .bound = wall,
@@ -92,7 +90,7 @@ std::vector<std::string> masses() { return {"mass", "inertia"}; }
 
 BuildableCheck stress(const char* name, const char* response, const char* after, Closure closure) {
   BuildableCheck check{.name = name,
-                       .fault = "the contact is pressed more than the material bears",
+                       .fault = "the contact pressure is higher than the material bears",
                        .response = response,
                        .is_upper = true,
                        .bound = allowable_pressure,
@@ -137,7 +135,7 @@ Checks roller_checks() {
   Checks all{undercut(""),
              undercut("outer_", Closure::Form),
              {.name = "groove_tool",
-              .fault = "the tool does not go into the groove",
+              .fault = "the tool does not fit into the groove",
               .response = "groove_fit",
               .is_upper = true,
               .bound = whole,
@@ -195,7 +193,7 @@ Checks wall_checks() { return {wall_of("")}; }
 
 Checks pivot_checks() {
   return {{.name = "pivot",
-           .fault = "the cam runs through the pivot of its arm",
+           .fault = "the cam collides with the pivot of its arm",
            .response = "pivot_clearance",
            .is_upper = false,
            .bound = half_the_arm,
@@ -207,7 +205,7 @@ Checks pivot_checks() {
 Checks shaft_checks() {
   const auto shaft = [](const std::string& of) {
     return BuildableCheck{.name = of + "shaft",
-                          .fault = "the cam runs into the turret's shaft",
+                          .fault = "the cam collides with the turret's shaft",
                           .response = of + "shaft_clearance",
                           .is_upper = false,
                           .bound = nothing,
@@ -242,7 +240,7 @@ Checks roller_stress_checks() {
 
 Checks arm_checks() {
   return {{.name = "arm",
-           .fault = "the arm runs into the cam",
+           .fault = "the arm collides with the cam",
            .response = "arm_clearance",
            .is_upper = false,
            .bound = half_the_arm,

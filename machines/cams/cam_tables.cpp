@@ -23,7 +23,8 @@ Parameters roller_parameter() {
 
 Parameters offset_parameter() {
   return {{"offset", "e", "mm", "m",
-           "distance of the follower's path from the cam's centre, above 0 where it eases the rise",
+           "offset of the follower's path from the cam's centre; above 0 it lowers the pressure "
+           "angle of the rise",
            0, -1e5, 1e5}};
 }
 
@@ -37,7 +38,8 @@ Parameters sliding_load(double rate, double preload) {
            "rate of the spring that holds the follower on the cam", rate, 0, 1e6},
           {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest position", preload,
            -1e9, 1e9},
-          {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
+          {"load", "F_L", "N", "N", "constant load on the follower that opposes the rise", 0, -1e9,
+           1e9}};
 }
 
 Parameters oscillating_load(double rate, double preload) {
@@ -47,7 +49,8 @@ Parameters oscillating_load(double rate, double preload) {
            1e9},
           {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest position",
            preload, -1e9, 1e9},
-          {"load", "M_L", "N m", "N m", "constant torque against the rise", 0, -1e9, 1e9}};
+          {"load", "M_L", "N m", "N m", "constant torque on the arm that opposes the rise", 0, -1e9,
+           1e9}};
 }
 
 Parameters contact_parameters() {
@@ -76,18 +79,20 @@ Parameters guide_parameters() {
 
 Parameters wear_parameter() {
   return {{"wear_coefficient", "k_w", "mm3/N/m", "m2/N",
-           "volume that the profile loses by force and length of sliding (Archard)", 1e-7, 0, 1}};
+           "wear coefficient after Archard: volume that the profile loses per force and length of "
+           "sliding",
+           1e-7, 0, 1}};
 }
 
 namespace {
 
 Parameters train(const char* unit, const char* stored, const char* what) {
   return {{"train_stiffness", "c_t", unit, stored,
-           "stiffness of everything between the cam and the follower's end; 0: rigid, without "
-           "responses of its end",
+           "stiffness of everything between the cam and the follower's end; 0 stands for a rigid "
+           "follower, without the responses of its end",
            0, 0, 1e9},
-          {"train_damping", "zeta", "1", "1", "damping of the train over critical damping", 0.05, 0,
-           0.99},
+          {"train_damping", "zeta", "1", "1",
+           "damping ratio of the train: its damping over critical damping", 0.05, 0, 0.99},
           {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
 }
 
@@ -113,7 +118,7 @@ Parameters duty_parameters() {
            10, 1e-3, 1e5},
           {"static_rating", "C_0", "kN", "N", "basic static load rating of the roller's bearing",
            10, 1e-3, 1e5},
-          {"speed_limit", "n_G", "rpm", "rad/s", "greatest speed of the roller on its pin", 6000,
+          {"speed_limit", "n_G", "rpm", "rad/s", "permissible speed of the roller on its pin", 6000,
            1e-3, 1e6},
           {"viscosity", "eta", "mPa s", "Pa s", "viscosity of the lubricant at the contact's inlet",
            50, 1e-3, 1e6},
@@ -172,7 +177,7 @@ NamedPeak peak_force() {
 
 NamedPeak outer_radius() {
   return {"outer_radius", "centre_distance", Part::Highest,
-          "radius of the circle that the turning cam fills"};
+          "radius of the circle that the turning cam sweeps"};
 }
 
 NamedPeak least_wall() {
@@ -181,7 +186,7 @@ NamedPeak least_wall() {
 
 NamedPeak pivot_clearance() {
   return {"pivot_clearance", "pivot_gap", Part::Lowest,
-          "gap between the circle that the turning cam fills and the axis of the arm's pivot"};
+          "gap between the circle that the turning cam sweeps and the axis of the arm's pivot"};
 }
 
 }  // namespace camlaw::problems

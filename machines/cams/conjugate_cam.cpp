@@ -42,7 +42,7 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               roller_parameter(),
               offset_parameter(),
               {{"roller_distance", "D", "mm", "m",
-                "distance of the two rollers, along the carriage's path", 140, 1e-3, 1e5}},
+                "distance between the two rollers, along the carriage's path", 140, 1e-3, 1e5}},
               speed_parameter(),
               sliding_load(0, 0),
               contact_parameters(),
@@ -63,10 +63,11 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));
   append(all, extent_responses<ConjugateCam>());
-  all.push_back(number_response<ConjugateCam>(
-      {"second_base_radius", "mm", "m",
-       "radius of the second cam's profile at displacement 1, its least for programs up to there"},
-      [](const auto& cam) { return cam.second_base_radius(); }));
+  all.push_back(
+      number_response<ConjugateCam>({"second_base_radius", "mm", "m",
+                                     "radius of the second cam's profile at displacement 1: the "
+                                     "least one of programs that go no further"},
+                                    [](const auto& cam) { return cam.second_base_radius(); }));
   return all;
 }
 

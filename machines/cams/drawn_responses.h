@@ -80,8 +80,10 @@ std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
       drawn_response<M>(D::ProfileX, "profile_x", "profile, in the cam's own coordinates"),
       drawn_response<M>(D::ProfileY, "profile_y", "profile, in the cam's own coordinates")};
   if (!with_pitch_curve) return all;
-  all.push_back(drawn_response<M>(D::PitchX, "pitch_x", "pitch curve: the follower's point"));
-  all.push_back(drawn_response<M>(D::PitchY, "pitch_y", "pitch curve: the follower's point"));
+  all.push_back(
+      drawn_response<M>(D::PitchX, "pitch_x", "pitch curve: path of the follower's trace point"));
+  all.push_back(
+      drawn_response<M>(D::PitchY, "pitch_y", "pitch curve: path of the follower's trace point"));
   all.push_back(drawn_response<M>(D::CutterX, "cutter_x", "cutter-centre path"));
   all.push_back(drawn_response<M>(D::CutterY, "cutter_y", "cutter-centre path"));
   return all;
@@ -105,10 +107,10 @@ std::vector<MechanismResponse> blank_responses() {
         });
   };
   return {made(Quantity::Mass, {"cam_mass", "kg", "kg",
-                                "mass of the cam with its bore, of a profile without undercut"}),
+                                "mass of the cam less its bore, for a profile without undercut"}),
           made(Quantity::Inertia,
                {"cam_inertia", "kg cm2", "kg m2",
-                "moment of inertia of the cam about its shaft, of a profile without undercut"})};
+                "moment of inertia of the cam about its shaft, for a profile without undercut"})};
 }
 
 }  // namespace camlaw::problems

@@ -131,26 +131,26 @@ std::vector<MechanismResponse> duty_responses() {
   using C = DutyCurve;
   add(C::MaxShear, {"max_shear", "MPa", "Pa",
                     "greatest shear stress below the surface, of roller and cam in line contact"});
-  add(C::ShearDepth, {"shear_depth", "mm", "m", "its depth below the surface"});
+  add(C::ShearDepth,
+      {"shear_depth", "mm", "m", "depth of the greatest shear stress below the surface"});
   add(C::CrownStress, {"crown_stress", "MPa", "Pa",
                        "greatest Hertz pressure between a crowned roller and the cam"});
   add(C::CrownHalfLength, {"crown_half_length", "mm", "m",
                            "half the length of a crowned roller's contact, along the axis"});
-  add(C::CrownFraction,
-      {"crown_fraction", "1", "1",
-       "length of a crowned roller's contact over the face width; above 1 its edges bear"});
+  add(C::CrownFraction, {"crown_fraction", "1", "1",
+                         "length of a crowned roller's contact over the face width; above 1 the "
+                         "roller's edges carry load"});
   add(C::RollerSpeed,
       {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
-  add(C::SpeedFraction,
-      {"speed_fraction", "1", "1", "speed of the roller over its limit; above 1 it is too fast"});
+  add(C::SpeedFraction, {"speed_fraction", "1", "1",
+                         "speed of the roller over its permissible speed; above 1 it is too fast"});
   add(C::StaticFraction,
       {"static_fraction", "1", "1",
-       "force on the roller over its static rating, the inverse of its static safety"});
-  add(C::FilmThickness,
-      {"film_thickness", "um", "m", "least film of lubricant between roller and cam"});
-  add(C::LambdaRatio,
-      {"lambda_ratio", "1", "1",
-       "film of lubricant over the roughness of both surfaces; below 1 they touch"});
+       "force on the roller over its static load rating: the inverse of the static safety factor"});
+  add(C::FilmThickness, {"film_thickness", "um", "m",
+                         "least thickness of the lubricant film between roller and cam"});
+  add(C::LambdaRatio, {"lambda_ratio", "1", "1",
+                       "film thickness over the roughness of both surfaces; below 1 they touch"});
   for (const char* of_contact : {"max_shear", "shear_depth", "crown_stress", "crown_half_length",
                                  "crown_fraction", "film_thickness", "lambda_ratio"}) {
     set_defined_while(all, {of_contact}, {.response = "undercut", .upper = 1});

@@ -63,7 +63,7 @@ std::vector<MechanismResponse> extent_responses(
   if constexpr (requires(const M<double>& cam) { cam.pivot_distance; }) {
     all.push_back(extent_response<M>(
         E::PivotGap, "pivot_gap",
-        "distance that the profile, as the cam turns, keeps from the axis of the arm's pivot"));
+        "clearance between the profile of the turning cam and the axis of the arm's pivot"));
   }
   if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
                   cam.second_profile(f);

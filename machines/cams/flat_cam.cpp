@@ -46,11 +46,13 @@ namespace {
 using optim::Part;
 
 MechanismResponse contact_offset() {
-  return curve_response<FlatCam>(
-      {"contact_offset", "mm", "m", "where the face touches, from the follower's axis"},
-      turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) { return cam.contact_offset(cam.over_angle(motion)); };
-      });
+  return curve_response<FlatCam>({"contact_offset", "mm", "m",
+                                  "position of the contact on the face, from the follower's axis"},
+                                 turn_of_the_cam(), [](const auto& cam) {
+                                   return [cam](const auto& motion) {
+                                     return cam.contact_offset(cam.over_angle(motion));
+                                   };
+                                 });
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ Mechanism flat_cam_mechanism() {
                   .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                              "least radius of curvature of the profile"},
                             {"face_half_width", "contact_offset", Part::Magnitude,
-                             "how far the face must reach"},
+                             "how far the face must extend from the follower's axis"},
                             least_force(),
                             peak_force(),
                             peak_torque(),

@@ -75,8 +75,8 @@ inline std::vector<MechanismResponse> follower_responses_of(
   using C = FollowerCurve;
   std::vector<MechanismResponse> all;
   const auto add = [&](C which, const char* name, const char* listed, const char* stored,
-                       const char* meaning) {
-    all.push_back(make({name, listed, stored, meaning}, which));
+                       std::string meaning) {
+    all.push_back(make({name, listed, stored, std::move(meaning)}, which));
   };
   add(C::Displacement, "displacement", w.place, w.place_stored, "displacement of the follower");
   add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the follower");
@@ -84,16 +84,16 @@ inline std::vector<MechanismResponse> follower_responses_of(
       "acceleration of the follower");
   add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the follower");
   add(C::Force, w.force_name, w.force, w.force,
-      "force that the cam must exert along the follower's path; below 0 a spring-loaded follower "
-      "leaves the cam");
+      std::string(w.effort) + "; below 0 a spring-loaded follower leaves the cam");
   add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft");
   add(C::StaticTorque, "static_torque", "N m", "N m",
-      "part of it due to spring and load, without friction");
+      "part of the drive torque due to spring and load, without friction");
   add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
-      "part of it due to the moved masses, without friction");
+      "part of the drive torque due to the moving masses, without friction");
   add(C::Power, "drive_power", "W", "W", "power into the cam");
   add(C::InertiaShare, "inertia_fraction", "1", "1",
-      "inertia over the force of spring and load; at 1 a spring-loaded follower leaves the cam");
+      std::string("inertia ") + w.load + " over the " + w.load +
+          " of spring and load; at 1 a spring-loaded follower leaves the cam");
   add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
       "deflection of the spring from its unloaded length");
   return all;
@@ -126,17 +126,17 @@ MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
 template <template <class> class M>
 std::vector<MechanismResponse> follower_numbers() {
   using C = FollowerCurve;
-  return {
-      follower_rms<M>({"torque_rms", "N m", "N m", "root mean square of the torque"}, C::Torque),
-      follower_rms<M>({"power_rms", "W", "W", "root mean square of the power"}, C::Power),
-      peak_number<M>({"contact_loss_speed", "rpm", "rad/s",
-                      "speed above which a spring-loaded follower jumps; undefined where "
-                      "nothing holds it, or nothing lifts it"},
-                     follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio),
-                     optim::Part::Highest, [](const auto&, const auto& ratio) {
-                       using std::sqrt;
-                       return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
-                     })};
+  return {follower_rms<M>({"torque_rms", "N m", "N m", "root mean square of the drive torque"},
+                          C::Torque),
+          follower_rms<M>({"power_rms", "W", "W", "root mean square of the drive power"}, C::Power),
+          peak_number<M>({"contact_loss_speed", "rpm", "rad/s",
+                          "speed above which a spring-loaded follower jumps; undefined if nothing "
+                          "holds it down or nothing lifts it off"},
+                         follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio),
+                         optim::Part::Highest, [](const auto&, const auto& ratio) {
+                           using std::sqrt;
+                           return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
+                         })};
 }
 
 /// The responses of a machine M with over_angle(), follower() and angular_speed.

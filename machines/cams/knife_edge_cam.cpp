@@ -80,13 +80,14 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 Mechanism knife_edge_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
-  responses.push_back(curve(Curve::PressureAngle,
-                            {"pressure_angle", "deg", "rad",
-                             "between the normal and the follower's path, signed as the slope"}));
-  responses.push_back(curve(Curve::ProfileCurvature,
-                            {"profile_curvature", "1/mm", "1/m",
-                             "curvature of the profile, positive where convex, below 0 where it "
-                             "turns hollow"}));
+  responses.push_back(
+      curve(Curve::PressureAngle, {"pressure_angle", "deg", "rad",
+                                   "angle between the normal of the profile and the follower's "
+                                   "path, with the sign of the slope"}));
+  responses.push_back(
+      curve(Curve::ProfileCurvature,
+            {"profile_curvature", "1/mm", "1/m",
+             "curvature of the profile, positive where convex, negative where hollow"}));
   responses.push_back(curve(
       Curve::ToolFit, {"tool_fit", "1", "1",
                        "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
@@ -96,28 +97,29 @@ Mechanism knife_edge_cam_mechanism() {
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());
-  return checked({.name = "disc-cam-knife-edge",
-                  .title = "disc cam with a translating knife-edged follower",
-                  .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
-                  .responses = std::move(responses),
-                  .peaks = {peak_pressure_angle(),
-                            {"sharpest_curvature", "profile_curvature", Part::Highest,
-                             "greatest curvature of the profile"},
-                            {"least_curvature", "profile_curvature", Part::Lowest,
-                             "least curvature of the profile; above 0 it is convex all round"},
-                            least_force(),
-                            peak_force(),
-                            peak_torque(),
-                            outer_radius(),
-                            least_wall(),
-                            peak_end_deviation(),
-                            least_elastic(kSliding)},
-                  .moved_by = MovedBy::Program,
-                  .form = Form::DiscKnifeEdge,
-                  .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
-                               {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
-                 {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
+  return checked(
+      {.name = "disc-cam-knife-edge",
+       .title = "disc cam with a translating knife-edged follower",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(),
+                 {"sharpest_curvature", "profile_curvature", Part::Highest,
+                  "greatest curvature of the profile"},
+                 {"least_curvature", "profile_curvature", Part::Lowest,
+                  "least curvature of the profile; above 0 the profile is convex all round"},
+                 least_force(),
+                 peak_force(),
+                 peak_torque(),
+                 outer_radius(),
+                 least_wall(),
+                 peak_end_deviation(),
+                 least_elastic(kSliding)},
+       .moved_by = MovedBy::Program,
+       .form = Form::DiscKnifeEdge,
+       .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
+                    {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
+      {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -31,20 +31,21 @@ struct MachineTraits<OscillatingEndCam> {
 };
 
 const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::parameters() {
-  static const Parameters all = joined(
-      {swing_parameter(),
-       {{"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 1e-3, 1e5},
-        {"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
-        {"tilt", "beta", "deg", "rad",
-         "angle of the arm at mid-swing to the circumference; at 0 it is square to the cam's axis",
-         0, -89, 89}},
-       roller_parameter(),
-       speed_parameter(),
-       oscillating_load(0, 0),
-       contact_parameters(),
-       cutter_parameter(),
-       oscillating_train(),
-       duty_parameters()});
+  static const Parameters all =
+      joined({swing_parameter(),
+              {{"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 1e-3, 1e5},
+               {"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
+               {"tilt", "beta", "deg", "rad",
+                "angle between the arm at mid-swing and the circumferential direction; at 0 the "
+                "arm is square to the cam's axis",
+                0, -89, 89}},
+              roller_parameter(),
+              speed_parameter(),
+              oscillating_load(0, 0),
+              contact_parameters(),
+              cutter_parameter(),
+              oscillating_train(),
+              duty_parameters()});
   return all;
 }
 

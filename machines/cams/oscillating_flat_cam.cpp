@@ -39,7 +39,7 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parame
       joined({swing_parameter(),
               base_parameter(),
               {{"face_offset", "f", "mm", "m",
-                "distance of the face from the pivot, above 0 towards the cam", 0, -1e5, 1e5},
+                "distance of the face from the pivot, positive towards the cam", 0, -1e5, 1e5},
                {"pivot_distance", "d", "mm", "m",
                 "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
               speed_parameter(),
@@ -69,9 +69,9 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 Mechanism oscillating_flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<OscillatingFlatCam>(kOscillating);
-  responses.push_back(curve(
-      Curve::ContactLever,
-      {"contact_lever", "mm", "m", "where the face touches, along it from the foot of the pivot"}));
+  responses.push_back(curve(Curve::ContactLever, {"contact_lever", "mm", "m",
+                                                  "position of the contact along the face, from "
+                                                  "the foot of the perpendicular from the pivot"}));
   responses.push_back(profile_radius_response<OscillatingFlatCam>());
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
@@ -88,7 +88,7 @@ Mechanism oscillating_flat_cam_mechanism() {
        .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                   "least radius of curvature of the profile"},
                  {"longest_lever", "contact_lever", Part::Highest,
-                  "how far from the pivot the face must reach"},
+                  "how far from the pivot the face must extend"},
                  {"shortest_lever", "contact_lever", Part::Lowest,
                   "how near to the pivot the face must begin"},
                  peak_torque(),

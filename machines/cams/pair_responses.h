@@ -51,7 +51,7 @@ void add_pair_geometry(std::vector<MechanismResponse>& all, OfPair which, const 
   };
   using C = RollerCurve;
   add(C::PressureAngle, "pressure_angle", "deg", "rad",
-      "pressure angle" + of + ", signed as the slope of its own motion");
+      "pressure angle" + of + ", with the sign of the slope of its own motion");
   add(C::Undercut, "undercut", "1", "1",
       "roller radius over the pitch curve's radius of curvature" + of + "; at 1 it is undercut");
   add(C::PitchCurvature, "pitch_curvature", "1/mm", "1/m",
@@ -79,12 +79,11 @@ std::vector<MechanismResponse> pair_responses(const std::string& main, const std
   };
   const std::string first = main.substr(0, main.find(' '));   // "main", "driving"
   const std::string both = main.substr(main.rfind(' ') + 1);  // "cam", "flank"
-  bearing(Bearing::Force,
-          {"contact_force", "N", "N",
-           "force between the " + both + " that bears and its roller, above 0 where it is the " +
-               first + " one"});
-  bearing(Bearing::Stress, {"contact_stress", "MPa", "Pa",
-                            "greatest Hertz pressure on the " + both + " that bears"});
+  bearing(Bearing::Force, {"contact_force", "N", "N",
+                           "force between the loaded " + both +
+                               " and its roller, positive where that is the " + first + " one"});
+  bearing(Bearing::Stress,
+          {"contact_stress", "MPa", "Pa", "greatest Hertz pressure on the loaded " + both});
   for (const char* undercut : {"undercut", "second_undercut"}) {
     set_defined_while(all, {"contact_stress"}, {.response = undercut, .upper = 1});
   }
@@ -102,7 +101,7 @@ inline NamedPeak of_second(NamedPeak peak, const char* second) {
   const bool is_peak = peak.name.starts_with("peak");
   return {is_peak ? peak.name.replace(0, std::string("peak").size(), "peak_second")
                   : "second_" + peak.name,
-          "second_" + peak.curve, peak.part, peak.meaning + " of the " + second};
+          "second_" + peak.curve, peak.part, peak.meaning + ", for the " + second};
 }
 
 }  // namespace camlaw::problems

@@ -70,9 +70,9 @@ std::vector<MechanismResponse> roller_responses() {
                                   }));
   };
   using C = RollerCurve;
-  add(C::PressureAngle,
-      {"pressure_angle", "deg", "rad",
-       "between the normal and the path of the roller's centre, signed as the slope"});
+  add(C::PressureAngle, {"pressure_angle", "deg", "rad",
+                         "angle between the normal of the profile and the path of the roller's "
+                         "centre, with the sign of the slope"});
   add(C::Undercut,
       {"undercut", "1", "1",
        "roller radius over the pitch curve's radius of curvature; at 1 the profile is undercut"});
@@ -89,8 +89,9 @@ std::vector<MechanismResponse> roller_responses() {
   add(C::OuterUndercut, {"outer_undercut", "1", "1",
                          "roller radius over the radius of curvature of the pitch curve, for a "
                          "groove's outer flank; at 1 that flank is undercut"});
-  add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
-                        "greatest Hertz pressure in a groove, on the flank that bears the force"});
+  add(C::GrooveStress,
+      {"groove_stress", "MPa", "Pa",
+       "greatest Hertz pressure in a groove, on the flank that carries the force"});
   all.push_back(number_response<M>(
       {"groove_fit", "1", "1",
        "radius of the tool over that of the roller; above 1 the tool does not fit into the groove"},

@@ -23,10 +23,10 @@ std::vector<MechanismResponse> sliding_responses(const std::vector<std::string>&
   };
   std::vector<MechanismResponse> all{
       curve(SlidingCurve::Speed,
-            {"sliding_speed", "m/s", "m/s", "how fast the follower slides on the cam"}),
+            {"sliding_speed", "m/s", "m/s", "sliding speed of the follower on the cam"}),
       curve(SlidingCurve::Wear,
             {"profile_wear", "mm", "m",
-             "what the profile loses at the contact in a million turns, by Archard's law"})};
+             "depth of wear of the profile in a million turns, by Archard's law"})};
   for (const std::string& name : not_negative) {
     set_defined_while(all, {"profile_wear"}, {.response = name, .lower = 0});
   }

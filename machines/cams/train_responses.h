@@ -71,7 +71,7 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
            "natural frequency of the train's end, without damping; undefined for a rigid follower"},
           [](const auto& cam) { return elastic_end(cam).natural_frequency(); }),
       law_number<M>({"residual_amplitude", w.place, w.place_stored,
-                     "greatest amplitude with which the train's end swings in a dwell", convex},
+                     "greatest amplitude of the vibration of the train's end in a dwell", convex},
                     TrainPartsOf{Q::Deviation}, swing_at_rest()),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
@@ -81,12 +81,13 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
       end_curve<M>(Q::MassAcceleration, {"end_acceleration", w.acceleration, w.acceleration,
                                          "acceleration of the train's end", linear}),
       train_force<M>({slides ? "train_force" : "train_torque", w.force, w.force,
-                      "force in the train, which moves its end", linear}),
-      end_curve<M>(Q::CamForce,
-                   {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
-                    "force that the cam must exert along the follower's path with the train's end "
-                    "moving as it does; below 0 a spring-loaded follower leaves the cam",
-                    load})};
+                      std::string(w.load) + " in the train that moves its end", linear}),
+      end_curve<M>(
+          Q::CamForce,
+          {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
+           std::string(w.effort) +
+               " to move the elastic train; below 0 a spring-loaded follower leaves the cam",
+           load})};
 }
 
 inline NamedPeak peak_end_deviation() {
@@ -98,8 +99,8 @@ inline NamedPeak least_elastic(const FollowerWords& w) {
   const bool slides = std::string_view(w.force_name) == kSliding.force_name;
   return {slides ? "least_elastic_force" : "least_elastic_torque",
           slides ? "elastic_force" : "elastic_torque", optim::Part::Lowest,
-          "least force that the cam must exert with the elastic train; above 0 the spring keeps "
-          "contact"};
+          std::string("least ") + w.load +
+              " that the cam must exert with the elastic train; above 0 the spring keeps contact"};
 }
 
 }  // namespace camlaw::problems

@@ -30,7 +30,7 @@ const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
       {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5},
       {"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5},
       {"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6},
-      {"mass", "m", "kg", "kg", "moved mass, reduced to the rollers' path", 220, 0, 1e6},
+      {"mass", "m", "kg", "kg", "moving mass, referred to the rollers' path", 220, 0, 1e6},
       {"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6},
       {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest position", 700, 0,
        1e9}};
@@ -116,16 +116,16 @@ constexpr Row kRows[] = {
     {Quantity::Approach, "elastic_approach", "running_approach", "um", "m",
      "elastic approach of cam and roller, as published", S::Concave},
     {Quantity::ExactStress, "exact_contact_stress", "running_exact_stress", "MPa", "Pa",
-     "contact stress after Hertz", S::Convex},
+     "contact stress according to Hertz", S::Convex},
     {Quantity::ExactHalfWidth, "exact_contact_half_width", "running_exact_half_width", "mm", "m",
-     "half the contact's width after Hertz", S::Concave},
+     "half the contact's width according to Hertz", S::Concave},
     {Quantity::ExactApproach, "exact_elastic_approach", "running_exact_approach", "um", "m",
-     "approach of the axes after Hertz", S::Concave}};
+     "approach of the axes according to Hertz", S::Concave}};
 
 std::vector<MechanismResponse> responses() {
   std::vector<MechanismResponse> all{
-      given(Quantity::Force, {"load", "N", "N", "load of the contact, F_k + k F_s"}),
-      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "load per width"}),
+      given(Quantity::Force, {"load", "N", "N", "contact load, F_k + k F_s"}),
+      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "contact load per unit width"}),
       running(Quantity::Force,
               {"running_force", "N", "N",
                "force between cam and roller; below 0 the roller leaves the cam"})};

@@ -14,11 +14,11 @@ const std::vector<MechanismParameter>& MachineTraits<ElasticFollower>::parameter
       {"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9},
       {"damping_ratio", "zeta", "1", "1", "damping over critical damping", 0.05, 0, 0.99},
       {"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5},
-      {"rise_angle", "beta", "deg", "rad", "angle of the cam for the rise", 90, 1e-3, 360},
+      {"rise_angle", "beta", "deg", "rad", "cam angle of the rise", 90, 1e-3, 360},
       {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6},
       {"slowest_speed", "n_1", "rpm", "rad/s", "speed at which a range of speeds begins", 240, 1e-3,
        1e6},
-      {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which it ends", 360, 1e-3, 1e6}};
+      {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which that range ends", 360, 1e-3, 1e6}};
   return all;
 }
 
@@ -70,9 +70,9 @@ std::vector<MechanismResponse> numbers() {
                                            {{"stroke"}, S::Linear, "DS10"}};
   return {
       number_of(Number::Frequency, {"natural_frequency", "Hz", "Hz", "without damping"}),
-      number_of(Number::RiseTime, {"rise_time", "s", "s", "time of the rise"}),
+      number_of(Number::RiseTime, {"rise_time", "s", "s", "duration of the rise"}),
       number_of(Number::PeriodRatio,
-                {"period_ratio", "1", "1", "time of the rise over the natural period"}),
+                {"period_ratio", "1", "1", "duration of the rise over the natural period"}),
       residual(Residual::Displacement,
                {"residual_displacement", "mm", "m",
                 "displacement of the mass from its final position at the end of the rise", linear}),
@@ -126,9 +126,9 @@ Mechanism follower_train_mechanism() {
                             {"mass_displacement", "mm", "m", "displacement of the mass", linear}));
   responses.push_back(curve(Q::MassAcceleration, {"mass_acceleration", "m/s2", "m/s2",
                                                   "acceleration of the mass", linear}));
-  responses.push_back(curve(
-      Q::Amplification,
-      {"amplified_acceleration", "1", "1", "acceleration of the mass over the cam's greatest"}));
+  responses.push_back(
+      curve(Q::Amplification, {"amplified_acceleration", "1", "1",
+                               "acceleration of the mass over the cam's greatest acceleration"}));
   responses.push_back(over_speeds());
   return {.name = "follower-train",
           .title = "elastic follower train with one mass, over a rise from rest",
@@ -140,7 +140,7 @@ Mechanism follower_train_mechanism() {
                     {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
                      "greatest acceleration of the mass during the rise"},
                     {"amplification", "amplified_acceleration", Part::Magnitude,
-                     "greatest acceleration of the mass over the cam's"},
+                     "greatest acceleration of the mass over that of the cam"},
                     {"worst_residual", "residual_over_speed", Part::Highest,
                      "greatest residual amplitude at any speed of the range"}}};
 }

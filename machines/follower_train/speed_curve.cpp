@@ -140,7 +140,8 @@ class NoSpeeds final : public optim::Trace {
   std::array<double, 3> at(optim::Place) const override { return {kNaN, kNaN, kNaN}; }
   optim::Bounds enclose(double, double) const override { return {}; }
   std::string why_unbounded() const override {
-    return "slowest_speed must be below fastest_speed, and the law one that a train can follow";
+    return "slowest_speed must be below fastest_speed, and the law must be one that an elastic "
+           "train can follow";
   }
 };
 

@@ -34,7 +34,8 @@ std::vector<MechanismResponse> drive_curves() {
                 [](const auto& drive, const auto& beta, bool, const auto&) {
                   return drive.angular_speed * drive.angular_speed * beta.second;
                 }),
-          curve({"wheel_torque", "N m", "N m", "inertia and friction at the wheel while it moves"},
+          curve({"wheel_torque", "N m", "N m",
+                 "torque at the wheel while it moves, from inertia and friction"},
                 []<class X>(const auto& drive, const auto& beta, bool moves, const X&) {
                   return moves ? drive.wheel_torque(beta) : number<X>(0);
                 }),
@@ -46,7 +47,8 @@ std::vector<MechanismResponse> drive_curves() {
                 [](const auto& drive, const auto& beta, bool, const auto&) {
                   return drive.torque(beta) - drive.mean_torque();
                 }),
-          curve({"surplus_work", "J", "J", "integral of the surplus torque from the engagement on"},
+          curve({"surplus_work", "J", "J",
+                 "integral of the surplus torque since the pin entered the slot"},
                 [](const auto& drive, const auto& beta, bool, const auto& phi) {
                   return drive.surplus_work(beta, phi);
                 })};

@@ -39,12 +39,12 @@ struct GenevaDrive {
     const X none = number<X>(0);
     return {none + pi<T>() / slots, none, none, none};
   }
-  /// (G1) Torque at the wheel, N m: M_sum = J omega^2 beta'' + M_f.
+  /// (BC1) Torque at the wheel, N m: M_sum = J omega^2 beta'' + M_f.
   template <class X>
   X wheel_torque(const GenevaMotion<X>& beta) const {
     return inertia_torque() * beta.second + friction;
   }
-  /// (G2) Torque on the driver, N m: M_d = M_sum beta'; 0 while the wheel is locked.
+  /// (BC2) Torque on the driver, N m: M_d = M_sum beta'; 0 while the wheel is locked.
   template <class X>
   X torque(const GenevaMotion<X>& beta) const {
     return wheel_torque(beta) * beta.ratio;
@@ -55,9 +55,9 @@ struct GenevaDrive {
     return inertia_torque() * (beta.third * beta.ratio + beta.second * beta.second) +
            friction * beta.second;
   }
-  /// (G3) Mean over the turn, N m: M_mean = M_f / n.
+  /// (BC3) Mean over the turn, N m: M_mean = M_f / n.
   T mean_torque() const { return friction / slots; }
-  /// (G4) Surplus work since the beginning of the engagement, J, the integral of M_d - M_mean:
+  /// (BC4) Surplus work since the beginning of the engagement, J, the integral of M_d - M_mean:
   /// A = J omega^2 beta'^2 / 2 + M_f (beta + pi / n) - M_mean phi.
   template <class X>
   X surplus_work(const GenevaMotion<X>& beta, const X& phi) const {

@@ -57,7 +57,7 @@ std::vector<MechanismResponse> drive_responses() {
       number({"greatest_drive_torque", "N m", "N m", "greatest torque on the driver"},
              [](const auto& drive) { return surplus_of(drive).peak_torque; }),
       number(
-          {"ideal_balance", "1", "1", "greatest over mean torque: K of an ideal balance"},
+          {"ideal_balance", "1", "1", "greatest torque over mean torque: K of an ideal balance"},
           [](const auto& drive) { return surplus_of(drive).peak_torque / drive.mean_torque(); })};
   append(all, drive_curves<M>());
   return all;
@@ -73,9 +73,10 @@ std::vector<MechanismResponse> rooms() {
       room("wheel_radius", "radius of the wheel where the pin enters",
            [](const auto& drive) { return drive.wheel_radius(); }),
       room("driver_shaft_room",
-           "greatest diameter of a driver's shaft that passes the wheel; a thicker one locks it",
+           "greatest diameter of a driver's shaft that clears the wheel; a thicker one blocks it",
            [](const auto& drive) { return drive.driver_shaft_room(); }),
-      room("wheel_shaft_room", "greatest diameter of the wheel's shaft inside the slots",
+      room("wheel_shaft_room",
+           "greatest diameter of the wheel's shaft that the slots leave room for",
            [](const auto& drive) { return drive.wheel_shaft_room(); }),
       room("web", "least thickness of the wheel between two slots; below 0 neighbouring slots meet",
            [](const auto& drive) { return drive.web(); })};

@@ -12,14 +12,14 @@ namespace camlaw::problems {
 using optim::Part;
 
 Parameters stations_parameter(double stations) {
-  return {{"stations", "S", "1", "1", "stops of the turret in a turn", stations, 3, 60, true}};
+  return {{"stations", "S", "1", "1", "stops of the turret per revolution", stations, 3, 60, true}};
 }
 
 Parameters index_sizes(double axis_distance, double turret_radius) {
   return {{"axis_distance", "a", "mm", "m", "centre distance of cam and turret", axis_distance,
            1e-3, 1e5},
-          {"turret_radius", "R_t", "mm", "m", "radius of the circle of the rollers' centres",
-           turret_radius, 1e-3, 1e5}};
+          {"turret_radius", "R_t", "mm", "m",
+           "radius of the circle on which the rollers' centres lie", turret_radius, 1e-3, 1e5}};
 }
 
 Parameters turret_rollers(double rollers) {
@@ -41,9 +41,9 @@ Parameters index_load() {
           {"inertia", "J", "kg m2", "kg m2",
            "moment of inertia of everything that turns with the turret", 0.1, 0, 1e6},
           {"friction_torque", "M_C", "N m", "N m",
-           "friction of the turret, against its motion at every speed", 0, 0, 1e9},
-          {"load_torque", "M_L", "N m", "N m", "constant torque on the turret against its motion",
-           0, -1e9, 1e9}};
+           "friction torque on the turret, which opposes its motion at any speed", 0, 0, 1e9},
+          {"load_torque", "M_L", "N m", "N m",
+           "constant torque on the turret that opposes its motion", 0, -1e9, 1e9}};
 }
 
 NamedPeak peak_turret_torque() {
@@ -53,7 +53,7 @@ NamedPeak peak_turret_torque() {
 
 NamedPeak shaft_clearance() {
   return {"shaft_clearance", "shaft_gap", Part::Lowest,
-          "gap between the circle that the turning cam fills and the turret's shaft"};
+          "gap between the circle that the turning cam sweeps and the turret's shaft"};
 }
 
 std::vector<NamedPeak> rib_peaks() {
@@ -72,12 +72,13 @@ std::vector<NamedPeak> rib_peaks() {
 std::string why_rollers_differ(double stations, double rollers, double advance, double handovers) {
   const double pitches = rollers * advance / stations;
   if (!(advance > 0))
-    return fmt::format("an index drive advances by 1 or more; {:g} is given", advance);
+    return fmt::format("an index drive advances by 1 station or more in a cycle; {:g} is given",
+                       advance);
   constexpr double kRounding = 1e-9;
   if (std::abs(pitches - std::round(pitches)) > kRounding) {
     return fmt::format(
-        "{:g} of {:g} stations are {:.4g} pitches of the {:g} rollers that a cam has; each cam "
-        "repeats itself where that is a whole number",
+        "an advance by {:g} of {:g} stations is {:.4g} pitches of the {:g} rollers of a cam; it "
+        "must be a whole number of pitches, or the cam does not repeat itself",
         advance, stations, pitches, rollers);
   }
   if (handovers > kMostHandovers + kRounding) {

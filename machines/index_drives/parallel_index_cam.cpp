@@ -50,8 +50,8 @@ constexpr const char *kDriving = "driving flank", *kHolding = "holding flank";
 MechanismResponse shaft_gap(bool second) {
   return listed_curve<ParallelIndexCam>(
       {second ? "second_shaft_gap" : "shaft_gap", "mm", "m",
-       std::string("distance that the ") + (second ? kHolding : kDriving) +
-           ", as the cam turns, keeps from the turret's shaft"},
+       std::string("clearance between the ") + (second ? kHolding : kDriving) +
+           " of the turning cam and the turret's shaft"},
       turn_of_the_cam(), second ? Extent::SecondCentreDistance : Extent::CentreDistance,
       [](const auto& cam, Extent wanted, const auto& motion) {
         return -extent(cam, wanted, cam.over_angle(motion)) +
@@ -63,8 +63,8 @@ MechanismResponse roller_angle(OfPair which) {
   const bool second = which == OfPair::Second;
   return listed_curve<ParallelIndexCam>(
       {second ? "second_roller_angle" : "roller_angle", "deg", "rad",
-       second ? "angle of the roller on the holding flank to the line of centres"
-              : "angle of the roller on the driving flank to the line of centres"},
+       second ? "angle between the line of centres and the roller on the holding flank"
+              : "angle between the line of centres and the roller on the driving flank"},
       turn_of_the_cam(), which, [](const auto& cam, OfPair wanted, const auto& motion) {
         const auto f = cam.over_angle(motion);
         return (wanted == OfPair::Main ? cam.main() : cam.second()).serving(f).angle;
@@ -94,8 +94,9 @@ std::vector<MechanismResponse> parallel_responses() {
   append(all, extent_responses<ParallelIndexCam>(kHolding));
   all.push_back(listed_curve<ParallelIndexCam>(
       {"crossing_ratio", "1", "1",
-       "above 1 a roller on the line of centres runs ahead of the cam's surface; well above 1 it "
-       "cuts into the flank that it meets next"},
+       "speed of a roller on the line of centres against the cam's surface: above 1 it runs ahead "
+       "of "
+       "the surface, well above 1 it cuts into the flank that it meets next"},
       turn_of_the_cam(), 0, [](const auto& cam, int, const auto& motion) {
         return cam.crossing_ratio(cam.over_angle(motion));
       }));

@@ -79,7 +79,7 @@ std::vector<MechanismResponse> rib_responses() {
   using C = RibCurve;
   const auto middle = RollerPlace::Middle;
   add(C::RollerAngle, middle,
-      {"roller_angle", "deg", "rad", "angle of the driving roller to the line of centres"});
+      {"roller_angle", "deg", "rad", "angle between the line of centres and the driving roller"});
   for (const RollerPlace place : {middle, RollerPlace::Root, RollerPlace::Tip}) {
     const bool root = place == RollerPlace::Root;
     const std::string prefix = place == middle ? "" : root ? "root_" : "tip_";
@@ -88,16 +88,17 @@ std::vector<MechanismResponse> rib_responses() {
                                            : " at the roller's end towards the cam's axis";
     add(C::PressureAngle, place,
         {prefix + "pressure_angle", "deg", "rad",
-         "between normal and path of the roller" + at + ", signed as the slope"});
+         "angle between the normal of the flank and the path of the roller" + at +
+             ", with the sign of the slope"});
     add(C::Undercut, place,
         {prefix + "undercut", "1", "1",
-         "what the roller takes of the driving flank" + at + "; at 1 it is undercut"});
+         "undercut ratio of the driving flank" + at + "; at 1 it is undercut"});
     add(C::SecondUndercut, place,
         {"second_" + prefix + "undercut", "1", "1",
-         "what the roller takes of the holding flank" + at + "; at 1 it is undercut"});
+         "undercut ratio of the holding flank" + at + "; at 1 it is undercut"});
     add(C::ContactStress, place,
         {prefix + "contact_stress", "MPa", "Pa",
-         "greatest Hertz pressure on the flank that bears" + at});
+         "greatest Hertz pressure on the loaded flank" + at});
     for (const std::string& undercut : {prefix + "undercut", "second_" + prefix + "undercut"}) {
       set_defined_while(all, {prefix + "contact_stress"}, {.response = undercut, .upper = 1});
     }
@@ -108,7 +109,8 @@ std::vector<MechanismResponse> rib_responses() {
       {"second_curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and holding flank"});
   add(C::ContactForce, middle,
       {"contact_force", "N", "N",
-       "force between the flank that bears and its roller, above 0 where it is the driving one"});
+       "force between the loaded flank and its roller, positive where that is the "
+       "driving one"});
   const auto number_of = [&](const char* name, const char* meaning, auto formula) {
     all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));
   };
@@ -116,7 +118,7 @@ std::vector<MechanismResponse> rib_responses() {
             [](const auto& drive) { return drive.roller_gap(); });
   number_of("throat_radius", "least radius of the cam, below the rollers' ends",
             [](const auto& drive) { return drive.throat_radius(); });
-  number_of("outer_radius", "greatest radius of the cam that a roller needs",
+  number_of("outer_radius", "greatest cam radius at which a roller needs a flank",
             [](const auto& drive) { return drive.outer_radius(); });
   number_of("wall", "wall between the cam's bore and the rollers' ends",
             [](const auto& drive) { return drive.throat_radius() - drive.bore_radius; });

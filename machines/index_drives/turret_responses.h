@@ -55,13 +55,14 @@ std::vector<MechanismResponse> turret_responses() {
                                     return turret_curve(drive, curve, drive.over_angle(motion));
                                   }));
   };
-  add(C::Displacement, "displacement", "deg", "rad", "angle that the turret has turned by");
+  add(C::Displacement, "displacement", "deg", "rad", "angle through which the turret has turned");
   add(C::Velocity, "velocity", "rad/s", "rad/s", "angular velocity of the turret");
   add(C::Acceleration, "acceleration", "rad/s2", "rad/s2", "angular acceleration of the turret");
   add(C::Jerk, "jerk", "rad/s3", "rad/s3", "angular jerk of the turret");
   add(C::Torque, "turret_torque", "N m", "N m",
-      "torque that turret, table and load require; below 0 they are held back");
-  add(C::InertiaTorque, "inertia_torque", "N m", "N m", "part of it that accelerates");
+      "torque that turret, table and load require; below 0 they must be braked");
+  add(C::InertiaTorque, "inertia_torque", "N m", "N m",
+      "part of the turret torque that accelerates turret and table");
   add(C::DriveTorque, "drive_torque", "N m", "N m", "torque on the cam's shaft, without losses");
   add(C::DrivePower, "drive_power", "W", "W", "power into the cam, without losses");
   all.push_back(mean_number<M>(

@@ -54,14 +54,16 @@ void check_variable(const Member& member, const LawVariable& variable) {
   }
   const Parameter& parameter = family.parameters[variable.parameter];
   if (parameter.structural) {
-    throw std::invalid_argument(fmt::format(
-        "law '{}': parameter {} cannot vary: it shapes the law, and there are no derivatives by it",
-        family.name, parameter.name));
+    throw std::invalid_argument(
+        fmt::format("law '{}': parameter {} cannot vary: it shapes the law, and there are no "
+                    "derivatives with respect to it",
+                    family.name, parameter.name));
   }
   const std::size_t count = member.arguments.list(variable.parameter).size();
   if (variable.element >= count) {
-    throw std::invalid_argument(fmt::format("law '{}': parameter {} has {} values, none at {}",
-                                            family.name, parameter.name, count, variable.element));
+    throw std::invalid_argument(
+        fmt::format("law '{}': parameter {} has {} values, counted from 0, and none with number {}",
+                    family.name, parameter.name, count, variable.element));
   }
 }
 

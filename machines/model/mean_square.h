@@ -37,7 +37,7 @@ std::shared_ptr<const optim::Kernel> mean_square_kernel(std::shared_ptr<const La
 namespace detail {
 
 inline constexpr const char* kJumps =
-    "it is infinite: the derivative below it jumps where pieces of the law meet";
+    "it is infinite: the next lower derivative jumps where pieces of the law meet";
 
 /// The largest of a scalar's value and derivatives, as sizes.
 inline double largest_part(double x) { return std::abs(x); }

@@ -91,7 +91,8 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
     }
     if (!response->curve) {
       throw std::invalid_argument(
-          fmt::format("'{}': {} is a number, it has no parts", name, response->name));
+          fmt::format("'{}': {} is a number, which has no peak, highest or lowest value", name,
+                      response->name));
     }
     return response_name(name, *response, part);
   }

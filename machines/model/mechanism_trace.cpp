@@ -172,7 +172,7 @@ Interval MechanismTrace::value_at(const Section& section, double x) const {
 
 std::string MechanismTrace::why_unbounded() const {
   if (!pulse_) return {};
-  return fmt::format("it has a pulse at {:.6g}{}, where the motion jumps", *pulse_,
+  return fmt::format("it has an impulse at {:.6g}{}, where the motion jumps", *pulse_,
                      cycle_.unit == "1" ? "" : " " + cycle_.unit);
 }
 

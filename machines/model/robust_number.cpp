@@ -242,7 +242,7 @@ Robust parse_robust(std::string_view text) {
     const double share = read_robust_number(words.substr(8), text);
     if (!(share >= 1 - kLargestShare && share <= kLargestShare)) {
       throw std::invalid_argument(
-          fmt::format("the share of a quantile is between {:g} and {:g}; {:g} is given",
+          fmt::format("the fraction of a quantile must be between {:g} and {:g}; {:g} is given",
                       1 - kLargestShare, kLargestShare, share));
     }
     return {true, 0, share, {}};
@@ -267,7 +267,7 @@ std::shared_ptr<const MechanismResponse> robust_number(std::shared_ptr<const Mec
   result->curve = {};
   result->cycle = {};
   result->along = {};
-  result->meaning = robust.text() + " over what manufacture makes: " + of.response->meaning;
+  result->meaning = robust.text() + " over the parts as manufactured: " + of.response->meaning;
   std::vector<TakenRange> ranges;
   for (const VaryingParameter& v : varying) ranges.push_back({{v.parameter, 0, 0}, true});
   result->number = [mechanism = std::move(mechanism), of, ranges, robust,

@@ -163,8 +163,8 @@ MechanismParameter common_speed(const std::vector<NamedCam>& cams) {
   }
   if (!common) {
     throw std::invalid_argument(
-        "none of the mechanisms has a speed, so nothing turns with the shaft; a cam that stands on "
-        "it has one");
+        "none of the mechanisms has a speed, so nothing turns with the shaft; a cam on the shaft "
+        "must have one");
   }
   common->meaning = "speed of the shaft";
   return *common;
@@ -186,10 +186,10 @@ ShaftCam add_parameters(const NamedCam& named, Mechanism& shaft) {
     shaft.parameters.push_back(std::move(parameter));
     const bool is_phase = own.name == kPhase || own.symbol == kPhase;
     if (!is_phase) continue;
-    throw std::invalid_argument(fmt::format(
-        "{} has a parameter called {}, which on a shaft is where the cam's zero stands; "
-        "give it another name",
-        named.name, kPhase));
+    throw std::invalid_argument(
+        fmt::format("{} has a parameter called {}, which for a cam on a shaft is the angle of the "
+                    "cam's zero; give it another name",
+                    named.name, kPhase));
   }
   cam.phase = shaft.parameters.size();
   const std::string name = renamed.name(kPhase);
@@ -227,7 +227,7 @@ MechanismParameter phase_parameter(const std::string& name, const std::string& w
           .symbol = name,
           .unit = "deg",
           .stored = "rad",
-          .meaning = "angle of the shaft at which the zero of " + whose + " stands",
+          .meaning = "angle of the shaft at the zero of " + whose,
           .default_value = 0,
           .low = -360,
           .high = 360};

@@ -61,8 +61,8 @@ void add_parameters(Mechanism& shaft) {
     shaft.parameters.push_back({name, symbol, unit, stored, meaning, value, low, high});
   };
   add("speed_fluctuation", "delta", "1", "1",
-      "coefficient of speed fluctuation that a flywheel is sized for: highest less lowest speed, "
-      "by the mean",
+      "coefficient of speed fluctuation for which a flywheel is sized: difference of highest and "
+      "lowest speed over the mean speed",
       0.02, 1e-6, 1);
   add(kSpringRate, "k_B", "N/mm", "N/m", "rate of the balancing cam's spring", 10, 1e-6, 1e9);
   add(kSpringPreload, "F_B", "N", "N", "force of the balancing cam's spring at its least lift", 100,
@@ -73,7 +73,7 @@ void add_parameters(Mechanism& shaft) {
 MechanismResponse mean_torque(const Mechanism& shaft, const MechanismResponse& torque) {
   MechanismResponse mean{.name = "mean_torque",
                          .unit = "N m",
-                         .meaning = "mean of the shaft's torque over its turn",
+                         .meaning = "mean torque of the shaft over its turn",
                          .possible_by = torque.possible_by,
                          .sees_law = torque.sees_law,
                          .defined_while = torque.defined_while};
@@ -91,8 +91,8 @@ MechanismResponse shaft_work(const Mechanism& shaft, const MechanismResponse& to
   MechanismResponse work{.name = kSurplusWork,
                          .unit = "J",
                          .meaning =
-                             "work that the shaft has taken beyond its mean torque, counted "
-                             "from its own mean over the turn",
+                             "work that the shaft has taken in excess of that of its mean torque, "
+                             "less the mean of this over the turn",
                          .possible_by = torque.possible_by,
                          .defined_while = torque.defined_while};
   for (HeldCurve held : torque.held) {
@@ -136,7 +136,7 @@ void add_shaft_torque(Mechanism& shaft) {
              shaft);
   add_stated("shaft_power", "W", "shaft_torque * speed", "power that turns the shaft", shaft);
   add_stated("torque_ripple", "N m", "highest shaft_torque - lowest shaft_torque",
-             "what the shaft's torque ranges over in a turn", shaft);
+             "range of the shaft's torque in a turn", shaft);
   const MechanismResponse torque = response(shaft, kShaftTorque);
   shaft.responses.push_back(mean_torque(shaft, torque));
   shaft.responses.push_back(shaft_rms(
@@ -144,7 +144,7 @@ void add_shaft_torque(Mechanism& shaft) {
       torque.held));
   shaft.responses.push_back(shaft_work(shaft, torque));
   add_stated("energy_fluctuation", "J", "highest surplus_work - lowest surplus_work",
-             "what the surplus work ranges over in a turn", shaft);
+             "range of the surplus work in a turn", shaft);
   add_stated("flywheel_inertia", "kg m2", "energy_fluctuation / (speed_fluctuation * speed^2)",
              "moment of inertia on the shaft that keeps its speed within the speed fluctuation",
              shaft);

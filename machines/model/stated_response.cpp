@@ -80,7 +80,7 @@ Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
     if (mechanism.moved_by == MovedBy::Nothing) {
       throw std::invalid_argument(
           fmt::format("{} is moved by its geometry and has no law, so there is no {}; its formulas "
-                      "know the angle",
+                      "can use the angle",
                       mechanism.name, name));
     }
   }
@@ -128,7 +128,7 @@ Meaning cam_curve_meaning(const Mechanism& mechanism, const MechanismResponse& c
   if (!runs_over_turn(curve)) {
     throw std::invalid_argument(
         fmt::format("{} does not run over a turn of the shaft, 0 to 360 deg, so it has no value at "
-                    "the shaft's angle; of it a formula can hold \"peak {}\"",
+                    "the shaft's angle; a formula can use its number \"peak {}\"",
                     curve.name, curve.name));
   }
   Meaning meaning = in_si(Meaning::Kind::Other, curve.unit);
@@ -170,10 +170,10 @@ Meaning response_meaning(const Mechanism& mechanism, const ResponseName& found,
     return inner_meaning(inner_number(response), resolved);
   }
   if (!response.write) {
-    throw std::invalid_argument(fmt::format(
-        "{0} is a curve that is not worked out by one formula; of it a formula can hold \"peak "
-        "{0}\", \"highest {0}\" or \"lowest {0}\"",
-        response.name));
+    throw std::invalid_argument(
+        fmt::format("{0} is a curve that is not computed by one formula; of it a formula can use "
+                    "\"peak {0}\", \"highest {0}\" or \"lowest {0}\"",
+                    response.name));
   }
   resolved.is_curve = resolved.is_curve || response.curve;
   if (is_shafts) return shaft_curve_meaning(response, resolved);
@@ -211,9 +211,11 @@ Resolved resolve(const Mechanism& mechanism, const FormulaTree& formula) {
     }
     const bool holds_both = resolved.is_curve && !resolved.inner.empty();
     if (holds_both) {
-      refuse_formula(name.at, fmt::format("a formula of a curve cannot hold a number that is "
-                                          "searched for, such as {}",
-                                          resolved.inner.front().name));
+      refuse_formula(
+          name.at,
+          fmt::format(
+              "the formula of a curve cannot use a number that is found by a search, such as {}",
+              resolved.inner.front().name));
     }
   }
   const bool has_motion =
@@ -250,7 +252,7 @@ IsPossible all_of(std::vector<IsPossible> parts) {
 void check_dimension(const StatedResponse& stated, const Dimension& dimension,
                      const WrittenQuantity& written) {
   if (written.is_zero || written.dimension == dimension) return;
-  throw std::invalid_argument(fmt::format("the formula is {}, and its unit {} is {}",
+  throw std::invalid_argument(fmt::format("the formula is {}, but its unit {} is {}",
                                           to_string(written.dimension), stated.unit,
                                           to_string(dimension)));
 }
@@ -261,7 +263,7 @@ void check_size(const Write& write, std::size_t parameters, std::size_t others) 
   const std::size_t steps = whole_formula(write, parameters, others).steps().size();
   if (steps <= kMostSteps) return;
   throw std::invalid_argument(
-      fmt::format("with the formulas that it holds it takes {} steps; at most {} are accepted",
+      fmt::format("with the formulas that it uses it takes {} steps; at most {} are accepted",
                   steps, kMostSteps));
 }
 
@@ -319,7 +321,7 @@ class Writer {
     constexpr int kDeepest = 40;
     if (Writing::depth() <= kDeepest) return;
     throw std::invalid_argument(
-        fmt::format("formulas hold one another more than {} deep", kDeepest));
+        fmt::format("formulas use one another more than {} levels deep", kDeepest));
   }
 
   static std::vector<Expression> chosen(std::span<const Expression> all,
@@ -391,7 +393,7 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
     response.possible_by = std::move(resolved.possible_by);
     if (!resolved.is_curve) response.is_possible = all_of(std::move(resolved.is_possible));
     if (resolved.is_curve && response.held.empty()) {
-      throw std::invalid_argument("the formula of a shaft's curve holds a curve of a cam");
+      throw std::invalid_argument("the formula of a shaft's curve uses a curve of a cam");
     }
   } else if (!mechanism.responses.empty()) {
     response.possible_by = mechanism.responses.front().possible_by;

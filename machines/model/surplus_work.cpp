@@ -315,7 +315,7 @@ InnerNumber turn_mean(const std::string& name, const MechanismResponse& curve) {
 MechanismResponse surplus_work(const std::string& name, const MechanismResponse& torque) {
   MechanismResponse result{.name = name,
                            .unit = "J",
-                           .meaning = "what " + torque.name + " takes beyond its mean",
+                           .meaning = "what " + torque.name + " takes in excess of its mean",
                            .uses = torque.uses,
                            .possible_by = torque.possible_by,
                            .is_possible = torque.is_possible,

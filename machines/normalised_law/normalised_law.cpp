@@ -27,7 +27,7 @@ struct MachineTraits<Followers> {
   static const std::vector<MechanismParameter>& parameters() {
     const auto ratio = [](const char* name, const char* symbol, double default_value) {
       return MechanismParameter{
-          name,          symbol, "1", "1", "time of the law over a follower's natural period",
+          name,          symbol, "1", "1", "duration of the law over a follower's natural period",
           default_value, 1e-3,   1000};
     };
     static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
@@ -52,12 +52,12 @@ MechanismResponse law_curve(const char* name, const char* meaning, F motion) {
 }
 
 std::vector<MechanismResponse> curves() {
-  return {
-      law_curve("displacement", "s", [](const auto& m) { return m.s; }),
-      law_curve("velocity", "s'", [](const auto& m) { return m.v; }),
-      law_curve("acceleration", "s''", [](const auto& m) { return m.a; }),
-      law_curve("jerk", "s'''; infinite where s'' jumps inside", [](const auto& m) { return m.j; }),
-      law_curve("moment", "s' s''", [](const auto& m) { return m.v * m.a; })};
+  return {law_curve("displacement", "s", [](const auto& m) { return m.s; }),
+          law_curve("velocity", "s'", [](const auto& m) { return m.v; }),
+          law_curve("acceleration", "s''", [](const auto& m) { return m.a; }),
+          law_curve("jerk", "s'''; infinite if s'' jumps inside the law",
+                    [](const auto& m) { return m.j; }),
+          law_curve("moment", "s' s''", [](const auto& m) { return m.v * m.a; })};
 }
 
 /// The kernel of a plain number, formula(numbers, law), of what parts(followers) says of them.
@@ -128,7 +128,7 @@ bool is_polynomial(const Law<Interval>& law) {
   });
 }
 
-/// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
+/// (FL1) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
 /// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
 template <class T>
 Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Part part) {

@@ -42,13 +42,14 @@ using AxisParameters = std::vector<MechanismParameter>;
 
 /// The gear, whose ratio is per turn of `turn`.
 void add_gear(AxisParameters& all, double ratio, const std::string& turn) {
-  all.insert(all.end(),
-             {{"gear_ratio", "i", "1", "1", "turns of the motor per turn of the " + turn, ratio,
-               1e-3, 1e5},
-              {"gear_inertia", "J_G", "kg cm2", "kg m2",
-               "moment of inertia of gear and coupling, at the motor's shaft", 0.3, 0, 1e8},
-              {"gear_efficiency", "eta", "1", "1",
-               "of gear and guide, in either direction of power", 0.95, 0.01, 1}});
+  all.insert(
+      all.end(),
+      {{"gear_ratio", "i", "1", "1", "turns of the motor per turn of the " + turn, ratio, 1e-3,
+        1e5},
+       {"gear_inertia", "J_G", "kg cm2", "kg m2",
+        "moment of inertia of gear and coupling, referred to the motor's shaft", 0.3, 0, 1e8},
+       {"gear_efficiency", "eta", "1", "1",
+        "efficiency of gear and guide, in either direction of power flow", 0.95, 0.01, 1}});
 }
 
 void add_motor(AxisParameters& all) {
@@ -57,10 +58,10 @@ void add_motor(AxisParameters& all) {
       {{"motor_inertia", "J_M", "kg cm2", "kg m2", "moment of inertia of the motor, with a brake",
         1.6, 1e-6, 1e8},
        {"continuous_torque", "M_0", "N m", "N m",
-        "torque that the motor can give all the time without overheating", 2.4, 1e-6, 1e7},
+        "torque that the motor can deliver continuously without overheating", 2.4, 1e-6, 1e7},
        {"maximum_torque", "M_max", "N m", "N m", "greatest torque up to the corner speed", 7.2,
         1e-6, 1e7},
-       {"corner_speed", "n_c", "rpm", "rad/s", "speed from which the greatest torque falls", 3600,
+       {"corner_speed", "n_c", "rpm", "rad/s", "speed above which the greatest torque falls", 3600,
         0, 1e6},
        {"maximum_speed", "n_max", "rpm", "rad/s", "greatest speed of the motor", 6000, 1e-3, 1e6},
        {"end_torque", "M_e", "N m", "N m", "greatest torque at the maximum speed", 3, 0, 1e7}});
@@ -83,11 +84,11 @@ const std::vector<MechanismParameter>& MachineTraits<ServoAxis>::parameters() {
         {{"load_inertia", "J_L", "kg m2", "kg m2",
           "moment of inertia of everything that turns with the load", 0.02, 0, 1e6},
          {"load_torque", "M_L", "N m", "N m",
-          "constant torque of the load against its motion to greater displacements", 0, -1e9, 1e9},
+          "constant torque of the load that opposes motion to greater displacements", 0, -1e9, 1e9},
          {"friction_torque", "M_C", "N m", "N m",
-          "friction of the load, against its motion at every speed", 0, 0, 1e9},
-         {"viscous_friction", "d", "N m s", "N m s", "friction of the load by its velocity", 0, 0,
-          1e9}});
+          "friction of the load, which opposes its motion at any speed", 0, 0, 1e9},
+         {"viscous_friction", "d", "N m s", "N m s",
+          "viscous friction of the load, per unit of its velocity", 0, 0, 1e9}});
     add_motor(list);
     return list;
   }();
@@ -107,11 +108,11 @@ const std::vector<MechanismParameter>& MachineTraits<LinearServoAxis>::parameter
         list.end(),
         {{"mass", "m", "kg", "kg", "mass of everything that moves with the load", 10, 0, 1e6},
          {"load_force", "F_L", "N", "N",
-          "constant force of the load against its motion to greater displacements", 0, -1e9, 1e9},
+          "constant force of the load that opposes motion to greater displacements", 0, -1e9, 1e9},
          {"friction_force", "F_C", "N", "N",
-          "friction of the load, against its motion at every speed", 0, 0, 1e9},
-         {"viscous_friction", "d", "N s/m", "N s/m", "friction of the load by its velocity", 0, 0,
-          1e9}});
+          "friction of the load, which opposes its motion at any speed", 0, 0, 1e9},
+         {"viscous_friction", "d", "N s/m", "N s/m",
+          "viscous friction of the load, per unit of its velocity", 0, 0, 1e9}});
     add_motor(list);
     return list;
   }();
@@ -186,11 +187,11 @@ struct AxisWords {
 };
 constexpr AxisWords kTurning{
     "deg",    "rad",           "rad/s", "rad/s2",
-    "rad/s3", "output_torque", "N m",   "torque that the gear gives the load"};
+    "rad/s3", "output_torque", "N m",   "torque that the gear delivers to the load"};
 constexpr AxisWords kLinear{"mm",   "m",
                             "m/s",  "m/s2",
                             "m/s3", "output_force",
-                            "N",    "force that screw or pinion gives the load"};
+                            "N",    "force that screw or pinion exerts on the load"};
 
 template <template <class> class M>
 std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
@@ -215,11 +216,11 @@ std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
   add(C::MotorJerk, "motor_jerk", "rad/s3", "rad/s3", "jerk of the motor");
   add(C::MotorTorque, "motor_torque", "N m", "N m", "torque on the motor's shaft");
   add(C::AccelerationTorque, "acceleration_torque", "N m", "N m",
-      "part of it that accelerates motor, gear and load, without losses");
+      "part of the motor torque that accelerates motor, gear and load, without losses");
   add(C::MotorPower, "motor_power", "W", "W",
       "power of the motor's shaft; below 0 the load drives the motor");
   add(C::AvailableTorque, "available_torque", "N m", "N m",
-      "greatest torque that the motor gives at its speed");
+      "greatest torque that the motor can deliver at its present speed");
   add(C::TorqueReserve, "torque_reserve", "N m", "N m",
       "available torque minus the motor's torque");
   add(C::TorqueUtilisation, "torque_utilisation", "1", "1",
@@ -274,9 +275,10 @@ std::vector<MechanismResponse> servo_numbers() {
                       using T = std::decay_t<decltype(mean)>;
                       return number<T>(2) * pi<T>() / axis.cycle_speed * mean;
                     }),
-      number_response<M>({"inertia_ratio", "1", "1",
-                          "inertia of gear and load, at the motor's shaft, over the motor's own"},
-                         [](const auto& axis) { return axis.drive().inertia_ratio(); }),
+      number_response<M>(
+          {"inertia_ratio", "1", "1",
+           "inertia of gear and load, referred to the motor's shaft, over the motor's own"},
+          [](const auto& axis) { return axis.drive().inertia_ratio(); }),
       number_response<M>(
           {"matched_ratio", "1", "1",
            "gear ratio that accelerates the load with the least torque, without losses"},
@@ -295,9 +297,10 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
       .responses = std::move(responses),
       .peaks = {{"peak_torque", "motor_torque", Part::Magnitude, "greatest torque of the motor"},
                 {"peak_motor_speed", "motor_speed", Part::Magnitude, "greatest speed of the motor"},
-                {"peak_power", "motor_power", Part::Highest, "greatest power that the motor gives"},
+                {"peak_power", "motor_power", Part::Highest,
+                 "greatest power that the motor delivers"},
                 {"peak_regenerated_power", "motor_power", Part::Lowest,
-                 "greatest power that the load returns, below 0"},
+                 "greatest power that the load returns, as a negative number"},
                 {"least_torque_reserve", "torque_reserve", Part::Lowest,
                  "least torque in reserve; below 0 the motor cannot follow"},
                 {"peak_torque_utilisation", "torque_utilisation", Part::Highest,

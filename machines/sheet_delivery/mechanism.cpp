@@ -25,16 +25,22 @@ const std::vector<MechanismParameter>& MachineTraits<SheetDelivery>::parameters(
        1e-3, 100},
       {"rod_angle_max", "alpha_max", "deg", "rad", "angle of the rod at the greatest offset", 60,
        0.1, 89},
-      {"slide_friction_A", "f_A'", "1", "1", "friction of the chain's link in its guide", 0.1, 0,
-       10},
-      {"slide_friction_B", "f_B'", "1", "1", "friction of the carriage in its guide", 0.1, 0, 10},
-      {"joint_friction_A", "f_A", "1", "1", "friction in the joint of rod and link", 0.15, 0, 10},
-      {"joint_friction_B", "f_B", "1", "1", "friction in the joint of rod and carriage", 0.15, 0,
-       10},
-      {"joint_friction_O", "f_O", "1", "1", "friction in the sprocket's bearing", 0.15, 0, 10},
-      {"joint_radius_A", "r_A", "1", "1", "radius of that joint over the rod's length", 0.1, 0, 1},
-      {"joint_radius_B", "r_B", "1", "1", "radius of that joint over the rod's length", 0.1, 0, 1},
-      {"joint_radius_O", "r_O", "1", "1", "radius of the bearing over the sprocket's", 0.1, 0, 1}};
+      {"slide_friction_A", "f_A'", "1", "1",
+       "coefficient of friction of the chain's link in its guide", 0.1, 0, 10},
+      {"slide_friction_B", "f_B'", "1", "1", "coefficient of friction of the carriage in its guide",
+       0.1, 0, 10},
+      {"joint_friction_A", "f_A", "1", "1", "coefficient of friction in the joint of rod and link",
+       0.15, 0, 10},
+      {"joint_friction_B", "f_B", "1", "1",
+       "coefficient of friction in the joint of rod and carriage", 0.15, 0, 10},
+      {"joint_friction_O", "f_O", "1", "1", "coefficient of friction in the sprocket's bearing",
+       0.15, 0, 10},
+      {"joint_radius_A", "r_A", "1", "1",
+       "radius of the joint of rod and link over the rod's length", 0.1, 0, 1},
+      {"joint_radius_B", "r_B", "1", "1",
+       "radius of the joint of rod and carriage over the rod's length", 0.1, 0, 1},
+      {"joint_radius_O", "r_O", "1", "1", "radius of the bearing over that of the sprocket", 0.1, 0,
+       1}};
   return all;
 }
 
@@ -112,16 +118,17 @@ MechanismResponse curve(Quantity which, ResponseAbout about) {
 }
 
 std::vector<MechanismResponse> numbers() {
-  return {number_response<SheetDelivery>(
-              {"slow_down", "1", "1",
-               "fraction of its travel by which the carriage falls behind the chain in a stretch"},
-              [](const auto& drive) { return drive.slow_down(); }),
-          number_response<SheetDelivery>(
-              {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
-              [](const auto& drive) { return drive.efficiency_O(); }),
-          number_response<SheetDelivery>(
-              {"boundary_efficiency", "1", "1", "efficiency where running up and braking meet"},
-              [](const auto& drive) { return drive.boundary_efficiency(); })};
+  return {
+      number_response<SheetDelivery>(
+          {"slow_down", "1", "1",
+           "fraction of its travel by which the carriage falls behind the chain in a stretch"},
+          [](const auto& drive) { return drive.slow_down(); }),
+      number_response<SheetDelivery>(
+          {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
+          [](const auto& drive) { return drive.efficiency_O(); }),
+      number_response<SheetDelivery>(
+          {"boundary_efficiency", "1", "1", "efficiency where speeding up and slowing down meet"},
+          [](const auto& drive) { return drive.boundary_efficiency(); })};
 }
 
 std::vector<MechanismResponse> curves() {
@@ -129,13 +136,13 @@ std::vector<MechanismResponse> curves() {
   return {
       curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
       curve(Q::GuideAngle, {"guide_angle", "deg", "rad", "angle of the curved guide, beta"}),
-      curve(Q::RelativeSpeed,
-            {"relative_speed", "1", "1", "speed of the carriage about the link over the chain's"}),
+      curve(Q::RelativeSpeed, {"relative_speed", "1", "1",
+                               "speed of the carriage about the link over that of the chain"}),
       curve(Q::SpeedRatio,
-            {"speed_ratio", "1", "1", "speed of the carriage over the chain's, running up"}),
-      curve(Q::SlowSpeedRatio, {"slow_speed_ratio", "1", "1",
-                                "speed of the carriage over the chain's on the mirrored stretch, "
-                                "slowing down"}),
+            {"speed_ratio", "1", "1", "speed of the carriage over that of the chain, speeding up"}),
+      curve(Q::SlowSpeedRatio,
+            {"slow_speed_ratio", "1", "1",
+             "speed of the carriage over that of the chain, slowing down on the mirrored stretch"}),
       curve(Q::EfficiencyA, {"efficiency_A", "1", "1", "efficiency of the link's joint and guide"}),
       curve(Q::EfficiencyB,
             {"efficiency_B", "1", "1", "efficiency of the carriage's joint and guide"}),
@@ -160,7 +167,7 @@ Mechanism sheet_delivery_mechanism() {
   std::vector<MechanismResponse> responses = numbers();
   append(responses, curves());
   return {.name = "sheet-delivery",
-          .title = "delivery carriage on a rod from a chain in curved guides",
+          .title = "sheet-delivery carriage that a chain in curved guides moves by a rod",
           .source =
               "Analytical study of the efficiency of sheet-delivery conveyors with "
               "curvilinear chain guides, Polihrafiia i vydavnycha sprava, received "

@@ -67,7 +67,7 @@ std::vector<MechanismResponse> curves() {
               }),
           scaled_curve(
               {"required_cam_radius", "mm", "m",
-               "cam radius that the permissible pressure angle requires, signed as s'"},
+               "cam radius that the permissible pressure angle requires, with the sign of s'"},
               [](const auto& m) { return m.radius_scale(); },
               [](const auto& scale, const auto& motion) { return scale * motion.v; }),
           scaled_curve(

@@ -49,7 +49,7 @@ const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() 
       {"cone_height", "h_0", "mm", "m", "free height of a disc minus its thickness", 1.4, 1e-4,
        1e4},
       {"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true},
-      {"series", "i", "1", "1", "packets in a row", 10, 1, 10000, true},
+      {"series", "i", "1", "1", "packets in series", 10, 1, 10000, true},
       {"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5},
       {"working_deflection", "s_2", "mm", "m", "greatest deflection of the stack", 10.5, 0, 1e5},
       {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4},
@@ -101,11 +101,12 @@ std::vector<MechanismResponse> disc_forces() {
       loaded(At::Preload, {"preload_force", "N", "N", "force at the preload deflection"}, force),
       loaded(At::Working, {"working_force", "N", "N", "force at the working deflection"}, force),
       loaded(At::Working,
-             {"loading_force", "N", "N", "the same with friction, while the stack is pressed"},
+             {"loading_force", "N", "N",
+              "force at the working deflection with friction, during loading"},
              [](const auto& stack, const auto& s) { return stack.loading_force(s); }),
       loaded(At::Preload,
              {"return_force", "N", "N",
-              "force at the preload deflection with friction, while the stack comes back"},
+              "force at the preload deflection with friction, during unloading"},
              [](const auto& stack, const auto& s) { return stack.return_force(s); }),
       loaded(At::Preload, {"preload_rate", "N/mm", "N/m", "rate at the preload deflection"}, rate),
       loaded(At::Working, {"working_rate", "N/mm", "N/m", "rate at the working deflection"}, rate),
@@ -129,26 +130,29 @@ std::vector<MechanismResponse> disc_stresses() {
   };
   const auto inner = [](const auto& stack, const auto& s) { return stress_lower_inner(stack, s); };
   const auto outer = [](const auto& stack, const auto& s) { return stress_lower_outer(stack, s); };
-  return {loaded(At::Working, about("stress_OM", "stress in the middle of the upper side, below 0"),
-                 [](const auto& stack, const auto& s) {
-                   return stack.spring.stress_upper_middle(s / stack.series);
-                 }),
-          loaded(At::Working, about("stress_I", "stress at the upper inner edge, below 0"),
-                 [](const auto& stack, const auto& s) {
-                   return stack.spring.stress_upper_inner(s / stack.series);
-                 }),
-          loaded(At::Working, about("stress_II", "stress at the lower inner edge"), inner),
-          loaded(At::Working, about("stress_III", "stress at the lower outer edge"), outer),
-          loaded(At::Working, about("stress_IV", "stress at the upper outer edge"),
-                 [](const auto& stack, const auto& s) {
-                   return stack.spring.stress_upper_outer(s / stack.series);
-                 }),
-          between({"stress_range_II", "MPa", "Pa",
-                   "stress at the lower inner edge minus that at the preload deflection"},
-                  inner),
-          between({"stress_range_III", "MPa", "Pa",
-                   "stress at the lower outer edge minus that at the preload deflection"},
-                  outer)};
+  return {
+      loaded(At::Working,
+             about("stress_OM", "stress in the middle of the upper side, negative: compression"),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_middle(s / stack.series);
+             }),
+      loaded(At::Working,
+             about("stress_I", "stress at the upper inner edge, negative: compression"),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_inner(s / stack.series);
+             }),
+      loaded(At::Working, about("stress_II", "stress at the lower inner edge"), inner),
+      loaded(At::Working, about("stress_III", "stress at the lower outer edge"), outer),
+      loaded(At::Working, about("stress_IV", "stress at the upper outer edge"),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_outer(s / stack.series);
+             }),
+      between({"stress_range_II", "MPa", "Pa",
+               "stress at the lower inner edge minus that at the preload deflection"},
+              inner),
+      between({"stress_range_III", "MPa", "Pa",
+               "stress at the lower outer edge minus that at the preload deflection"},
+              outer)};
 }
 
 MechanismResponse flattening(At at, const char* name, const char* meaning) {
@@ -159,22 +163,24 @@ MechanismResponse flattening(At at, const char* name, const char* meaning) {
 
 std::vector<MechanismResponse> disc_sizes() {
   return {
-      flattening(At::Preload, "preload_flattening", "preload deflection over that to flat"),
+      flattening(At::Preload, "preload_flattening",
+                 "preload deflection over the deflection to flat"),
       flattening(At::Working, "flattening",
-                 "working deflection over that to flat; plates stop the discs at 1"),
+                 "working deflection over the deflection to flat; the discs are stopped at 1, when "
+                 "they are flat"),
       disc_number({"stroke", "mm", "m", "working deflection minus preload deflection"},
                   [](const auto& springs) {
                     return springs.working_deflection - springs.preload_deflection;
                   }),
-      disc_number({"springs", "1", "1", "discs in all"},
+      disc_number({"springs", "1", "1", "number of discs"},
                   [](const auto& springs) { return springs.stack().springs(); }),
-      disc_number({"free_length", "mm", "m", "length of the stack without load"},
+      disc_number({"free_length", "mm", "m", "free length of the stack"},
                   [](const auto& springs) { return springs.stack().free_length(); }),
       disc_number({"working_length", "mm", "m", "length of the stack at the working deflection"},
                   [](const auto& springs) {
                     return springs.stack().free_length() - springs.working_deflection;
                   }),
-      disc_number({"flat_length", "mm", "m", "length of the stack pressed flat"},
+      disc_number({"flat_length", "mm", "m", "length of the stack when pressed flat"},
                   [](const auto& springs) { return springs.stack().flat_length(); }),
       disc_number({"mass", "kg", "kg", "mass of the stack"},
                   [](const auto& springs) { return springs.stack().mass(springs.density); })};

@@ -50,8 +50,9 @@ const std::vector<MechanismParameter>& MachineTraits<WorkingSpring>::parameters(
        1e4},
       {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
       {"gap_factor", "k_a", "1", "1",
-       "gaps between coils at the working deflection over the least ones; 1.5 where it varies", 1,
-       0, 1000},
+       "gaps between coils at the working deflection over the least permitted ones; 1.5 if the "
+       "deflection varies",
+       1, 0, 1000},
       {"seating", "nu", "1", "1", "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1,
        10}};
   return all;
@@ -116,7 +117,7 @@ std::vector<MechanismResponse> coil_stresses() {
           {"static_stress", "MPa", "Pa", "stress at the working deflection, not corrected",
            linear_in_wire()},
           [=](const auto& spring) { return uncorrected(spring, spring.working_deflection); }),
-      coil_number({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected"},
+      coil_number({"solid_stress", "MPa", "Pa", "stress at solid length, not corrected"},
                   [=](const auto& spring) {
                     return uncorrected(spring, spring.working_deflection + spring.gaps());
                   })};
@@ -130,17 +131,18 @@ std::vector<MechanismResponse> coil_sizes() {
                   [](const auto& spring) { return spring.outer_diameter(); }),
       coil_number({"inner_diameter", "mm", "m", "inner diameter without load"},
                   [](const auto& spring) { return spring.inner_diameter(); }),
-      coil_number({"solid_length", "mm", "m", "length with all coils touching"},
+      coil_number({"solid_length", "mm", "m", "solid length, with all coils touching"},
                   [](const auto& spring) { return spring.solid_length(); }),
       coil_number({"working_length", "mm", "m", "length at the working deflection"},
                   [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
       coil_number(
           {"preload_length", "mm", "m", "length at the preload deflection"},
           [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
-      coil_number({"free_length", "mm", "m", "free length that leaves the gaps"},
+      coil_number({"free_length", "mm", "m",
+                   "free length that keeps the gaps between coils at the working deflection"},
                   [](const auto& spring) { return spring.free_length(); }),
       coil_number({"buckling", "1", "1",
-                   "nearness of the working deflection to buckling; above 1 the spring buckles"},
+                   "how near the working deflection comes to buckling; above 1 the spring buckles"},
                   [](const auto& spring) {
                     return spring.buckling_fraction(spring.working_deflection, spring.free_length(),
                                                     spring.seating);

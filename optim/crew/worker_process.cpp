@@ -131,7 +131,7 @@ WorkerProcess::News WorkerProcess::hear_greeting() {
   std::string message;
   if (!inbox_.take(message) && inbox_.may_become(kGreeting.size())) return {};
   if (message != kGreeting) {
-    return refuse("what it said is not what a worker of this version says");
+    return refuse("its answer is not that of a worker of this version");
   }
   stage_ = Stage::Greeted;
   // Where it is gone the next read() tells.
@@ -142,7 +142,7 @@ WorkerProcess::News WorkerProcess::hear_greeting() {
 
 WorkerProcess::News WorkerProcess::late() {
   if (stage_ != Stage::Started || std::chrono::steady_clock::now() < awaited_.latest) return {};
-  return refuse(fmt::format("it did not say within {} s that it is one",
+  return refuse(fmt::format("it did not identify itself as one within {} s",
                             std::chrono::duration<double>(awaited_.program.patience).count()));
 }
 

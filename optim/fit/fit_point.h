@@ -25,7 +25,7 @@ struct FitPoint {
 /// Nothing where the residuals are undefined.
 std::optional<FitPoint> fit_point(const Residuals& residuals, Eigen::VectorXd p);
 
-/// The Gauss-Newton step from a point within its box, (R2) to (R4) of docs/optimisation.md.
+/// The Gauss-Newton step from a point within its box, (FT2) to (FT4) of docs/optimisation.md.
 struct GaussNewton {
   /// Parameters that stay: their bounds are equal, or they stand at a bound and would leave.
   std::vector<bool> held;
@@ -40,7 +40,7 @@ struct GaussNewton {
 /// length one, are left out.
 GaussNewton gauss_newton(const FitPoint& point, const FitBox& box, double tolerance);
 
-/// The share of r that the model can still follow, the cosine of (R4); 0 where r is zero.
+/// The share of r that the model can still follow, the cosine of (FT4); 0 where r is zero.
 double followed(const FitPoint& point, const GaussNewton& step);
 
 /// Whether that is next to nothing: at most 1e-6, or no more than rounding makes.

@@ -38,7 +38,7 @@ std::vector<LossAt> losses(const FitResult& result, Loss loss) {
   return all;
 }
 
-/// (R6): sqrt of K^2 (sum psi^2 / dof) / (mean psi')^2.
+/// (FT6): sqrt of K^2 (sum psi^2 / dof) / (mean psi')^2.
 double residual_deviation(const std::vector<LossAt>& at, std::size_t rank) {
   const auto n = static_cast<double>(at.size()), p = static_cast<double>(rank);
   double squares = 0, mean = 0, variance = 0;

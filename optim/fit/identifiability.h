@@ -20,7 +20,7 @@ struct ScaledColumns {
   Eigen::VectorXd lengths;  ///< 1 for a column of zeros
 };
 
-/// What the Jacobian says of its parameters, by singular values (docs/optimisation.md, (R5)).
+/// What the Jacobian says of its parameters, by singular values (docs/optimisation.md, (FT5)).
 struct Identifiability {
   std::size_t rank = 0;
   double condition = 1;  ///< largest over least singular value that counts, columns scaled

@@ -288,7 +288,8 @@ class Search {
       const double next = std::max(least, scale_at(now.end.p));
       if (std::abs(next - scale) <= settled * scale) {
         if (scale == least) {
-          now.end.doubt = "more than half of the residuals vanish: the loss has no scale to go by";
+          now.end.doubt =
+              "more than half of the residuals vanish: no scale can be estimated for the loss";
         }
         return {now.end, scale * scale, now.stationary, now.sound};
       }

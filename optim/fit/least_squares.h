@@ -118,7 +118,7 @@ struct FitResult {
   int degrees_of_freedom = 0;   ///< n - rank
   /// Standard deviation of one residual, NaN without degrees of freedom. Without a loss
   /// sqrt(sum_of_squares / degrees_of_freedom); with one what makes sigma^2 (J^T J)^-1 the
-  /// asymptotic covariance: Huber's sandwich, (R6).
+  /// asymptotic covariance: Huber's sandwich, (FT6).
   double sigma = 0;
   std::optional<double> loss_scale = {};  ///< that was used; none without a loss
   /// What fits to the same residuals are compared by, the less the better: the sum of rho(r), of an
@@ -126,7 +126,7 @@ struct FitResult {
   double merit = 0;
 
   /// By our own test, not by a solver's word: what the model can still follow is less than 1e-6 of
-  /// the residuals' length, or no more than the rounding of parameters makes of it (R4).
+  /// the residuals' length, or no more than the rounding of parameters makes of it (FT4).
   bool converged = false;
   double followed = 0;   ///< that share: the cosine between residuals and what can be followed
   std::size_t rank = 0;  ///< of the Jacobian of the parameters that are not held

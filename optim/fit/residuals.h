@@ -32,7 +32,7 @@ class Residuals {
 ///     for (std::size_t i = 0; i < r.size(); ++i) r[i] = p[0] + p[1] * x[i] - y[i];
 ///     return true;
 ///   });
-/// Any number of parameters; four derivatives a pass (docs/optimisation.md, (J1)).
+/// Any number of parameters; four derivatives a pass (docs/optimisation.md, (DV1)).
 template <class F>
 class AutomaticResiduals final : public Residuals {
  public:

@@ -119,7 +119,7 @@ std::vector<std::string> differences(const Problem& multi, const FrontPoint& poi
   const std::size_t objectives = multi.objectives.size();
   if (point.x.size() != multi.variables.size() || point.objectives.size() != objectives ||
       point.costs.size() != objectives) {
-    return {"the design does not have the numbers that its problem asks for"};
+    return {"the design does not have the values that its problem requires"};
   }
   compare_variables(multi, point.x, found);
   if (!found.empty()) return found;  // of a design beyond its bounds the model may know nothing

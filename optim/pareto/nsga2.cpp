@@ -28,7 +28,7 @@ struct Loaded {
 
 /// Stays loaded: the function is needed until the program ends.
 Loaded load() {
-  if (!CAMLAW_HAS_PAGMO) return {.why_not = "this build has left it out"};
+  if (!CAMLAW_HAS_PAGMO) return {.why_not = "this build does not include it"};
   const auto path = own_file(kPlugin);
   if (!path) return {.why_not = "it is not installed"};
   void* plugin = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);

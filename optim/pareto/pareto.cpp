@@ -61,7 +61,7 @@ double default_tolerance(const ProblemSpace& space, std::size_t objective, const
 }
 
 /// Takes tolerances as stated, else the defaults where each objective is best
-/// (docs/optimisation.md, (Z3)): the best design is looked up in `points(objective)`.
+/// (docs/optimisation.md, (SC3)): the best design is looked up in `points(objective)`.
 template <class Points>
 Costs tolerances(const ProblemSpace& space, Points points) {
   Costs result;

@@ -64,7 +64,7 @@ struct Front {
   std::size_t tasks = 0;
   long evaluations = 0;
   std::vector<FailedTask> failures;
-  /// Differences of each objective that are none: as stated, else (Z3).
+  /// Differences of each objective that are none: as stated, else (SC3).
   Costs tolerances;
   bool stopped = false;  ///< before the end
   /// Of three objectives or more, by sweep: the largest gap, but for those that a search has shown

@@ -263,7 +263,7 @@ FrontPoint looked_at(const Problem& multi, std::size_t part, Design x) {
   const bool numbers = std::all_of(point.costs.begin(), point.costs.end(),
                                    [](double c) { return std::isfinite(c); });
   point.verdict = met && numbers ? Verdict::Feasible : Verdict::Failed;
-  point.reason = met ? "the design was looked at, not searched for" : "it violates a limit";
+  point.reason = met ? "the design was evaluated, not searched for" : "it violates a limit";
   return point;
 }
 

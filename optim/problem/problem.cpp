@@ -20,7 +20,8 @@ void check_variable(const Variable& v) {
   if (v.lower > v.upper) {
     refuse(what, fmt::format("lower {:.6g} exceeds upper {:.6g}", v.lower, v.upper));
   }
-  if (v.lower == kInfinity || v.upper == -kInfinity) refuse(what, "its bounds leave no number");
+  if (v.lower == kInfinity || v.upper == -kInfinity)
+    refuse(what, "no number lies within its bounds");
   if (!std::isfinite(v.start)) refuse(what, "its start is not a finite number");
   if (v.scale && !(*v.scale > 0 && std::isfinite(*v.scale))) {
     refuse(what, fmt::format("scale {:.6g} is not a positive number", *v.scale));
@@ -201,10 +202,9 @@ bool is_convex_limit(const Constraint& limit) {
 std::optional<std::string> why_convex(const Problem& problem) {
   const Shape shape = objective_shape(problem.objective());
   if (!convex_below(shape) || !convex_set(problem)) return {};
-  return fmt::format(
-      "{} is {} in the variables{}", problem.objective().response.name,
-      is_convex(shape) ? "convex" : "quasiconvex and slopes",
-      problem.constraints.empty() ? "" : ", and the set that the limits leave is convex");
+  return fmt::format("{} is {} in the variables{}", problem.objective().response.name,
+                     is_convex(shape) ? "convex" : "quasiconvex without stationary points",
+                     problem.constraints.empty() ? "" : ", and the feasible set is convex");
 }
 
 bool needs_slope(const Problem& problem) {

@@ -39,7 +39,7 @@ Least least_violation_at(const std::vector<double>& x, const Setting& setting, T
     if (!is_feasible(least.blame)) return least_violation_from(x, setting, trail);
     least.attempt.x = x;
     least.attempt.status = Status::Solved;
-    least.attempt.message = "a point of the box was found that meets every limit";
+    least.attempt.message = "a design within the bounds was found that meets every limit";
     return least;
   } catch (...) {
     if (is_interruption(std::current_exception())) throw;

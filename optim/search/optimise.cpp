@@ -41,7 +41,9 @@ void judge_combinations(const Tally& tally, Assessment& a) {
   }
   if (!tally.enumerated && !tally.bounds_hold && a.verdict == Verdict::Certified) {
     a.verdict = Verdict::Feasible;
-    a.reason = "combinations were excluded by bounds that hold nearby only: the rest is not convex";
+    a.reason =
+        "combinations were excluded by bounds that hold only locally, as the rest of the problem "
+        "is not convex";
     a.global.reset();
     return;
   }
@@ -59,12 +61,12 @@ void judge_combinations(const Tally& tally, Assessment& a) {
     }
     a.global.reset();
     if (tally.bounds_hold && a.verdict == Verdict::Infeasible)
-      a.global = how + ", each leaves a convex set, and all are empty";
+      a.global = how + ", each has a convex feasible set, and all of these are empty";
     return;
   }
   if (a.verdict != Verdict::Certified) return;
   a.global.reset();
-  if (tally.bounds_hold) a.global = how + ", each convex in the rest";
+  if (tally.bounds_hold) a.global = how + ", each convex in the other variables";
   a.reason = fmt::format("{}; {}", a.reason, how);
 }
 

@@ -148,7 +148,7 @@ RunEnd run_end(const ClpSimplex& model, const SolverOptions& options) {
     case 0:
       return {Status::Solved, "optimal to tolerance"};
     case 1:
-      return {Status::Infeasible, "the rows contradict one another"};
+      return {Status::Infeasible, "the limits contradict one another"};
     case 2:
       return {Status::Unbounded, "the objective decreases without bound"};
     case 3:

@@ -18,7 +18,7 @@ struct Reserved {
 
 const std::vector<Reserved>& reserved() {
   static const std::vector<Reserved> list{
-      {"standard output is the answer's, and a search writes no files",
+      {"standard output is reserved for the answer, and a search writes no files",
        {"print_*", "file_print_level", "output_file", "sb", "suppress_all_output", "inf_pr_output",
         "ma77_print_level", "ma86_print_level", "ma97_print_level", "mumps_print_level",
         "spral_print_level", "pardiso_msglvl"}},
@@ -35,11 +35,13 @@ const std::vector<Reserved>& reserved() {
         "jac_c_constant", "jac_d_constant", "num_linear_variables"}},
       {"camlaw has a check of its own, which 'camlaw check --derivatives' does",
        {"derivative_test*", "point_perturbation_radius"}},
-      {"a run begins with multipliers where an earlier one has left them",
+      {"a run begins with the multipliers that an earlier one has left",
        {"warm_start_init_point", "warm_start_same_structure", "warm_start_entire_iterate"}},
-      {"camlaw says from it that the objective improves without end", {"diverging_iterates_tol"}},
-      {"bounds beyond 1e19 stand for none", {"nlp_lower_bound_inf", "nlp_upper_bound_inf"}},
-      {"the answer would not come back", {"skip_finalize_solution_call"}}};
+      {"camlaw recognises by it that the objective improves without bound",
+       {"diverging_iterates_tol"}},
+      {"bounds beyond 1e19 mean that there is none",
+       {"nlp_lower_bound_inf", "nlp_upper_bound_inf"}},
+      {"the answer would be lost", {"skip_finalize_solution_call"}}};
   return list;
 }
 

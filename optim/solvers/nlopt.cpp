@@ -44,7 +44,7 @@ RunEnd run_end(nlopt_result result, const char* words) {
     case NLOPT_ROUNDOFF_LIMITED:
       return {Status::Stalled, "rounding hinders further steps"};
     case NLOPT_FAILURE:
-      return {Status::Stalled, "no step leads on"};
+      return {Status::Stalled, "no step leads to a better point"};
     default:
       return {Status::Failed, words != nullptr ? words : nlopt_result_to_string(result)};
   }
@@ -78,15 +78,15 @@ RunEnd doubted(const RunEnd& claim, bool is_global, const Point& final,
                const Evaluator& evaluator) {
   const Point& best = evaluator.best();
   if (claim.status != Status::Solved) return claim;
-  if (is_global) return {Status::Stalled, "the search has come to its finest resolution"};
+  if (is_global) return {Status::Stalled, "the search has reached its finest resolution"};
   if (best.violation > kAcceptableViolation) {
-    return {Status::Infeasible, "ends where rows cannot be met"};
+    return {Status::Infeasible, "ended where the limits cannot be met"};
   }
   if (final.violation > kAcceptableViolation || materially_lower(best.objective, final.objective)) {
-    return {Status::Stalled, "ends at a point worse than the best that it met"};
+    return {Status::Stalled, "ended at a point worse than the best that it had found"};
   }
   if (evaluator.undefined_lately()) {
-    return {Status::Stalled, "ends where the model is undefined"};
+    return {Status::Stalled, "ended where the model is undefined"};
   }
   return claim;
 }
@@ -97,7 +97,7 @@ Solution solution(const Point& point, RunEnd outcome, const Evaluator& evaluator
   result.message = std::move(outcome.message);
   const bool threw = evaluator.error() != nullptr;
   if (point.violation > kAcceptableViolation && point.defined && !threw) {
-    result.message += fmt::format("; a row is violated by {:.2g} of its size", point.violation);
+    result.message += fmt::format("; a limit is violated by {:.2g} of its scale", point.violation);
   }
   result.y = point.y;
   result.evaluations = evaluator.evaluations();

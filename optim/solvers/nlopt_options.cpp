@@ -39,7 +39,7 @@ void add_dual_problems(std::vector<NativeRule>& rules) {
     rules.push_back(above_zero(name));
   }
   rules.push_back(reserved_option("dual_algorithm", "camlaw has measured which is best"));
-  rules.push_back(reserved_option("verbosity", "standard output is the answer's"));
+  rules.push_back(reserved_option("verbosity", "standard output is reserved for the answer"));
 }
 
 /// Local methods may end earlier than their tolerances make them; global ones use up their

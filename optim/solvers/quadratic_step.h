@@ -9,7 +9,7 @@
 #include "numerics/linear/quadratic_program.h"
 #include "optim/solvers/program.h"
 
-/// Steps of a nonlinear program by convex quadratic ones (docs/optimisation.md, (U4)).
+/// Steps of a nonlinear program by convex quadratic ones (docs/optimisation.md, (XM4)).
 namespace camlaw::optim {
 
 /// A design with what the program's functions say there.

@@ -63,7 +63,7 @@ class Sequence {
     constexpr int kMost = 100;
     if (!place_.is_finite()) return answer(Status::NonFiniteStart, "not a number at the start");
     while (iterations_ < options_.max_iterations) {
-      if (iterations_ >= kMost) return answer(Status::Stalled, "the steps do not come to an end");
+      if (iterations_ >= kMost) return answer(Status::Stalled, "the steps do not converge");
       if (options_.progress) {
         options_.progress(
             {iterations_, program_.unscaled_objective(place_.objective), place_.violation});
@@ -74,12 +74,12 @@ class Sequence {
       ++iterations_;
       if (stopped_) return answer(stopped_->status, stopped_->message);
       if (advance == Advance::None || advance == Advance::Undefined)
-        return answer(Status::Stalled, "no step leads on");
+        return answer(Status::Stalled, "no step leads to a better point");
       if (place_.violation <= met_ && is_far_out(program_, entries_of(place_.y)))
         return answer(Status::Unbounded, "the objective decreases without bound");
       if (advance == Advance::Last) {
-        if (place_.violation > met_) return answer(Status::Infeasible, "no step meets the rows");
-        return answer(Status::Solved, "no step is worth anything");
+        if (place_.violation > met_) return answer(Status::Infeasible, "no step meets the limits");
+        return answer(Status::Solved, "no step improves the design");
       }
     }
     return answer(Status::IterationLimit, "limit of iterations");
@@ -292,7 +292,7 @@ class Sequence {
       place_ = std::move(settled_->place);
       multipliers_ = std::move(settled_->multipliers);
       status = Status::Solved;
-      message = "no step is worth anything";
+      message = "no step improves the design";
     }
     Solution solution{.status = status, .message = std::move(message)};
     const auto list = [](const VectorXd& v) { return std::vector<double>(v.begin(), v.end()); };

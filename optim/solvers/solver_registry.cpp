@@ -81,7 +81,7 @@ const Solver& find_solver(std::string_view name) {
 }
 
 void register_solver(std::unique_ptr<const Solver> solver) {
-  if (solver == nullptr) throw std::invalid_argument("no solver is given to be registered");
+  if (solver == nullptr) throw std::invalid_argument("no solver was given to register");
   const std::string name = solver->name();
   if (is_word_of_files(name)) {
     throw std::invalid_argument(

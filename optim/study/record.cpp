@@ -71,7 +71,7 @@ std::string beginning_of(const std::string& path) {
   if (!fs::exists(begun)) return begun;
   const bool is_left =
       fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
-  if (!is_left) refuse(begun, "it is where the study is to be started; move it away");
+  if (!is_left) refuse(begun, "a study is prepared under this name; move the file away");
   fs::remove(begun);
   return begun;
 }

@@ -74,7 +74,7 @@ double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimal
     largest = std::max(largest, entry);
     sum += entry;
   }
-  // By the sum a least violation is bounded from below (docs/optimisation.md, (N3)).
+  // By the sum a least violation is bounded from below (docs/optimisation.md, (LV3)).
   const bool least = optimality == Optimality::LeastViolation;
   const double residual = least ? (sum + open) / largest_violation(problem, sizes, x)
                                 : std::max(largest, open) / objective_measure(problem, sizes, x);

@@ -136,10 +136,10 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
       if (!response.is_curve() && response.function().proved().is_searched()) {
         return fmt::format(
             "{} is met, but not proved: it is an estimate over a fixed set of parts, or over the "
-            "places that a search looked at",
+            "places that a search evaluated",
             a.limits[i].name);
       }
-      return fmt::format("{} is met wherever it was looked at, but not proved over the whole cycle",
+      return fmt::format("{} is met wherever it was evaluated, but not proved over the whole cycle",
                          a.limits[i].name);
     }
   }
@@ -149,17 +149,17 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
       return fmt::format("{} is not proved", problem.objective().response.name);
     }
     const bool lowest = problem.objective().part == Part::Lowest;
-    return fmt::format("{} is not proved to be nowhere {}", problem.objective().response.name,
+    return fmt::format("it is not proved that {} is nowhere {}", problem.objective().response.name,
                        lowest ? "lower" : "higher");
   }
   if (is_wide(problem.objective().response, a.objective, sizes.objective_tolerance)) {
-    return fmt::format("{} is proved to lie between {:.9g} and {:.9g} only",
+    return fmt::format("{} is only proved to lie between {:.9g} and {:.9g}",
                        problem.objective().response.name, peak.lower, peak.upper);
   }
   if (is_bounded(a)) return {};
   if (std::isinf(a.kkt_residual)) {
-    return "the model has no derivatives at the answer, which may be at the edge of where the "
-           "machine is possible";
+    return "the model has no derivatives at the answer, which may lie at the edge of the possible "
+           "machines";
   }
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
@@ -168,7 +168,8 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
     return "a peak lies at a joint of the law that moves with the design, so how it changes is not "
            "known";
   }
-  if (!a.second_order) return "a direction along the active limits may improve to second order";
+  if (!a.second_order)
+    return "along the active limits the objective may still improve to second order";
   return a.sign;
 }
 
@@ -205,7 +206,7 @@ void conclude(const Problem& problem, const Sizes& sizes, const std::string& why
   if (a.verdict != Verdict::Certified) return;
   a.reason = a.kkt_residual <= kKktTolerance
                  ? "every limit is met and the conditions of optimality hold"
-                 : "every limit is met and a lower bound leaves nothing better";
+                 : "every limit is met and a lower bound excludes anything better";
   if (is_bounded(a)) a.global = global_words(problem, a, why);
 }
 
@@ -295,8 +296,8 @@ void take_subdivision(const Problem& problem, const Sizes& about, const Subdivis
   Assessment bounded = a;
   conclude(problem, judged_at(problem, about, x),
            division.boxes == 1
-               ? "the ranges of objective and limits over the whole box leave no better design"
-               : fmt::format("the variables' box was divided, {} parts were looked at, and none "
+               ? "the ranges of objective and limits over the whole box exclude a better design"
+               : fmt::format("the variables' box was divided, {} parts were examined, and none "
                              "holds a better design",
                              division.boxes),
            bounded);
@@ -360,7 +361,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
   // Without a box a slope that is left could lead far.
   constexpr double kNoSlope = 1e-8;
   if ((convex && boxed) || (quasiconvex && result.kkt_residual <= kNoSlope)) {
-    result.global = "the set that the limits leave is convex: it is empty";
+    result.global = "the feasible set is convex, and it is empty";
   }
   return result;
 }

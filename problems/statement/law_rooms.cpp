@@ -63,8 +63,8 @@ ConstraintStatement constraint_of(const Member& law, std::size_t number, bool se
   MechanismResponse response;
   response.name = several ? family + ": " + room.name : room.name;
   response.unit = "1";
-  response.meaning = room.is_equal ? "what the law's parameters may not leave"
-                                   : "what the law's parameters leave together";
+  response.meaning = room.is_equal ? "remainder of the law's parameters, which must be 0"
+                                   : "remainder of the law's parameters, which must not be below 0";
   response.sees_law = true;
   response.number = [family, number, shape](const Binding& binding, optim::Shape) {
     return left_over(binding, family, number, shape);

@@ -21,8 +21,9 @@ void check_part_name(const Entry& table, const Mechanism& mechanism) {
       !has(mechanism.inputs) && table.key != "law") {
     return;
   }
-  refuse(table, fmt::format("{} is something else of {}; give the part another name", table.key,
-                            mechanism.name));
+  refuse(table,
+         fmt::format("{} is already the name of something else in {}; give the part another name",
+                     table.key, mechanism.name));
 }
 
 /// Refuses what the file states of a part's numbers beside it.

@@ -70,7 +70,8 @@ void read_distribution(const Entry& table, VariationStatement& variation) {
            fmt::format("no distribution is called '{}'; {}", name, suggestion(name, known)));
   }
   if (variation.is_normal && name == "uniform") {
-    refuse(*entry, "a standard deviation is of normal values; give plus and minus instead");
+    refuse(*entry,
+           "only a normal distribution has a standard_deviation here; give plus and minus instead");
   }
   variation.is_normal = name == "normal";
 }

@@ -197,7 +197,7 @@ std::string swept_value(double number, const std::string& unit) {
 std::optional<SweepAxis> parse_axis(const std::string& assignment) {
   const auto [written_name, written_text] = parse_assignment(assignment, kSweepExample);
   const std::string name(written_name), text(written_text);
-  if (text.empty()) throw std::invalid_argument(fmt::format("{}: a value is wanted", name));
+  if (text.empty()) throw std::invalid_argument(fmt::format("{}: give a value", name));
   const bool is_law = is_law_setting(name);
   SweepAxis axis = is_law                                ? laws_of(name, text)
                    : text.find(':') != std::string::npos ? stepped(name, text)

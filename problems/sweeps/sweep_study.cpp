@@ -204,7 +204,7 @@ std::vector<SweptVariable> SweepStudy::variables(std::size_t combination,
 ProblemStatement SweepStudy::design(std::size_t combination, optim::Design recorded) const {
   const auto problem = bound(combination);
   const auto split = split_of(problem.value(), recorded);
-  if (!split) throw std::invalid_argument("the design is not one of its combination");
+  if (!split) throw std::invalid_argument("the design does not belong to its combination");
   return problem->at(split->options, split->x);
 }
 

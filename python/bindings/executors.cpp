@@ -144,7 +144,7 @@ optim::Hands hands_of(const Labour& labour, const optim::WorkerProgram& program)
 
 void check_resume(bool resume, const std::string& record) {
   if (!resume || !record.empty()) return;
-  throw std::invalid_argument("resume: it goes with record, the file of the study");
+  throw std::invalid_argument("resume: it needs record, the file of the study");
 }
 
 void add_executors(nb::module_& module) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What answers have in common."""
+"""What all answers have in common."""
 
 from __future__ import annotations
 

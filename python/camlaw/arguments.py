@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What people pass, checked where it comes in: whatever is wrong with it is an InputError that names
-the argument and says what is accepted."""
+"""Arguments of calls, checked where they come in: whatever is wrong is an InputError that names the
+argument and says what is accepted."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def optional_whole(value: Any, what: str, least: int, most: int) -> int | None:
 
 
 def place(value: Any, what: str, size: int) -> int:
-    """Where one of `size` things is, counted from 0, or from the end as in a list. Raises IndexError
+    """The index of one of `size` things, counted from 0, or from the end as in a list. Raises IndexError
     where there is none, as lists do."""
     try:
         number = index(value)
@@ -130,7 +130,7 @@ def mapping(value: Any, what: str, example: str = "") -> dict[str, Any]:
 
 
 def sequence(value: Any, what: str, example: str = "") -> list[Any]:
-    """A list of anything; an empty one where none is given. A text is none."""
+    """A list of anything; an empty one if none is given. A text is not a list."""
     if value is None:
         return []
     if isinstance(value, np.ndarray) and value.ndim == 1:

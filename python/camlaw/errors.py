@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the package raises. The sentences are the program's own."""
+"""The exceptions that the package raises. Their messages are the program's own."""
 
 from typing import Any
 
@@ -9,11 +9,11 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """An input is wrong: the sentence names it and says what is accepted."""
+    """An input is wrong: the message names it and says what is accepted."""
 
 
 class MissingPackage(Error, ImportError):
-    """A call needs an optional package that is not installed: the sentence names it."""
+    """A call needs an optional package that is not installed: the message names it."""
 
 
 class Interrupted(KeyboardInterrupt):

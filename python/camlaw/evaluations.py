@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is said of a problem without a search: a design evaluated, a problem in words."""
+"""What can be said of a problem without a search: a design evaluated, a problem in words."""
 
 from __future__ import annotations
 
@@ -111,7 +111,9 @@ class Sensitivity(_Told):
 
 
 class Tolerance(_Told):
-    """What manufacture makes of a design. `facts` has what 'camlaw tolerance --json' prints."""
+    """How a design fares in manufacture: worst cases and yield. `facts` has what 'camlaw tolerance
+    --json' prints.
+    """
 
     @property
     def worst(self) -> Any:

@@ -85,7 +85,7 @@ class Carrier:
             executor = executor()
             if not (hasattr(executor, "submit") and hasattr(executor, "shutdown")):
                 raise InputError(
-                    f"executor: the function made a {type(executor).__name__}, which is no executor of "
+                    f"executor: the function made a {type(executor).__name__}, which is not an executor of "
                     "concurrent.futures"
                 )
         self._executor = executor

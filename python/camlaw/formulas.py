@@ -369,8 +369,8 @@ class Machine:
     """A machine of one's own: its parameters, and its responses as formulas.
 
     moved_by: with "law" curves run over x, from 0 to 1; with "program" they run over the cam's angle;
-    with "nothing" formulas know the angle of a shaft that turns evenly. A parameter is a dict with
-    default and, if you like, unit, lower, upper, type, symbol and meaning.
+    with "nothing" formulas can use the angle of a shaft that turns evenly. A parameter is a dict with
+    default and, optionally, unit, lower, upper, type, symbol and meaning.
     """
 
     def __init__(

@@ -92,7 +92,7 @@ class Front(Answer):
         return self[self._native.compromise(list(numbers(weights, "weights")))]
 
     def sensitivity(self, k: int, tolerances: Mapping[str, Any] | None = None) -> Check:
-        """What becomes of a design that is not made exactly: `tolerances` by variable; by default
+        """How a design fares if it is not made exactly: `tolerances` by variable; by default
         0.02 mm of a length, 0.1 deg of an angle and a hundredth of anything else."""
         facts, text, html = self._native.sensitivity(
             place(k, "point", len(self)), units.settings_of(mapping(tolerances, "tolerances"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files that are written, and what an export is told."""
+"""Files that are written, and the options of an export."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Problems: a machine, what may vary, what is wanted, what must hold.
 
-How one is stated is in stating, what is searched for in searches, what is said of it without a search
+How one is stated is in stating, what is searched for in searches, what can be said of it without a search
 in evaluations.
 """
 
@@ -53,8 +53,8 @@ class Problem(Searches):
     response to minimize, or {"minimize": ...} or {"maximize": ...}; objectives: a list of these, for a
     front. constraints: a dict of (lower, upper) or tables, or a list of tables. responses: formulas of
     your own, each a Response. cases: load cases, [{"name": "fast", "speed": "400 rpm"}, ...]. ranges:
-    parameters that take any value in a range, {"speed": ("100 rpm", "400 rpm")}. variation: what
-    manufacture does to sizes, as much to either side, {"base_radius": "0.02 mm"}, or tables. parts:
+    parameters that take any value in a range, {"speed": ("100 rpm", "400 rpm")}. variation: the
+    deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"}, or tables. parts:
     tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name, each with the
     keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program": ...}}. free,
     buildable and solver: the tables of these names. Raises InputError.
@@ -137,7 +137,7 @@ class Problem(Searches):
 
     def save(self, path: str | Path) -> None:
         """Writes the problem's text, and beside it the laws and tables that it names, unless they are
-        there. Raises InputError if the text does not say where the problem stands: if set() has changed
+        there. Raises InputError if the text does not have all of the problem: if set() has changed
         values, or if it is a design that was found."""
         beside = self._native.found_settings()
         if beside:
@@ -316,7 +316,7 @@ class Problem(Searches):
         return exported(native.export_problem(self._native, export_options(path, options)), path)
 
     def __eq__(self, other: object) -> bool:
-        """Whether the other states the same: text, files, what was set, and the design it stands at."""
+        """Whether the other states the same: text, files, what was set, and the design at its starts."""
         if not isinstance(other, Problem):
             return NotImplemented
         return self._stated() == other._stated()

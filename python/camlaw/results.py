@@ -74,7 +74,7 @@ class Result(Answer):
         return result
 
     def _judge_again(self) -> None:
-        """Puts what the design is in place of what a file claims of it."""
+        """Replaces what a file claims about the design by what the design is."""
         found = self.verify()
         limits = [
             {**limit, "worst_angle_deg": limit["at"], "multiplier": None, "at_rest": None}

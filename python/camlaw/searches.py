@@ -275,12 +275,12 @@ class Searches:
         progress: Progress = None,
         **more: Any,
     ) -> Tolerance:
-        """Finds what manufacture makes of the design at the variables' starts: worst case and yield.
+        """Finds how the design at the variables' starts fares in manufacture: worst case and yield.
 
-        tolerances: as much to either side, such as {"base_radius": "0.02 mm"}; without any, the
-        problem's variations count. samples: the number of parts from which the yield is estimated, by
+        tolerances: deviations, plus and minus, such as {"base_radius": "0.02 mm"}; without any, the
+        problem's variations are used. samples: the number of parts from which the yield is estimated, by
         default 100000, and fewer if a limit must be searched anew for each part. workers and executor:
-        who counts the parts, as in pareto(), if that takes longer than a few seconds; the yield does not
+        what counts the parts, as in pareto(), if that takes longer than a few seconds; the yield does not
         depend on them. record and resume: a file that keeps which parts have been counted, as in
         pareto(). time_limit: seconds, or a text such as "1 min", after which the answer is what is
         known.

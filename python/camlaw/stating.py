@@ -113,7 +113,7 @@ def response_table(response: Any, what: str) -> Any:
 
 
 def variation_table(variation: Any) -> dict[str, Any]:
-    """As much to either side, or a table."""
+    """A deviation, plus and minus, or a table."""
     if isinstance(variation, Mapping):
         return dict(variation)
     return {"plus": variation, "minus": variation}

@@ -255,7 +255,7 @@ void LawProblem::quiet(const std::string& name, double period_ratio) {
   const double w = 2 * std::numbers::pi * period_ratio;
   constants_ += fmt::format("period_ratio{} = {}\n", name, digits(period_ratio));
   for (const bool cosine : {true, false}) {
-    // (U5), by Gauss and Legendre with five places in each of a few parts of each piece.
+    // (FL1), by Gauss and Legendre with five places in each of a few parts of each piece.
     const auto integral = [w, cosine](const PlainLaw& law) {
       constexpr double kPlace[] = {0, 0.5384693101056831, 0.9061798459386640};
       constexpr double kWeight[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};

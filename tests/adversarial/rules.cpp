@@ -134,7 +134,7 @@ void judge_limits(const Case& test, Outcome& outcome) {
     const bool curve = model.is_curve(side.response);
     const double own =
         curve ? high.magnitude : std::max(look->magnitude(side.response), std::abs(side.bound));
-    // "Met wherever it was looked at, not proved" claims no more than that.
+    // "Met wherever it was evaluated, but not proved" claims no more than that.
     const bool claimed = said.met && (said.proved || answer.said == Said::Certified);
     // No tolerance of ours is as large as a ten-thousandth of what it is about.
     const double most = own > 0 ? std::min(said.tolerance, 1e-4 * own) : said.tolerance;

@@ -362,9 +362,9 @@ TEST_CASE("a fitted spline is a law", "[measured][smoothing]") {
     CHECK(cycle(at).a == Approx(closed(30 + 100 * at, 2) * 10000 / -8).margin(1e-7));
   }
   CHECK(complaint([&] { stretch_law(closed); }) ==
-        "law of a spline: a periodic one is not a stretch");
+        "law of a spline: a periodic spline is not a single motion");
   CHECK(complaint([&] { spline_law(s, 12, 0); }) ==
-        "law of a spline: a stroke of 0 from 12 is none");
+        "law of a spline: 0 is not a possible stroke (from 12)");
 }
 
 TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
@@ -390,9 +390,10 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
   bad = points;
   std::swap_ranges(bad.begin() + 100, bad.begin() + 120, bad.begin() + 200);
   begins(said(bad), "measured profile: it turns back at point ");
-  CHECK(complaint([&] {
-          MeasuredProfile::polar(std::vector<double>(20), std::vector<double>(21));
-        }) == "measured profile: 20 polar angles and radii and 21 do not belong together");
+  CHECK(complaint(
+            [&] { MeasuredProfile::polar(std::vector<double>(20), std::vector<double>(21)); }) ==
+        "measured profile: 20 polar angles and 21 radii: there must be as many of one as of the "
+        "other");
 
   const auto profile = profile_of(points);
   const auto with = [&](const MeasuredFollower& follower) {

@@ -308,22 +308,22 @@ TEST_CASE("lifts in which no segments can be found are refused", "[segments]") {
   const Data good = sampled(drdr("cycloidal"), 200, 0, 1);
   CHECK(complaint({{1, 2, 3}, {1, 2, 3}}, {}) == "segments: 3 samples are too few, 24 are needed");
   CHECK(complaint({{1, 2, 3}, {1, 2}}, {}) ==
-        "segments: 3 angles and 2 lifts do not belong together");
+        "segments: 3 angles and 2 lifts: there must be as many of one as of the other");
   Data bad = good;
   bad.s[7] = std::nan("");
   CHECK(complaint(bad, {}) == "segments: sample 7 is not a number");
   CHECK(complaint(good, {.period = 0.0}) == "segments: a period of 0 is not above 0");
   CHECK(complaint(good, {.period = 360.0, .noise = -1.0}) == "segments: noise of -1 is below 0");
   CHECK(complaint(good, {.period = 360.0, .least_dwell = 0.7}) ==
-        "segments: the least share, 0.7, is not between 0 and 0.5");
+        "segments: the least fraction, 0.7, is not between 0 and 0.5");
   Random random(1);
   Data still = good;
   for (double& s : still.s) s = 5 + 0.01 * random.normal();
   CHECK(complaint(still, {.period = 360.0}).substr(0, 36) ==
-        "segments: the lift does not move by ");
+        "segments: the lift does not vary by ");
   Data slow = good;  // what moves less than its noise does not move
   for (std::size_t i = 0; i < slow.s.size(); ++i) slow.s[i] = 1e-3 * slow.phi[i];
-  CHECK(complaint(slow, {.noise = 1.0}).substr(0, 36) == "segments: the lift does not move by ");
+  CHECK(complaint(slow, {.noise = 1.0}).substr(0, 36) == "segments: the lift does not vary by ");
 }
 
 }  // namespace camlaw::problems::segments_test

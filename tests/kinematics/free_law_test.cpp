@@ -173,7 +173,7 @@ TEST_CASE("A free law that cannot be is refused with the reason", "[free]") {
   CHECK_THAT(complaint({.begin = {2, false}, .end = {2, false}}), Contains("nothing is free"));
   Member member = free_law({.knots = {0.5}}, cycloid());
   member.arguments.values()[0].pop_back();
-  CHECK_THROWS_WITH(member.law(), Contains("coefficients: 2 given, there are 3"));
+  CHECK_THROWS_WITH(member.law(), Contains("coefficients: 2 given, but 3 are needed"));
 }
 
 }  // namespace camlaw::free_law_test

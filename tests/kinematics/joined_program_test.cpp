@@ -238,7 +238,7 @@ TEST_CASE("a law runs backwards as its mirror image", "[program][joined]") {
   }
   const std::string why =
       refusal({move("up", 180, 1, "rothbart-8"), move("down", 180, 0, "rothbart-8")});
-  CHECK_THAT(why, Catch::Contains("turn the law of 'down' round (reversed = true)"));
+  CHECK_THAT(why, Catch::Contains("reverse the law of 'down' (reversed = true)"));
 }
 
 TEST_CASE("a jump of acceleration names its remedies", "[program][joined]") {
@@ -365,7 +365,7 @@ TEST_CASE("what cannot be of a segment is refused in words", "[program][joined]"
   CHECK_THAT(refusal(segments), Catch::Contains("the continuity of 'rise' is 2"));
   segments = through_points(2);
   segments[0].points[0].acceleration = 3.0;
-  CHECK_THAT(refusal(segments), Catch::Contains("of which no acceleration can be stated"));
+  CHECK_THAT(refusal(segments), Catch::Contains("for which no acceleration can be stated"));
   segments = through_points();
   segments[0].reversed = true;
   CHECK_THAT(refusal(segments), Catch::Contains("'rise' has no law that could run backwards"));

@@ -367,7 +367,7 @@ TEST_CASE("how many periods a polydyne lift is made for may vary", "[elastic-end
   testing::check_derivatives(
       response_of(roller(), "end_displacement", design.binding).curve().at({77.0}),
       {14.1, 104.0, 290.0}, 1e-4, 1e-5, 1e-10);
-  CHECK_THAT(made.family->formula, Catch::Contains("an end with 14.7 natural periods"));
+  CHECK_THAT(made.family->formula, Catch::Contains("elastic train with 14.7 natural periods"));
   CHECK(made.listed().law()(0.2).s == made.law()(0.2).s);
 }
 

@@ -302,7 +302,7 @@ TEST_CASE("an index drive that cannot close is refused in words", "[index-drives
   CHECK_THAT(refused("stations = 8", "stations = 2"), Contains("3"));
   CHECK_THAT(refused("stations = 8", "stations = 7.5"), Contains("not an integer"));
   CHECK_THAT(refused("rollers = 8", "rollers = 6"),
-             Contains("1 of 8 stations are 0.75 pitches of the 6 rollers that a cam has"));
+             Contains("an advance by 1 of 8 stations is 0.75 pitches of the 6 rollers of a cam"));
   CHECK_THAT(refused("[program]\n", "[program]\nadvance = 2\n"), !Contains("pitches"));
   CHECK_THAT(refused("[program]\n", "[program]\nadvance = -1\n"),
              Contains("takes motions that only advance"));

@@ -165,7 +165,7 @@ TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
   CHECK_THAT(complaint([&] { with_table(good, "smoothing = 'some'"); }),
              Contains("write \"none\", \"auto\""));
   CHECK_THAT(complaint([&] { with_table(good, "smoothing = '90 mm'"); }),
-             Contains("program.smoothing: no smoothing spline is just as far from the rows"));
+             Contains("program.smoothing: no smoothing spline is exactly that far from the rows"));
   CHECK_THAT(complaint([&] { with_table(good, "segments = []"); }), Contains("segments"));
   std::string rising = "angle [deg];lift [mm]\n", plain = "angle;lift\n";
   for (int i = 0; i <= 36; ++i) {

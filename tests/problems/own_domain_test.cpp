@@ -82,7 +82,7 @@ TEST_CASE("formulas that hold one another deeply are refused", "[formula][proble
     file += fmt::format("[responses.r{}]\nformula = \"{}\"\n", i,
                         i == 0 ? chain : fmt::format("r{}{}", i - 1, chain.substr(1)));
   }
-  CHECK_THROWS_WITH(read_problem(file, "own.toml"), Catch::Contains("more than 40 deep"));
+  CHECK_THROWS_WITH(read_problem(file, "own.toml"), Catch::Contains("more than 40 levels deep"));
 }
 
 TEST_CASE("numbers of peaks that hold one another search each peak once", "[formula][problems]") {

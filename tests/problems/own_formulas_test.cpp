@@ -275,7 +275,7 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
   CHECK_THAT(of("own", "unit = \"N\"\n"), Contains("responses.own: formula is missing"));
   CHECK_THAT(
       of("own", "formula = \"mass\"\n"),
-      Contains("responses.own.formula: the formula is a mass (kg), and its unit 1 is a plain"));
+      Contains("responses.own.formula: the formula is a mass (kg), but its unit 1 is a plain"));
   CHECK_THAT(
       of("own", "formula = \"mas\"\nunit = \"kg\"\n"),
       Contains("own.toml:5: responses.own.formula: at character 1: die-press: no response or "
@@ -287,7 +287,7 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
   CHECK_THAT(of("\"two words\"", "formula = \"1\"\n"), Contains("is not a name for formulas"));
   CHECK_THAT(of("own", "formula = \"own\"\n"), Contains("in a circle: own, own"));
   CHECK_THAT(of("own", "formula = \"running_force + peak running_force\"\nunit = \"N\"\n"),
-             Contains("a formula of a curve cannot hold a number that is searched for"));
+             Contains("the formula of a curve cannot use a number that is found by a search"));
   CHECK_THAT(of("own", "formula = \"1\"\nunit = \"furlong/blink\"\n"), Contains("is not a unit"));
   CHECK_THAT(of("own", "formul = \"1\"\n"), Contains("unknown key; did you mean formula?"));
   CHECK_THAT(refusal("[machine]\nmoved_by = \"law\"\n" + std::string(kLaw)),

@@ -52,7 +52,7 @@ TEST_CASE("What is taken of many parts is read as it is written", "[variation]")
     INFO(text);
     CHECK_THROWS_WITH(parse_robust(text), Contains("mean + 3 sigma"));
   }
-  CHECK_THROWS_WITH(parse_robust("quantile 0.9999"), Contains("is between 0.001 and 0.999"));
+  CHECK_THROWS_WITH(parse_robust("quantile 0.9999"), Contains("must be between 0.001 and 0.999"));
   const std::string still =
       "[machine]\n[machine.parameters.b]\ndefault = 1\nlower = 0\nupper = 2\n"
       "[responses.f]\nformula = 'b^2'\n[variables.b]\nlower = 0\nupper = 2\n";

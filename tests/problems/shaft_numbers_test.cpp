@@ -154,7 +154,7 @@ TEST_CASE("what the shaft accepts is checked", "[shaft][shaft-torque]") {
              Contains("balancing_spring_rate"));
   CHECK_THAT(complaint(kSpeedOfShaft + cam +
                        "[responses.r]\nunit = 'mm'\nformula = '2 * balancing_lift'\n"),
-             Contains("balancing_lift is a curve that is not worked out by one formula"));
+             Contains("balancing_lift is a curve that is not computed by one formula"));
   const ProblemStatement held = read(
       kSpeedOfShaft + cam + "[responses.stored]\nunit = 'J'\nformula = '3 J + 2 * surplus_work'\n");
   CHECK(trace_of(held, "stored")->at({33})[0] ==

@@ -360,7 +360,7 @@ TEST_CASE("a file of several cams says in words what it does not accept", "[shaf
              Contains("objective"));
   const std::string formula = "[responses.r]\nunit = 'mm'\nformula = ";
   CHECK_THAT(complaint(a + formula + "'s * 3 mm'\n"), Contains("there are several motions"));
-  CHECK_THAT(complaint(a + formula + "'angle * 3 mm'\n"), Contains("holds a curve of a cam"));
+  CHECK_THAT(complaint(a + formula + "'angle * 3 mm'\n"), Contains("uses a curve of a cam"));
   CHECK_THAT(complaint(a + formula + "'a.displacment'\n"), Contains("a.displacement"));
   CHECK_THAT(complaint(a + "[[constraints]]\nresponse = 'a.pressure_angle'\nover = 'rest'\n"),
              Contains("no segment is called 'rest'"));

@@ -287,10 +287,12 @@ TEST_CASE("a program that is not a worker is not waited for", "[threads][study]"
   // What says something at once is waited for longer than a busy machine takes to begin it.
   constexpr std::chrono::milliseconds kShort{200}, kLong{20000};
   for (const auto& [line, patience, said] :
-       {std::tuple{"exec sleep 1000", kShort, "did not say within 0.2 s"},
+       {std::tuple{"exec sleep 1000", kShort, "did not identify itself as one within 0.2 s"},
         {"exec 0<&-; exec sleep 1000", kLong, "killed by signal 9"},
-        {"printf 'Enter your name, please:' >&0; exec sleep 1000", kLong, "is not what a worker"},
-        {"printf 'no' >&0; exec sleep 1000", kShort, "did not say within 0.2 s"}}) {
+        {"printf 'Enter your name, please:' >&0; exec sleep 1000", kLong,
+         "is not that of a worker"},
+        {"printf 'no' >&0; exec sleep 1000", kShort,
+         "did not identify itself as one within 0.2 s"}}) {
     INFO(line);
     optim::WorkerProgram worker = problems::worker_program(study);
     worker.path = program(line);

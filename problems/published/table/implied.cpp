@@ -90,8 +90,8 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
   const auto& printed = model.row(row).row->printed;
   const std::string& unit = model.row(row).problem->mechanism->parameters[of.parameter].unit;
   if (!shared.is_found()) {
-    return {
-        fmt::format("no value of {}{} gives the print", implied.parameter, with_settings(implied))};
+    return {fmt::format("no value of {}{} gives the printed valueed value", implied.parameter,
+                        with_settings(implied))};
   }
   std::vector<std::string> result{fmt::format("{}{} is what {} needs",
                                               value_text(implied, shared.middle(), unit),
@@ -105,7 +105,7 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
       fmt::format("that gives {}{}", optim::as_printed(value, printed.number.decimals),
                   misprint ? ", so that one digit is misprinted" : "");
   if (own.is_found()) {
-    text += fmt::format("; the print needs {:.4g} to {:.4g}", own.lower, own.upper);
+    text += fmt::format("; the printed value needs {:.4g} to {:.4g}", own.lower, own.upper);
   }
   result.push_back(std::move(text));
   return result;
@@ -145,7 +145,7 @@ void add_implied(Model& model, SystemReproduction& result) {
         ReproducedValue& value = result.values[rows[k]];
         if (value.verdict != optim::Finding::Unexplained) continue;
         const std::string by = k == closest
-                                   ? "the print"
+                                   ? "the printed value"
                                    : fmt::format("the {} printed with it",
                                                  model.row(rows[closest]).row->printed.quantity);
         for (auto& text : said_of(model, rows[k], implied, of, ranges[k], ranges[closest], by)) {

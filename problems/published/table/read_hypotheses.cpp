@@ -189,7 +189,7 @@ void read_own_alternatives(const Entry& list, std::vector<StatedAlternative>& al
     expect(table, Kind::Table, "a table with a name and what it changes");
     check_keys(table, {"name", "values", "set", "laws", "responses", "peaks", "digits"});
     const Entry* name = find(table, "name");
-    if (name == nullptr) refuse(table, "name is missing; say in words what is tried");
+    if (name == nullptr) refuse(table, "name is missing; describe what is tried");
     add_alternatives(table, find(table, "values"), printable_text(*name), all);
   }
 }

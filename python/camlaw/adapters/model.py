@@ -14,7 +14,7 @@ from ..problems import Problem
 
 
 class Variable(NamedTuple):
-    """One number of a design. `integer`: only whole numbers, or some of them, can be made."""
+    """One number of a design. `integer`: only whole numbers, or some of them, are possible."""
 
     name: str
     unit: str
@@ -25,7 +25,7 @@ class Variable(NamedTuple):
 
 
 class Output(NamedTuple):
-    """One function of a design. sign: of an objective -1 where the problem wants it large."""
+    """One function of a design. sign: -1 for an objective that the problem maximises."""
 
     name: str
     unit: str
@@ -33,7 +33,7 @@ class Output(NamedTuple):
 
 
 class Model:
-    """Objectives to be made small and margins to be kept at zero or above.
+    """Objectives to be minimised and margins to be kept at zero or above.
 
     The variables are the problem's, all of them as continuous numbers; where the problem chooses
     between laws, the first is taken. An upper and a lower limit are a margin each; that of a curve is
@@ -78,7 +78,8 @@ class Model:
         return found[:, :count], found[:, count:]
 
     def derivatives(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Of objectives and margins by the variables, a row for each function."""
+        """The derivatives of objectives and margins with respect to the variables, a row for each
+        function."""
         found = self._native.jacobian(numbers(x, "x"))
         count = len(self.objectives)
         return found[:count], found[count:]

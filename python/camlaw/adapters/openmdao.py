@@ -20,9 +20,10 @@ def component_name(name: str) -> str:
 
 class CamlawComponent(om.ExplicitComponent):
     """Inputs are the variables, outputs the objectives and the margins of limits, each of which
-    must not be below zero. Units are told where OpenMDAO knows them; numbers are in the problem's.
+    must not be below zero. Units are declared where OpenMDAO knows them; numbers are in the
+    problem's units.
 
-    An objective that the problem wants large keeps its sign: add_objective(name, scaler=-1).
+    An objective that the problem maximises keeps its sign: add_objective(name, scaler=-1).
     """
 
     def initialize(self) -> None:

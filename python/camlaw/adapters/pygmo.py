@@ -13,7 +13,8 @@ from .model import Model
 
 class PygmoProblem:
     """A user-defined problem: objectives, then margins as inequalities <= 0, with gradients.
-    Integer variables come last in pygmo; order says which of the problem's a place holds."""
+    Integer variables come last in pygmo; order[i] is the number of the problem's variable that
+    is number i in pygmo."""
 
     def __init__(self, problem: Problem) -> None:
         self.model = Model(problem)

@@ -28,7 +28,7 @@ class ScipyObjective:
             )
 
     def __call__(self, x: Any) -> float:
-        """To be made small."""
+        """The function to be minimised."""
         return float(self.model.values(x)[0][0])
 
     def gradient(self, x: Any) -> np.ndarray:

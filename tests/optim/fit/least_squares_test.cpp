@@ -377,7 +377,7 @@ TEST_CASE("Huber's location is the one that can be worked out by hand", "[fit]")
   CHECK(result.weights[0] == 1);
   CHECK(result.weights[3] == Approx(1 / (10 - 1.0 / 3)).epsilon(1e-12));
   CHECK(result.loss_scale == 1.0);
-  // psi is 1/3 three times and -1; its slope 1 three times and 0: (R6) with m = 3/4.
+  // psi is 1/3 three times and -1; its slope 1 three times and 0: (FT6) with m = 3/4.
   const double correction = 1 + (3.0 / 16) / (9.0 / 16) / 4;
   CHECK(result.sigma == Approx(correction * std::sqrt((3.0 / 9 + 1) / 3) / 0.75).epsilon(1e-12));
 }
@@ -422,7 +422,7 @@ TEST_CASE("a loss finds the line that most points lie on exactly", "[fit]") {
     CHECK(result.parameters[0].value == Approx(1).margin(1e-4));
     CHECK(result.parameters[1].value == Approx(2).margin(1e-5));
     CHECK(result.reason ==
-          "more than half of the residuals vanish: the loss has no scale to go by");
+          "more than half of the residuals vanish: no scale can be estimated for the loss");
   }
 }
 

@@ -270,9 +270,9 @@ TEST_CASE("the reason for convexity names the objective and speaks of limits whe
   Problem problem = sound();
   REQUIRE(why_convex(problem));
   CHECK(why_convex(problem)->find("cost") != std::string::npos);
-  CHECK(why_convex(problem)->find("limits") != std::string::npos);
+  CHECK(why_convex(problem)->find("feasible set") != std::string::npos);
   problem.constraints.clear();
-  CHECK(why_convex(problem)->find("limits") == std::string::npos);
+  CHECK(why_convex(problem)->find("feasible set") == std::string::npos);
 }
 
 TEST_CASE("typical changes: as stated, else the range, else the size of the start", "[optimise]") {

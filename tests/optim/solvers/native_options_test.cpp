@@ -67,7 +67,7 @@ TEST_CASE("a number may be given as an integer", "[solvers]") {
 
 TEST_CASE("options that camlaw relies on are refused with the reason", "[solvers]") {
   const std::string standard_output =
-      "standard output is the answer's, and a search writes no files";
+      "standard output is reserved for the answer, and a search writes no files";
   CHECK(complaint("ipopt", "print_level", std::int64_t{5}) ==
         "ipopt: option print_level cannot be set: " + standard_output);
   for (const char* name :

@@ -352,7 +352,7 @@ TEST_CASE("a region where the model is undefined never wins", "[nlopt]") {
     CHECK(square(s.y.at(0)) + square(s.y.at(1) - 1) < 13);  // the start's
     if (!method(name).is_global()) {
       CHECK(s.status == Status::Stalled);
-      CHECK(s.message == "ends where the model is undefined");
+      CHECK(s.message == "ended where the model is undefined");
     }
   }
 }

@@ -142,7 +142,7 @@ TEST_CASE("a name that is taken or cannot be one is refused", "[solvers]") {
   for (const char* name : {"", "Mine", "my solver", "1st", "-x", "mü", "a.b"}) {
     CHECK(contains(refused(name), "a name has the letters a to z, digits and -"));
   }
-  CHECK(refusal_to_register(nullptr) == "no solver is given to be registered");
+  CHECK(refusal_to_register(nullptr) == "no solver was given to register");
   CHECK(solver_names().size() == before);
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("what is left of a study that was begun is not a hindrance", "[study]"
   // What is someone else's stays.
   write(folder / "u.db.new", "mine");
   CHECK_THROWS_WITH(StudyRecord::create(folder / "u.db", kSettings),
-                    Contains("u.db.new") && Contains("where the study is to be started"));
+                    Contains("u.db.new") && Contains("a study is prepared under this name"));
   CHECK(read(folder / "u.db.new") == "mine");
   CHECK_FALSE(fs::exists(folder / "u.db"));
 }

@@ -151,7 +151,7 @@ TEST_CASE("a number that its enclosure does not prove is not certified", "[verdi
     lowest.objectives = {{.response = vague("vague", 0, room)}};
     const Assessment b = judge(lowest, {1});
     CHECK(b.verdict == (room == 0 ? Verdict::Certified : Verdict::Feasible));
-    if (room > 0) CHECK(b.reason == "vague is proved to lie between 0 and 2 only");
+    if (room > 0) CHECK(b.reason == "vague is only proved to lie between 0 and 2");
   }
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("without enclosures an optimum over the cycle is not certified", "[ver
   CHECK(a.verdict == Verdict::Feasible);
   CHECK_FALSE(a.limits[0].proved);
   CHECK(a.limits[0].met);
-  CHECK(a.reason == "wave is met wherever it was looked at, but not proved over the whole cycle");
+  CHECK(a.reason == "wave is met wherever it was evaluated, but not proved over the whole cycle");
   CHECK_FALSE(a.global);
 }
 
