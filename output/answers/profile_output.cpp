@@ -38,7 +38,7 @@ Table effects_table(const std::string& key, const std::vector<ProfileEffect>& ef
 }
 
 std::string length_of(const problems::ProfileErrors& errors) {
-  if (errors.waves) return fmt::format("{:.10g} waves a turn", *errors.waves);
+  if (errors.waves) return fmt::format("{:.10g} waves a turn, even in cam angle", *errors.waves);
   return fmt::format("waves of {:.6g} mm along the profile", *errors.wavelength);
 }
 

@@ -127,8 +127,13 @@ VariedDesign varied_design(const ProblemStatement& design,
     const double value = meant_value(design, v);
     result.meant.push_back(value);
     result.variations.push_back(v.at(value));
-    result.problem.variables.push_back(
-        {.name = v.name(), .unit = v.parameter.unit, .start = value});
+    // What manufacture does to it is its typical change: by any other, tolerances of limits would
+    // grow with the slope and the unit, and pass over what the variation does.
+    const double half = result.variations.back().half();
+    result.problem.variables.push_back({.name = v.name(),
+                                        .unit = v.parameter.unit,
+                                        .start = value,
+                                        .scale = half > 0 ? std::optional(half) : std::nullopt});
   }
   result.binding = varied_binding(design, result.statements);
   result.problem.name = design.title;

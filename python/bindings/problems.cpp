@@ -155,12 +155,11 @@ nb::dict evaluated(const StatedProblem& problem) {
   for (const EvaluatedResponse& response : found.responses) rows.append(dict_of(response));
   nb::dict result;
   result["responses"] = rows;
-  nb::list limits;
-  for (std::size_t i = 0; i < found.sided.limits.size(); ++i) {
-    nb::dict limit = dict_of(found.sided.limits[i]);
+  nb::list limits = list_of(found.sided.limits);
+  for (std::size_t i = 0; i < found.sided.others.size(); ++i) {
     const auto& other = found.sided.others[i];
-    limit["other_side"] = other ? python_of(cli::side_json(*other)) : nb::none();
-    limits.append(limit);
+    nb::cast<nb::dict>(limits[i])["other_side"] =
+        other ? python_of(cli::side_json(*other)) : nb::none();
   }
   result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));

@@ -414,4 +414,34 @@ upper = "45 deg"
   CHECK(worst[0].part[0] == Approx(88));
 }
 
+TEST_CASE("A part that passes a limit is found in whatever unit its variation is listed",
+          "[variation]") {
+  // A clamp with 95 N over a gap of +-10 um and 10 N/um: at worst -5 N, and 97.5 % of all parts
+  // hold.
+  const auto clamp = [](const char* unit, double length) {
+    return fmt::format(
+        "[machine]\n[machine.parameters.gap]\nunit = '{}'\ndefault = 0\n"
+        "[machine.parameters.force]\nunit = 'N'\ndefault = 95\n"
+        "[machine.parameters.stiffness]\nunit = 'N/m'\ndefault = 1e7\nlower = 0\n"
+        "[responses.grip]\nformula = 'force - stiffness * gap'\nunit = 'N'\n"
+        "[variation.gap]\nplus = {}\nminus = {}\n"
+        "[variables.force]\nlower = 0\nupper = 1000\n[objective]\nminimize = 'force'\n"
+        "[[constraints]]\nresponse = 'grip'\nlower = 0\n",
+        unit, length, length);
+  };
+  for (const auto& [unit, length] : {std::pair{"m", 1e-5}, {"mm", 1e-2}, {"um", 10.0}}) {
+    INFO(unit);
+    ProblemStatement design = read(clamp(unit, length));
+    set_value(design, "force=95 N");
+    const VariedDesign parts = varied_design(design, variations_of(design));
+    const auto worst = worst_parts(parts);
+    REQUIRE(worst.size() == 1);
+    CHECK(worst[0].holds == Holds::Broken);
+    CHECK(worst[0].value == Approx(-5).epsilon(1e-6));
+    const ToleranceAnswer answer = tolerance_of(parts, {.samples = 4096});
+    REQUIRE(answer.yield);
+    CHECK(answer.yield->failing == Approx(0.025).margin(2e-3));
+  }
+}
+
 }  // namespace camlaw::problems::variation_test
