@@ -22,6 +22,8 @@ class ProgressLine {
   void show(const std::string& text);
   /// And the time left, where the share `done`, 0 .. 1, of the whole is done.
   void show(const std::string& text, double done);
+  /// Other work begins, whose time left follows from its own share.
+  void restart() { began_ = std::chrono::steady_clock::now(); }
   /// Makes room for what is printed.
   void clear();
 

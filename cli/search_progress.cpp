@@ -33,6 +33,8 @@ void SearchProgress::begins_round() {
   ++state_.round;
   state_.done = 0;
   state_.iteration = 0;
+  state_.best = {};  // of a round: the next one may begin worse
+  line_.restart();
   line_.show(state_text(state_));
 }
 

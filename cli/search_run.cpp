@@ -260,6 +260,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   };
   if (knots) {
     knots->optimum.wall_s = clock.spent();
+    search.spent = 0;  // it is in the optimum's
     return give(knots->optimum);
   }
   if (!is_large(bound.statement())) return give(look(search));
@@ -274,6 +275,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   if (const int* status = std::get_if<int>(&ended)) return *status;
   optim::Optimum optimum = unfinished_optimum(space, std::get<Unfinished>(ended));
   optimum.wall_s = clock.spent();
+  search.spent = 0;  // it is in the optimum's
   optimum.found.solver = search.solver;
   optimum.found.why_solver = "ended from outside";
   return give(optimum);
@@ -287,7 +289,7 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
            fmt::format("auto, {}", fmt::join(optim::solver_names(), ", "))},
           {"--starts", &options.starts, takes::kNumber,
            fmt::format("number of starting points, 1 to {} (1 if the problem is convex or the "
-                       "solver global, otherwise 8)",
+                       "solver global, 3 if it is large, otherwise 8)",
                        problems::kMostStarts)},
           {"--seed", &options.seed, takes::kNumber,
            "seed of starting points and random methods, an integer from 0"},

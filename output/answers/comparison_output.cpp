@@ -239,7 +239,9 @@ Table limits_side_by_side(const Designs& designs) {
                 // What is within the tolerance is as good as at the bound.
                 const bool at_bound = std::abs(limit.margin) <= limit.tolerance;
                 return RowCell{significant(limit.margin, size, 4), to_json(limit.margin),
-                               at_bound ? 0 : limit.margin};
+                               !limit.met ? std::nullopt
+                               : at_bound ? std::optional(0.0)
+                                          : std::optional(limit.margin)};
               }));
   }
   return std::move(table).table();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "output/answers/buildable_output.h"
+#include "problems/tolerance/reached.h"
 
 namespace camlaw::cli {
 
@@ -13,6 +14,10 @@ DesignReview::DesignReview(const problems::ReadDesign& read)
       built(problems::buildability(read.statement)) {
   const problems::ProblemStatement& design = read.statement;
   if (held && design.objectives.size() == 1) assessment = problems::judged(*held);
+  // A reliability is met where parts that the search did not have say so, as for verify.
+  if (assessment) {
+    if (const auto hold = problems::held_to_parts(design)) hold(*assessment);
+  }
   limits =
       assessment ? problems::as_stated(design, assessment->limits) : problems::standing(design);
 }

@@ -19,7 +19,7 @@ ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reac
     ConstraintStatement& limit = statement.constraints[own.limit];
     const double before = 1 - limit.searched_share.value_or(*limit.reliability);
     const double after = kSpare * before * (1 - own.wanted) / (1 - own.between.lower);
-    limit = searched_at(statement, limit, 1 - std::clamp(after, kLeast, before));
+    limit = searched_at(statement, limit, 1 - std::min(std::max(after, kLeast), before));
   }
   return statement;
 }
