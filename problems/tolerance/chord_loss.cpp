@@ -66,16 +66,24 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double
     }
     return all;
   }
+  // Away from the cam and towards it: of each its own peak.
+  const auto as_drawn = [&](double sign) {
+    const auto over = [&](const auto& jets) {
+      const auto p = geometry.place(jets);
+      return std::decay_t<decltype(p.acceleration)>(sign) * p.acceleration;
+    };
+    return highest_over_cycle(geometry.traces(), over, 1e-6 * acceleration).value;
+  };
   return {effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
           effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
-          effect_of(geometry, "acceleration away, along a chord", unit, acceleration,
+          effect_of(geometry, "acceleration away, along a chord", unit, as_drawn(1),
                     [&](const auto& p) {
                       using T = std::decay_t<decltype(p.curvature)>;
                       const T k = above_zero(p.curvature);
                       return p.acceleration + T(square) * p.lift.value * profile::square(p.arc) *
                                                   k * (T(1) + T(radius) * k);
                     }),
-          effect_of(geometry, "acceleration towards, over a corner", unit, acceleration,
+          effect_of(geometry, "acceleration towards, over a corner", unit, as_drawn(-1),
                     [&](const auto& p) {
                       using T = std::decay_t<decltype(p.curvature)>;
                       return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -

@@ -177,6 +177,7 @@ double largest_amplitude(const ProfileGeometry& geometry, const CyclePeak& drawn
   const double speed = geometry.speed();
   // No less than this is allowed where the acceleration as drawn is least.
   double step = (allowed - drawn.value) / (speed * speed * steep.value);
+  if (!(step > 0)) return 0;  // of a follower that is not accelerated every wave is too much
   while (step < bad && holds(step)) good = step, step *= 2;
   bad = std::min(bad, step);
   while (bad - good > kFine * bad) {
