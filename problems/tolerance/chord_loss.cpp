@@ -34,16 +34,15 @@ T velocity_change(const ProfilePlace<T>& p, const T& curvature, const ProfileErr
 template <class F>
 ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const char* unit,
                         double drawn, const F& formula) {
-  const auto over = [&](const auto& jets) { return formula(geometry.place(jets)); };
-  const CyclePeak rough = highest_over_cycle(geometry.traces(), over, kInfinite);
-  const double accuracy = std::max(1e-3 * rough.value, 1e-12);
-  const CyclePeak peak = highest_over_cycle(geometry.traces(), over, accuracy);
+  const double rough = highest(geometry, kInfinite, formula).value;
+  const CyclePeak peak = highest(geometry, std::max(1e-3 * rough, 1e-12), formula);
   return {std::move(name), unit, drawn, peak.value, peak.at, peak.proved};
 }
 
 }  // namespace
 
-std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double acceleration,
+std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
+                                         const AccelerationPeaks& drawn,
                                          const ProfileErrors& errors) {
   const double speed = geometry.speed(), square = speed * speed;
   const char* velocity_unit = geometry.swings() ? "rad/s" : "m/s";
@@ -66,24 +65,16 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double
     }
     return all;
   }
-  // Away from the cam and towards it: of each its own peak.
-  const auto as_drawn = [&](double sign) {
-    const auto over = [&](const auto& jets) {
-      const auto p = geometry.place(jets);
-      return std::decay_t<decltype(p.acceleration)>(sign) * p.acceleration;
-    };
-    return highest_over_cycle(geometry.traces(), over, 1e-6 * acceleration).value;
-  };
   return {effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
           effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
-          effect_of(geometry, "acceleration away, along a chord", unit, as_drawn(1),
+          effect_of(geometry, "acceleration away, along a chord", unit, drawn.away.value,
                     [&](const auto& p) {
                       using T = std::decay_t<decltype(p.curvature)>;
                       const T k = above_zero(p.curvature);
                       return p.acceleration + T(square) * p.lift.value * profile::square(p.arc) *
                                                   k * (T(1) + T(radius) * k);
                     }),
-          effect_of(geometry, "acceleration towards, over a corner", unit, as_drawn(-1),
+          effect_of(geometry, "acceleration towards, over a corner", unit, drawn.towards.value,
                     [&](const auto& p) {
                       using T = std::decay_t<decltype(p.curvature)>;
                       return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -

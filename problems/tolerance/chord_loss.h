@@ -8,10 +8,16 @@
 
 namespace camlaw::problems {
 
+/// Of the follower's acceleration as drawn, away from the cam and towards it.
+struct AccelerationPeaks {
+  CyclePeak away, towards;
+};
+
 /// Of a profile that is made of chords, within a deviation or of a step of the cam angle: how the
 /// velocity changes at its corners, and where a roller smooths that, its acceleration (docs/
-/// theory.md, PE9 to PE11). `acceleration`: the peak as drawn.
-std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry, double acceleration,
+/// theory.md, PE9 to PE11). `drawn`: its peaks without chords.
+std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
+                                         const AccelerationPeaks& drawn,
                                          const ProfileErrors& errors);
 
 }  // namespace camlaw::problems

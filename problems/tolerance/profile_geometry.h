@@ -166,7 +166,7 @@ T valley_share(const ProfilePlace<T>& p, const T& k, double amplitude) {
 }
 
 /// The follower's acceleration with waves at worst, away from the cam and towards it (PE6), m/s^2
-/// or rad/s^2. Infinite or no number where chi reaches 1.
+/// or rad/s^2. Where chi reaches 1 it is infinite or NaN.
 template <class T>
 T worst_away(const ProfilePlace<T>& p, const Waves& waves, bool any, double amplitude,
              double speed) {
@@ -181,6 +181,14 @@ T worst_towards(const ProfilePlace<T>& p, const Waves& waves, bool any, double a
                 double speed) {
   const WaveAcceleration<T> w = wave_acceleration(p, waves, any);
   return T(speed * speed * amplitude) * w.either - p.acceleration;
+}
+
+/// Where over the cycle a formula of the profile's places is highest.
+template <class F>
+CyclePeak highest(const ProfileGeometry& geometry, double accuracy, F formula) {
+  return highest_over_cycle(
+      geometry.traces(),
+      [&geometry, formula](const auto& jets) { return formula(geometry.place(jets)); }, accuracy);
 }
 
 }  // namespace camlaw::problems

@@ -16,17 +16,6 @@ namespace {
 
 constexpr double kFine = 1e-3;  // of a change: how closely a peak is proved
 
-/// Formulas of the place, for highest_over_cycle().
-template <class F>
-auto at_place(const ProfileGeometry& geometry, F formula) {
-  return [&geometry, formula](const auto& jets) { return formula(geometry.place(jets)); };
-}
-
-template <class F>
-CyclePeak highest(const ProfileGeometry& geometry, double accuracy, F formula) {
-  return highest_over_cycle(geometry.traces(), at_place(geometry, formula), accuracy);
-}
-
 /// The higher one of two peaks.
 CyclePeak higher(const CyclePeak& a, const CyclePeak& b) {
   CyclePeak result = b.value > a.value ? b : a;
@@ -35,12 +24,13 @@ CyclePeak higher(const CyclePeak& a, const CyclePeak& b) {
   return result;
 }
 
-CyclePeak peak_as_drawn(const ProfileGeometry& geometry) {
-  const auto peak = [&](double accuracy) {
-    return higher(highest(geometry, accuracy, [](const auto& p) { return p.acceleration; }),
-                  highest(geometry, accuracy, [](const auto& p) { return -p.acceleration; }));
+AccelerationPeaks peaks_as_drawn(const ProfileGeometry& geometry) {
+  const auto peaks = [&](double accuracy) -> AccelerationPeaks {
+    return {highest(geometry, accuracy, [](const auto& p) { return p.acceleration; }),
+            highest(geometry, accuracy, [](const auto& p) { return -p.acceleration; })};
   };
-  return peak(1e-6 * peak(kInfinite).value);
+  const AccelerationPeaks rough = peaks(kInfinite);
+  return peaks(1e-6 * higher(rough.away, rough.towards).value);
 }
 
 CyclePeak peak_with(const ProfileGeometry& geometry, const Waves& waves, bool any, double amplitude,
@@ -56,13 +46,11 @@ CyclePeak peak_with(const ProfileGeometry& geometry, const Waves& waves, bool an
 /// The largest amplitude, m, at which the follower still reaches into every valley: min K / k^2.
 std::optional<double> bridged_from(const ProfileGeometry& geometry, const Waves& waves) {
   if (geometry.contact() == ProfileContact::Edge) return {};
-  const CyclePeak chi = highest(geometry, kInfinite, [&](const auto& p) {
+  const auto chi = [&](const auto& p) {
     return valley_share(p, wave_acceleration(p, waves, false).number, 1);
-  });
-  const CyclePeak fine = highest(geometry, kFine * chi.value, [&](const auto& p) {
-    return valley_share(p, wave_acceleration(p, waves, false).number, 1);
-  });
-  return 1 / fine.at_most;
+  };
+  const CyclePeak rough = highest(geometry, kInfinite, chi);
+  return 1 / highest(geometry, kFine * rough.value, chi).at_most;
 }
 
 /// Of the contact, relative to what it is as drawn: its square, at a phase of the waves (PE7).
@@ -223,7 +211,7 @@ void check_profile(const ProfileGeometry& geometry) {
       }
       throw std::invalid_argument(
           fmt::format("errors of the profile: it is undercut or has no points at {:.4g} deg, so "
-                      "that no follower moves as it is meant to; change the design first",
+                      "that no follower can follow it; change the design first",
                       place.angle));
     }
   }
@@ -235,7 +223,8 @@ ProfileAnswer profile_answer(const ProblemStatement& design, const ProfileErrors
   check_profile_errors(errors);
   const ProfileGeometry geometry(design);
   check_profile(geometry);
-  const CyclePeak drawn = peak_as_drawn(geometry);
+  const AccelerationPeaks sides = peaks_as_drawn(geometry);
+  const CyclePeak drawn = higher(sides.away, sides.towards);
   ProfileAnswer answer;
   answer.errors = errors;
   answer.acceleration = drawn.value;
@@ -250,7 +239,7 @@ ProfileAnswer profile_answer(const ProblemStatement& design, const ProfileErrors
     answer.form = wave_effects(geometry, drawn, waves, true, *errors.form / 2e3);
   }
   if (errors.chord || errors.chord_step) {
-    answer.chords = chord_effects(geometry, drawn.value, errors);
+    answer.chords = chord_effects(geometry, sides, errors);
   }
   if (errors.loss) answer.shop = shop_limits(geometry, drawn, errors);
   return answer;

@@ -101,12 +101,23 @@ std::vector<std::vector<double>> values_of(const optim::Function& f, const Varie
   return all;
 }
 
-double taken(const std::vector<double>& values, double factor) {
+struct Moments {
+  double mean = 0, deviation = 0;
+};
+
+Moments moments_of(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
-  double mean = 0, squares = 0;
-  for (const double value : values) mean += value / count;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return mean + factor * std::sqrt(squares / (count - 1));
+  Moments result;
+  double squares = 0;
+  for (const double value : values) result.mean += value / count;
+  for (const double value : values) squares += (value - result.mean) * (value - result.mean);
+  result.deviation = std::sqrt(squares / (count - 1));
+  return result;
+}
+
+double taken(const std::vector<double>& values, double factor) {
+  const Moments own = moments_of(values);
+  return own.mean + factor * own.deviation;
 }
 
 /// mean + factor * deviation: Student's interval over the repetitions.
@@ -114,11 +125,7 @@ optim::Bounds mean_between(const std::vector<std::vector<double>>& all, double f
                            double value) {
   std::vector<double> own;
   for (const auto& values : all) own.push_back(taken(values, factor));
-  const auto count = static_cast<double>(own.size());
-  double middle = 0, squares = 0;
-  for (const double one : own) middle += one / count;
-  for (const double one : own) squares += (one - middle) * (one - middle);
-  const double error = std::sqrt(squares / (count - 1) / count);
+  const double error = moments_of(own).deviation / std::sqrt(static_cast<double>(own.size()));
   const double reach = optim::student_quantile(static_cast<int>(own.size()) - 1, kSure) * error;
   return {value - reach, value + reach};
 }
