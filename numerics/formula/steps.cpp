@@ -3,16 +3,58 @@
 
 #include <algorithm>
 #include <bit>
+#include <initializer_list>
 
 namespace camlaw {
 
+namespace {
+
+/// Numbers count by their bits: so NaN is like itself, and -0 is not 0.
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+bool same(const Step& x, const Step& y) {
+  return x.operation == y.operation && x.a == y.a && x.b == y.b && x.c == y.c &&
+         bits(x.value) == bits(y.value) && bits(x.lower) == bits(y.lower) &&
+         bits(x.upper) == bits(y.upper);
+}
+
+std::size_t hash(const Step& step) {
+  std::uint64_t result = static_cast<std::uint64_t>(step.operation);
+  for (const std::uint64_t more : {std::uint64_t{step.a}, std::uint64_t{step.b},
+                                   std::uint64_t{step.c}, bits(step.value), bits(step.lower),
+                                   bits(step.upper)}) {
+    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+    result = (result ^ more) * kOdd;
+    result ^= result >> 32;
+  }
+  return result;
+}
+
+}  // namespace
+
 std::uint32_t Recorder::write(const Step& step) {
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  const Key key{step.operation,   step.a,           step.b,          step.c,
-                bits(step.value), bits(step.lower), bits(step.upper)};
-  const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(steps_.size()));
-  if (is_new) steps_.push_back(step);
-  return at->second;
+  if (2 * steps_.size() >= table_.size()) enlarge();
+  std::uint32_t& known = table_[place_of(step)];
+  if (known == 0) {
+    steps_.push_back(step);
+    known = static_cast<std::uint32_t>(steps_.size());
+  }
+  return known - 1;
+}
+
+std::size_t Recorder::place_of(const Step& step) const {
+  const std::size_t last = table_.size() - 1;
+  std::size_t place = hash(step) & last;
+  while (table_[place] != 0 && !same(steps_[table_[place] - 1], step)) place = (place + 1) & last;
+  return place;
+}
+
+void Recorder::enlarge() {
+  constexpr std::size_t kFirst = 256;  // most formulas have fewer than 128 steps
+  table_.assign(std::max(kFirst, 2 * table_.size()), 0);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    table_[place_of(steps_[i])] = static_cast<std::uint32_t>(i + 1);
+  }
 }
 
 std::size_t operands(Operation operation) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <boost/functional/hash.hpp>
+#include <cstddef>
 #include <cstdint>
-#include <tuple>
-#include <unordered_map>
 #include <vector>
 
 #include "numerics/formula/formula.h"
@@ -20,11 +18,15 @@ class Recorder {
   const std::vector<Step>& steps() const { return steps_; }
 
  private:
-  /// Numbers by their bits: so NaN is like itself, and -0 is not 0.
-  using Key = std::tuple<Operation, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t,
-                         std::uint64_t, std::uint64_t>;
+  /// The place in the table of a step like this one, or the free place where it belongs.
+  std::size_t place_of(const Step& step) const;
+  void enlarge();
+
   std::vector<Step> steps_;
-  std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
+  /// Steps by their hashes, each as one more than its index; 0 is a free place. At most half of the
+  /// places, a power of two, are taken, and a step is in the first free place from its hash on. A
+  /// table of the library, with a node for each step, takes twice the time of recording.
+  std::vector<std::uint32_t> table_;
 };
 
 /// Returns how many earlier steps an operation uses.
