@@ -31,7 +31,7 @@ Document examples_document() {
         {{"name", file.name}, {"sentence", file.sentence}, {"file", file.path.string()}});
   }
   document.add(std::move(table));
-  document.take_list(std::move(list));
+  document.take_list([list = std::move(list)] { return list; });
   document.say("\n'camlaw examples NAME --out FOLDER' copies one with all that it needs.\n");
   return document;
 }

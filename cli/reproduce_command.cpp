@@ -125,7 +125,7 @@ int run_reproduce(const ReproduceOptions& options) {
     all.push_back(json_of(document));
   }
   Document end;
-  end.take_list(std::move(all));
+  end.take_list([all = std::move(all)] { return all; });
   if (systems.size() > 1) end.add(counts_table(results));
   print(end, json);
   if (options.report) {

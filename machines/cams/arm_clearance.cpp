@@ -202,22 +202,15 @@ double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
   return found.gap;
 }
 
-/// One list of parameters and another, increasing.
-std::vector<std::size_t> united(const std::vector<std::size_t>& a,
-                                const std::vector<std::size_t>& b) {
-  std::vector<std::size_t> result;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-  return result;
-}
-
 }  // namespace
 
 MechanismResponse arm_clearance(MechanismResponse response, ArmAndProfile of) {
   response.sees_law = true;
-  response.uses = {of.pivot_distance};
-  for (const auto* curve : {&of.contact_x, &of.contact_y, &of.centre_x, &of.centre_y}) {
-    response.uses = united(response.uses, curve->uses);
-  }
+  response.uses = united({{of.pivot_distance},
+                          of.contact_x.uses,
+                          of.contact_y.uses,
+                          of.centre_x.uses,
+                          of.centre_y.uses});
   response.number = [of](const Binding& binding, optim::Shape shape) {
     std::vector<std::size_t> all(design_size(binding));
     std::iota(all.begin(), all.end(), std::size_t{0});

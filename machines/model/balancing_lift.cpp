@@ -195,9 +195,7 @@ MechanismResponse balancing_lift(MechanismResponse response, const MechanismResp
   response.sees_law = work.sees_law;
   response.possible_by = work.possible_by;
   response.defined_while = work.defined_while;
-  response.uses = work.uses;
-  response.uses.insert(response.uses.end(), {rate, preload});
-  std::sort(response.uses.begin(), response.uses.end());
+  response.uses = united({work.uses, {rate, preload}});
   response.curve = [work, write = lift_of(rate, preload)](const Binding& binding,
                                                           optim::Shape shape) {
     return std::make_shared<LiftCurve>(write, binding, work, shape);

@@ -22,12 +22,14 @@ bool sets(const Set& set, std::size_t parameter) {
 }
 
 /// The parameters that a case does not set.
-std::vector<std::size_t> left(const std::vector<std::size_t>& parameters, const Set& set) {
-  std::vector<std::size_t> result;
-  for (const std::size_t i : parameters) {
-    if (!sets(set, i)) result.push_back(i);
-  }
-  return result;
+ParameterSet left(const ParameterSet& parameters, const Set& set) {
+  return ParameterSet([=] {
+    std::vector<std::size_t> result;
+    for (const std::size_t i : parameters) {
+      if (!sets(set, i)) result.push_back(i);
+    }
+    return result;
+  });
 }
 
 /// The binding with what a case sets as constants.
@@ -122,16 +124,11 @@ double apart(const MechanismResponse& response) {
   return response.curve && response.along == "deg" ? 720 : 2;
 }
 
-std::vector<std::size_t> united(const std::vector<ResponseName>& parts,
-                                std::vector<std::size_t> MechanismResponse::*of) {
-  std::vector<std::size_t> all;
-  for (const ResponseName& part : parts) {
-    const std::vector<std::size_t>& own = part.response->*of;
-    all.insert(all.end(), own.begin(), own.end());
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
+ParameterSet united_over(const std::vector<ResponseName>& parts,
+                         ParameterSet MechanismResponse::*of) {
+  std::vector<ParameterSet> sets;
+  for (const ResponseName& part : parts) sets.push_back(part.response->*of);
+  return united(std::move(sets));
 }
 
 /// What the responses over all cases have in common.
@@ -140,8 +137,8 @@ MechanismResponse over_all(const std::vector<ResponseName>& parts, const std::st
   MechanismResponse result;
   result.name = name;
   result.unit = first.unit;
-  result.uses = united(parts, &MechanismResponse::uses);
-  result.possible_by = united(parts, &MechanismResponse::possible_by);
+  result.uses = united_over(parts, &MechanismResponse::uses);
+  result.possible_by = united_over(parts, &MechanismResponse::possible_by);
   result.sees_law = first.sees_law;
   result.over_cases = parts;
   for (const ResponseName& part : parts) {
@@ -172,10 +169,7 @@ WorstCase named(MechanismResponse response, const std::string& name, optim::Part
 
 bool differs(const MechanismResponse& response, const std::vector<LoadCase>& cases) {
   const auto depends = [&](const auto& set) {
-    const auto holds = [&](const std::vector<std::size_t>& all) {
-      return std::find(all.begin(), all.end(), set.first) != all.end();
-    };
-    return holds(response.uses) || holds(response.possible_by);
+    return response.uses.holds(set.first) || response.possible_by.holds(set.first);
   };
   return std::any_of(cases.begin(), cases.end(), [&](const LoadCase& load) {
     return std::any_of(load.parameters.begin(), load.parameters.end(), depends);

@@ -33,10 +33,6 @@ int strength(Shape shape) {
   return 0;
 }
 
-bool holds(const std::vector<std::size_t>& increasing, std::size_t parameter) {
-  return std::binary_search(increasing.begin(), increasing.end(), parameter);
-}
-
 /// Whether a statement says something of all that varies.
 bool covers(const std::vector<std::string>& stated, const std::set<std::string>& varying) {
   const std::set<std::string> all(stated.begin(), stated.end());
@@ -54,7 +50,7 @@ Declared declared_shape(const Mechanism& mechanism, const MechanismResponse& res
                         const Binding& binding) {
   std::set<std::string> varying;
   for (const std::size_t i : binding.parameters) {
-    if (holds(response.uses, i)) varying.insert(mechanism.parameters[i].name);
+    if (response.uses.holds(i)) varying.insert(mechanism.parameters[i].name);
   }
   if (response.sees_law && !binding.law->variables().empty()) {
     if (!binding.law->is_linear()) return {};
@@ -73,7 +69,7 @@ Declared declared_shape(const Mechanism& mechanism, const MechanismResponse& res
 /// value, and what decides that it has one may vary.
 bool nothing_varies(const MechanismResponse& response, const Binding& binding) {
   const bool moves = std::any_of(binding.parameters.begin(), binding.parameters.end(),
-                                 [&](std::size_t i) { return holds(response.uses, i); });
+                                 [&](std::size_t i) { return response.uses.holds(i); });
   return !moves && !(response.sees_law && !binding.law->variables().empty());
 }
 
@@ -87,7 +83,7 @@ std::set<std::string> deciding(const Mechanism& mechanism, const MechanismRespon
     const bool is_named =
         std::any_of(mechanism.possible.begin(), mechanism.possible.end(),
                     [&](const PossibleSet& stated) { return covers(stated.varying, {name}); });
-    if (is_named || holds(response.possible_by, i)) names.insert(name);
+    if (is_named || response.possible_by.holds(i)) names.insert(name);
   }
   return names;
 }
@@ -138,7 +134,7 @@ optim::Function parameter_function(std::size_t parameter, const Binding& binding
 
 Binding narrowed(const Binding& binding, const MechanismResponse& response) {
   Binding result = keeping(binding, [&](std::size_t parameter) {
-    return holds(response.uses, parameter) || holds(response.possible_by, parameter);
+    return response.uses.holds(parameter) || response.possible_by.holds(parameter);
   });
   result.law = law_of_cam(binding.law, response.cam);
   return result;

@@ -121,14 +121,11 @@ MechanismResponse recorded_mean(MechanismResponse response, std::size_t paramete
 MechanismResponse recorded_means(MechanismResponse response, std::size_t parameters,
                                  const std::vector<Write>& integrands, const Write& of_means) {
   response.sees_law = true;
-  response.uses = used_parameters(of_means, parameters, integrands.size());
+  std::vector<ParameterSet> used{used_parameters(of_means, parameters, integrands.size())};
   for (const Write& integrand : integrands) {
-    const std::vector<std::size_t> own = used_parameters(integrand, parameters, 4);
-    std::vector<std::size_t> all;
-    std::set_union(own.begin(), own.end(), response.uses.begin(), response.uses.end(),
-                   std::back_inserter(all));
-    response.uses = std::move(all);
+    used.push_back(used_parameters(integrand, parameters, 4));
   }
+  response.uses = united(std::move(used));
   response.number = [integrands, of_means, is_possible = response.is_possible](
                         const Binding& binding, optim::Shape shape) {
     MeanFormulas formulas{{}, recorded_for(binding, of_means, integrands.size(), is_possible)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,7 +15,9 @@
 
 namespace camlaw {
 class Expression;
-}
+template <class T>
+class Lazy;
+}  // namespace camlaw
 
 /// Mechanisms as problem files and programs see them: parameters and responses by name. The
 /// formulas are in the machine's folder too; names, units and ranges are joined to them once.
@@ -94,11 +97,32 @@ struct ValidityLimit {
   double lower = -optim::kInfinity;
 };
 
+/// Parameters of a mechanism by their indices, increasing, each once. Those that a formula depends
+/// on are found when they are first asked for, since its record takes time; a copy shares them.
+class ParameterSet {
+ public:
+  ParameterSet() = default;  ///< none
+  ParameterSet(std::initializer_list<std::size_t> indices);
+  explicit ParameterSet(std::vector<std::size_t> indices);  ///< in any order
+  explicit ParameterSet(std::function<std::vector<std::size_t>()> find);
+
+  const std::vector<std::size_t>& indices() const;
+  bool holds(std::size_t parameter) const;
+  auto begin() const { return indices().begin(); }
+  auto end() const { return indices().end(); }
+
+ private:
+  std::shared_ptr<const Lazy<std::vector<std::size_t>>> found_;
+};
+
+/// The parameters that are in any of the sets.
+ParameterSet united(std::vector<ParameterSet> sets);
+
 /// A number that a formula holds as a whole, for it is searched for: the peak of a curve, an
 /// integral over the cycle.
 struct InnerNumber {
   std::string name, unit;
-  std::vector<std::size_t> uses;  ///< the parameters that it depends on, increasing
+  ParameterSet uses;  ///< the parameters that it depends on
   std::function<optim::Function(const Binding&)> number;
 };
 
@@ -158,10 +182,10 @@ struct MechanismResponse {
   std::string unit;  ///< listed
   std::string meaning;
   std::vector<ShapeStatement> shapes = {};
-  std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
-  /// The parameters that decide whether there is such a machine, increasing: it is a number only
-  /// where there is.
-  std::vector<std::size_t> possible_by = {};
+  ParameterSet uses = {};  ///< the parameters that it depends on
+  /// The parameters that decide whether there is such a machine: it is a number only where there
+  /// is.
+  ParameterSet possible_by = {};
   IsPossible is_possible = {};  ///< of all parameters, in their listed units
   std::string along = {};       ///< of a curve: the unit of its places, "deg" of cam angle
   std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law

@@ -25,10 +25,7 @@ Binding without_ranges(const Binding& binding, const std::vector<TakenRange>& ra
 
 bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>& ranges) {
   return std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
-    const auto holds = [&](const std::vector<std::size_t>& increasing) {
-      return std::binary_search(increasing.begin(), increasing.end(), range.parameter);
-    };
-    return holds(response.uses) || holds(response.possible_by);
+    return response.uses.holds(range.parameter) || response.possible_by.holds(range.parameter);
   });
 }
 

@@ -153,8 +153,7 @@ std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
   Widened wide = widened(binding, ranges);
   RangeParts parts{response.curve(wide.binding, optim::Shape::General), wide, sign, {}};
   const bool decides = std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
-    return std::binary_search(response.possible_by.begin(), response.possible_by.end(),
-                              range.parameter);
+    return response.possible_by.holds(range.parameter);
   });
   if (!decides) parts.record = curve_record(response, wide.binding);
   return std::make_shared<RangeCurve>(std::move(parts));

@@ -12,6 +12,7 @@
 #include "machines/model/mechanism_curve.h"
 #include "machines/model/shaft_curve.h"
 #include "numerics/formula/expression.h"
+#include "numerics/lazy.h"
 
 namespace camlaw::problems {
 namespace {
@@ -129,9 +130,10 @@ Formula whole_formula(const Write& write, std::size_t parameters, std::size_t ot
   });
 }
 
-std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
-                                         std::size_t others) {
-  return used_arguments({{whole_formula(write, parameters, others), parameters, {}}});
+ParameterSet used_parameters(Write write, std::size_t parameters, std::size_t others) {
+  return ParameterSet([write = std::move(write), parameters, others] {
+    return used_arguments({{whole_formula(write, parameters, others), parameters, {}}});
+  });
 }
 
 std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
@@ -143,23 +145,17 @@ std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<W
   return records;
 }
 
-std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters) {
-  std::vector<Recorded> records;
-  for (const Write& write : writes) {
-    records.push_back({whole_formula(write, parameters, 0), parameters, {}});
-  }
-  return used_arguments(records);
+ParameterSet used_by_any(const std::vector<Write>& writes, std::size_t parameters) {
+  std::vector<ParameterSet> used;
+  for (const Write& write : writes) used.push_back(used_parameters(write, parameters, 0));
+  return united(std::move(used));
 }
 
 MechanismResponse recorded_number(MechanismResponse response, const Parameters& parameters) {
-  std::vector<std::size_t> uses =
-      used_parameters(response.write, parameters.size(), response.inner.size());
-  for (const InnerNumber& inner : response.inner) {
-    uses.insert(uses.end(), inner.uses.begin(), inner.uses.end());
-  }
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  response.uses = std::move(uses);
+  std::vector<ParameterSet> used{
+      used_parameters(response.write, parameters.size(), response.inner.size())};
+  for (const InnerNumber& inner : response.inner) used.push_back(inner.uses);
+  response.uses = united(std::move(used));
   response.number = [write = response.write, inner = response.inner,
                      is_possible = response.is_possible](const Binding& binding,
                                                          optim::Shape shape) {
@@ -204,15 +200,16 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
   response.along = cycle.unit;
   response.cycle = std::make_shared<Cycle>(cycle);
   response.sees_law = true;
-  const Recorded whole{
-      whole_formula(response.write, parameters.size(), kOfPlace), parameters.size(), {}};
-  response.uses = used_arguments({whole});
-  std::array<bool, kOfPlace> uses{};
-  for (std::size_t i = 0; i < kOfPlace; ++i)
-    uses[i] = whole.formula.depends_on(parameters.size() + i);
+  const Lazy<Recorded> whole([write = response.write, n = parameters.size()] {
+    return Recorded{whole_formula(write, n, kOfPlace), n, {}};
+  });
+  response.uses = ParameterSet([whole] { return used_arguments({*whole}); });
   response.curve = [write = response.write, write_domain = response.domain,
-                    is_possible = response.is_possible, cycle, uses,
+                    is_possible = response.is_possible, cycle, whole,
                     make = std::move(make)](const Binding& binding, optim::Shape shape) {
+    std::array<bool, kOfPlace> uses{};
+    for (std::size_t i = 0; i < kOfPlace; ++i)
+      uses[i] = whole->formula.depends_on(whole->arguments + i);
     const Recorded record = recorded_for(binding, write, kOfPlace, is_possible);
     const auto formula = [=, bound = without_law(binding)](
                              std::span<const double> u) -> std::unique_ptr<const CurveFormula> {

@@ -30,16 +30,16 @@ Formula whole_formula(const Write& write, std::size_t parameters, std::size_t ot
 Recorded recorded_for(const Binding& binding, const Write& write, std::size_t others,
                       const IsPossible& is_possible, std::span<const double> at = {});
 
-/// The parameters that a formula depends on, of as many as there are, increasing.
-std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
-                                         std::size_t others);
+/// The parameters that a formula depends on, of as many as there are. It is recorded when they are
+/// first asked for.
+ParameterSet used_parameters(Write write, std::size_t parameters, std::size_t others);
 
 /// Records several formulas without other inputs for what varies of a binding.
 std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
                                      const IsPossible& is_possible);
 
-/// The parameters that any of them depends on, increasing.
-std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters);
+/// The parameters that any of some formulas without other inputs depends on.
+ParameterSet used_by_any(const std::vector<Write>& writes, std::size_t parameters);
 
 /// The shape of a formula in what varies of a binding, by rules or enclosure: of a curve at every
 /// place.

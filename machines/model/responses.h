@@ -94,7 +94,7 @@ MechanismResponse described(ResponseAbout about) {
           .unit = std::move(about.unit),
           .meaning = std::move(about.meaning),
           .shapes = std::move(about.shapes),
-          .possible_by = parameters_of_possibility<M>(),
+          .possible_by = ParameterSet(parameters_of_possibility<M>),
           .is_possible = [](std::span<const double> parameters) {
             return is_possible(machine_of<M>(parameters));
           }};

@@ -74,11 +74,12 @@ class Renamed {
     }
     return own;
   }
-  std::vector<std::size_t> places(const std::vector<std::size_t>& own) const {
-    std::vector<std::size_t> result;
-    for (const std::size_t i : own) result.push_back(cam_.parameters[i]);
-    std::sort(result.begin(), result.end());
-    return result;
+  ParameterSet places(const ParameterSet& own) const {
+    return ParameterSet([own, places = cam_.parameters] {
+      std::vector<std::size_t> result;
+      for (const std::size_t i : own) result.push_back(places[i]);
+      return result;
+    });
   }
   ValidityLimit limit(ValidityLimit own) const {
     own.response = name(own.response);

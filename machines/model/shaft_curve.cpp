@@ -314,15 +314,12 @@ MechanismResponse shaft_curve_response(MechanismResponse response,
   response.along = "deg";
   response.cycle = std::make_shared<Cycle>(Cycle{"deg", {{0, kTurnOfShaft}}});
   const std::size_t others = 1 + response.held.size();
-  std::vector<std::size_t> uses = used_parameters(response.write, parameters.size(), others);
+  std::vector<ParameterSet> used{used_parameters(response.write, parameters.size(), others)};
   for (const HeldCurve& held : response.held) {
-    uses.insert(uses.end(), held.response->uses.begin(), held.response->uses.end());
-    uses.push_back(held.phase);
+    used.insert(used.end(), {held.response->uses, {held.phase}});
     response.sees_law = response.sees_law || held.response->sees_law;
   }
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  response.uses = std::move(uses);
+  response.uses = united(std::move(used));
   response.curve = [write = response.write, write_domain = response.domain, held = response.held,
                     parameters, others](const Binding& binding, optim::Shape shape) {
     ShaftParts parts{.record = recorded_for(binding, write, others, {}),

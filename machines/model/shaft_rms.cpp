@@ -170,20 +170,17 @@ class MeanSquareOnShaft {
 }  // namespace
 
 MechanismResponse shaft_rms(MechanismResponse response, const std::vector<HeldCurve>& curves) {
+  std::vector<ParameterSet> used, possible_by;
   for (const HeldCurve& held : curves) {
     const MechanismResponse& own = *held.response;
-    response.uses.insert(response.uses.end(), own.uses.begin(), own.uses.end());
-    response.uses.push_back(held.phase);
-    response.possible_by.insert(response.possible_by.end(), own.possible_by.begin(),
-                                own.possible_by.end());
+    used.insert(used.end(), {own.uses, {held.phase}});
+    possible_by.push_back(own.possible_by);
     response.defined_while.insert(response.defined_while.end(), own.defined_while.begin(),
                                   own.defined_while.end());
     response.sees_law = response.sees_law || own.sees_law;
   }
-  for (std::vector<std::size_t>* places : {&response.uses, &response.possible_by}) {
-    std::sort(places->begin(), places->end());
-    places->erase(std::unique(places->begin(), places->end()), places->end());
-  }
+  response.uses = united(std::move(used));
+  response.possible_by = united(std::move(possible_by));
   response.number = [curves](const Binding& binding, optim::Shape shape) {
     std::vector<std::size_t> variables;
     std::vector<CamOnShaft> cams;

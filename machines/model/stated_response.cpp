@@ -48,7 +48,7 @@ struct Resolved {
   std::vector<InnerNumber> inner;
   std::vector<HeldCurve> held;  ///< of several cams on one shaft
   std::vector<ValidityLimit> defined_while;
-  std::vector<std::size_t> possible_by;  ///< on a shaft
+  std::vector<ParameterSet> possible_by;  ///< on a shaft
   std::vector<IsPossible> is_possible;
 };
 
@@ -151,8 +151,7 @@ Meaning response_meaning(const Mechanism& mechanism, const ResponseName& found,
                          Resolved& resolved) {
   const MechanismResponse& response = *found.response;
   if (!mechanism.cams.empty()) {
-    resolved.possible_by.insert(resolved.possible_by.end(), response.possible_by.begin(),
-                                response.possible_by.end());
+    resolved.possible_by.push_back(response.possible_by);
     if (response.is_possible) resolved.is_possible.push_back(response.is_possible);
   }
   resolved.sees_law = resolved.sees_law || response.sees_law;
@@ -389,8 +388,7 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
   response.inner = std::move(resolved.inner);
   response.held = std::move(resolved.held);
   if (is_shaft) {
-    std::sort(resolved.possible_by.begin(), resolved.possible_by.end());
-    response.possible_by = std::move(resolved.possible_by);
+    response.possible_by = united(std::move(resolved.possible_by));
     if (!resolved.is_curve) response.is_possible = all_of(std::move(resolved.is_possible));
     if (resolved.is_curve && response.held.empty()) {
       throw std::invalid_argument("the formula of a shaft's curve uses a curve of a cam");

@@ -9,6 +9,7 @@
 #include "machines/model/enclosed.h"
 #include "machines/model/not_a_number.h"
 #include "numerics/formula/expression.h"
+#include "numerics/lazy.h"
 
 namespace camlaw::problems {
 namespace {
@@ -206,7 +207,7 @@ class TurnTrace final : public optim::Trace {
 
 /// `moving` has for each break the parameters that move it, where it matters.
 TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossible& is_possible,
-                     const std::vector<std::vector<std::size_t>>& moving, const Binding& binding) {
+                     const std::vector<ParameterSet>& moving, const Binding& binding) {
   TurnParts parts;
   const std::size_t breaks = turn.breaks.size();
   for (std::size_t section = 0; section <= breaks; ++section) {
@@ -220,9 +221,8 @@ TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossibl
   for (std::size_t k = 0; k < breaks; ++k) {
     parts.breaks.push_back(recorded_for(binding, turn.breaks[k], 0, is_possible));
     parts.joints.emplace_back();
-    const bool moves = std::any_of(
-        binding.parameters.begin(), binding.parameters.end(),
-        [&](std::size_t p) { return std::binary_search(moving[k].begin(), moving[k].end(), p); });
+    const bool moves = std::any_of(binding.parameters.begin(), binding.parameters.end(),
+                                   [&](std::size_t p) { return moving[k].holds(p); });
     if (!moves) continue;
     const auto kernel_in = [&](std::size_t section) {
       const Write own = in_section(turn, section, turn.breaks[k]);
@@ -244,6 +244,17 @@ Write in_section(const ShaftTurn& turn, std::size_t section, const Write& at) {
   };
 }
 
+/// For each break the parameters that move it, where it matters.
+std::vector<ParameterSet> moving_breaks(const ShaftTurn& turn, std::size_t parameters) {
+  const Formula sided = whole_formula(turn.sided, parameters, 1 + turn.breaks.size());
+  std::vector<ParameterSet> moving;
+  for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
+    const bool matters = sided.depends_on(parameters + 1 + k);
+    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters, 0) : ParameterSet());
+  }
+  return moving;
+}
+
 MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
                                 const std::vector<MechanismParameter>& parameters,
                                 bool has_ranges) {
@@ -255,16 +266,11 @@ MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
     return turn.sided(all, place);
   };
   response.uses = used_parameters(response.write, parameters.size(), 1);
-  const Formula sided = whole_formula(turn.sided, parameters.size(), 1 + turn.breaks.size());
-  std::vector<std::vector<std::size_t>> moving;
-  for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
-    const bool matters = sided.depends_on(parameters.size() + 1 + k);
-    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters.size(), 0)
-                             : std::vector<std::size_t>());
-  }
+  const Lazy<std::vector<ParameterSet>> moving(
+      [turn, n = parameters.size()] { return moving_breaks(turn, n); });
   response.curve = [=, domain = response.domain, is_possible = response.is_possible](
                        const Binding& binding, optim::Shape shape) {
-    TurnParts parts = turn_parts(turn, domain, is_possible, moving, binding);
+    TurnParts parts = turn_parts(turn, domain, is_possible, *moving, binding);
     parts.has_ranges = has_ranges;
     return std::make_shared<TurnCurve>(std::move(parts), binding, shape);
   };

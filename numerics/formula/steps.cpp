@@ -20,9 +20,9 @@ bool same(const Step& x, const Step& y) {
 
 std::size_t hash(const Step& step) {
   std::uint64_t result = static_cast<std::uint64_t>(step.operation);
-  for (const std::uint64_t more : {std::uint64_t{step.a}, std::uint64_t{step.b},
-                                   std::uint64_t{step.c}, bits(step.value), bits(step.lower),
-                                   bits(step.upper)}) {
+  for (const std::uint64_t more :
+       {std::uint64_t{step.a}, std::uint64_t{step.b}, std::uint64_t{step.c}, bits(step.value),
+        bits(step.lower), bits(step.upper)}) {
     constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
     result = (result ^ more) * kOdd;
     result ^= result >> 32;

@@ -8,9 +8,11 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "numerics/library_mutex.h"
 #include "numerics/own_files.h"
@@ -61,6 +63,19 @@ bool has_angle(const Unit& unit) {
 bool same_kind(const Unit& a, const Unit& b) {
   const Unit ratio(ut_divide(a.get(), b.get()), &ut_free);
   return ratio && ut_is_dimensionless(ratio.get()) != 0 && has_angle(a) == has_angle(b);
+}
+
+/// The converter from one unit to another, which is kept: machines list many numbers in few units.
+const cv_converter* converter_between(const std::string& from, const std::string& to) {
+  static std::map<std::pair<std::string, std::string>, Converter> kept;
+  const auto found = kept.find({from, to});
+  if (found != kept.end()) return found->second.get();
+  const Unit source = find_unit(from), target = find_unit(to);
+  if (!source || !target || !same_kind(source, target)) {
+    throw std::invalid_argument(fmt::format("units: '{}' cannot be converted to '{}'", from, to));
+  }
+  Converter made(ut_get_converter(source.get(), target.get()), &cv_free);
+  return kept.emplace(std::pair(from, to), std::move(made)).first->second.get();
 }
 
 /// What kind of quantity a unit measures, for messages.
@@ -193,12 +208,7 @@ optim::LibraryMutex& unit_mutex() {
 
 double convert_unit(double value, const std::string& from, const std::string& to) {
   const std::lock_guard lock(unit_mutex());
-  const Unit source = find_unit(from), target = find_unit(to);
-  if (!source || !target || !same_kind(source, target)) {
-    throw std::invalid_argument(fmt::format("units: '{}' cannot be converted to '{}'", from, to));
-  }
-  const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
-  return cv_convert_double(converter.get(), value);
+  return cv_convert_double(converter_between(from, to), value);
 }
 
 double unit_as_written(std::string_view written, const std::string& unit) {

@@ -170,7 +170,7 @@ Table laws_table(const std::vector<Member>& laws) {
 Document laws_document(const std::vector<Member>& laws) {
   Document document;
   Table table = laws_table(laws);
-  document.take_list(json_of(table));
+  document.take_list([table] { return json_of(table); });
   document.add(std::move(table));
   document.say(
       fmt::format("\nConstants are those of the default parameters. Every R-R law also takes "

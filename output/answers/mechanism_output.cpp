@@ -162,14 +162,16 @@ Document mechanisms_document() {
   Document document;
   Table table{.columns = {words("mechanism"), words("moved by"), numbers("parameters"),
                           numbers("responses"), words("title")}};
-  Json list = Json::array();
   for (const Mechanism& m : problems::mechanisms()) {
     table.add({m.name, mover_of(m), fmt::format("{}", m.parameters.size()),
                fmt::format("{}", m.responses.size() + m.peaks.size()), m.title});
-    list.push_back(json_of(mechanism_document(m)));
   }
   document.add(std::move(table));
-  document.take_list(std::move(list));
+  document.take_list([] {
+    Json list = Json::array();
+    for (const Mechanism& m : problems::mechanisms()) list.push_back(json_of(mechanism_document(m)));
+    return list;
+  });
   document.say("\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n");
   return document;
 }
@@ -183,7 +185,7 @@ Document first_files_document() {
     list.push_back({{"name", m.name}, {"title", m.title}});
   }
   document.add(std::move(table));
-  document.take_list(std::move(list));
+  document.take_list([list = std::move(list)] { return list; });
   document.say("\n'camlaw new NAME > my.toml' writes a problem file about one of them.\n");
   return document;
 }

@@ -64,8 +64,7 @@ bool depends_on(const ProblemStatement& statement, const ResponseName& name, con
     return name.response->sees_law && v.law_parameter.starts_with(cam + ".");
   }
   if (v.of_law) return name.response->sees_law;
-  const auto& uses = name.response->uses;
-  return std::binary_search(uses.begin(), uses.end(), v.parameter);
+  return name.response->uses.holds(v.parameter);
 }
 
 /// Where these alone vary; none where they are chosen one by one.

@@ -141,19 +141,19 @@ void Document::read_after(Document& other) {
 
 void Document::add(Document other) {
   read_after(other);
-  take_facts(other.facts_);
+  take_facts(other.facts());
 }
 
 void Document::add(const std::string& key, Document other) {
   read_after(other);
-  facts_[key] = std::move(other.facts_);
+  facts_[key] = other.facts();
 }
 
 void Document::add(const std::string& key, std::vector<Document> others) {
   Json list = Json::array();
   for (Document& other : others) {
     read_after(other);
-    list.push_back(std::move(other.facts_));
+    list.push_back(other.facts());
   }
   facts_[key] = std::move(list);
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "numerics/lazy.h"
 #include "output/document/json.h"
 
 /// An answer as a document: what it says is put together once, and each format has one renderer.
@@ -116,8 +118,8 @@ class Document {
   void add(Table table);
   /// Facts among these, such as another document's without what it says.
   void take_facts(const Json& facts) { facts_.update(facts); }
-  /// What programs read is this list, and no facts.
-  void take_list(Json list) { facts_ = std::move(list); }
+  /// What programs read is this list, and no facts; it is made when they do.
+  void take_list(std::function<Json()> make) { list_.emplace(std::move(make)); }
   /// What another document says, after this, and its facts among these.
   void add(Document other);
   /// The same; its facts are an object of their own.
@@ -126,13 +128,14 @@ class Document {
   void add(const std::string& key, std::vector<Document> others);
 
   const std::vector<Block>& blocks() const { return blocks_; }
-  const Json& facts() const { return facts_; }
+  const Json& facts() const { return list_ ? **list_ : facts_; }
 
  private:
   void read_after(Document& other);
 
   std::vector<Block> blocks_;
   Json facts_ = Json::object();
+  std::optional<Lazy<Json>> list_;  ///< in place of the facts
 };
 
 std::string text_of(const Document& document);

@@ -59,9 +59,8 @@ bool is_of_law_alone(const ProblemStatement& statement, const ObjectiveStatement
   if (objective.response.response == nullptr || !objective.response.response->sees_law)
     return false;
   const auto& uses = objective.response.response->uses;
-  return std::none_of(statement.variables.begin(), statement.variables.end(), [&](const auto& v) {
-    return !v.of_law && std::find(uses.begin(), uses.end(), v.parameter) != uses.end();
-  });
+  return std::none_of(statement.variables.begin(), statement.variables.end(),
+                      [&](const auto& v) { return !v.of_law && uses.holds(v.parameter); });
 }
 
 /// Whether a law goes from rest to rest over one stroke without a jump of the velocity: only of

@@ -28,8 +28,7 @@ std::optional<double> read_polydyne(const Entry& file, const Entry& program,
   std::vector<double> constants;
   for (const MechanismParameter& parameter : mechanism.parameters) {
     const StatedParameter stated = stated_parameter(file, parameter);
-    const bool matters =
-        std::ranges::binary_search(frequency->uses, constants.size());  // the place of this one
+    const bool matters = frequency->uses.holds(constants.size());  // the place of this one
     if (matters && stated.varying != nullptr) {
       refuse(*entry, fmt::format("{} varies; write a plain number, the natural periods in a turn",
                                  parameter.name));

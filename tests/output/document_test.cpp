@@ -134,9 +134,16 @@ TEST_CASE("a caption stands before its table, and not where that is not shown", 
 TEST_CASE("programs may be given a list in place of facts", "[document]") {
   Document document;
   document.say("two laws\n");
-  document.take_list({1, 2});
+  int made = 0;
+  document.take_list([&made] {
+    ++made;
+    return Json{1, 2};
+  });
   CHECK(text_of(document) == "two laws\n");
+  CHECK(made == 0);  // people do not read it
   CHECK(json_of(document) == Json{1, 2});
+  CHECK(json_of(document) == Json{1, 2});
+  CHECK(made == 1);
 }
 
 TEST_CASE("a document is a page in Markdown: headings, sentences, columns of pages", "[document]") {

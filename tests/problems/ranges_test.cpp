@@ -81,7 +81,7 @@ TEST_CASE("ranges over boxes hold the values and slopes inside", "[mechanism][bo
         const TestDesign design =
             design_of(mechanism, with_law ? "polynomial-5 alpha=2" : "poly-3-4-5",
                       with_law ? std::vector<std::string>{"alpha"} : std::vector<std::string>{},
-                      some_parameters(mechanism, response.uses, random));
+                      some_parameters(mechanism, response.uses.indices(), random));
         INFO(mechanism.name << ", " << response.name << ", boxes of " << share);
         const optim::Response made = response_of(mechanism, response.name, design.binding);
         const BoxedDesign box = boxed(design.x, share, random);

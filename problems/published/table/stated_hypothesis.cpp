@@ -23,9 +23,8 @@ void check_free(const StatedTable& table, std::size_t by, std::size_t h, const R
 }
 
 bool any_uses(const RowModel& model, std::size_t parameter) {
-  return std::any_of(model.responses.begin(), model.responses.end(), [&](const RowResponse& r) {
-    return std::find(r.uses.begin(), r.uses.end(), parameter) != r.uses.end();
-  });
+  return std::any_of(model.responses.begin(), model.responses.end(),
+                     [&](const RowResponse& r) { return r.uses.holds(parameter); });
 }
 
 bool any_sees_law(const RowModel& model) {

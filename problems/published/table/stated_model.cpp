@@ -156,9 +156,7 @@ namespace {
 
 /// Whether a hypothesis sets a parameter that a number uses.
 bool sets_used(const RowModel& model, const LookedUp& number, std::size_t h) {
-  const auto is_used = [&](const auto& set) {
-    return std::find(number.uses.begin(), number.uses.end(), set.first) != number.uses.end();
-  };
+  const auto is_used = [&](const auto& set) { return number.uses.holds(set.first); };
   for (const auto& [by, choices] : model.overrides) {
     if (by != h) continue;
     for (const Overrides& overrides : choices) {

@@ -27,7 +27,7 @@ struct LookedUp {
   std::optional<InnerNumber> inner;     ///< of a number that another one holds
   std::optional<optim::Place> place;    ///< of a curve
   std::optional<SampledCurve> sampled;  ///< of a peak that can be read off
-  std::vector<std::size_t> uses;        ///< parameters
+  ParameterSet uses;
   bool sees_law = false;
   std::size_t id = 0;                             ///< equal ones of several rows have the same
   std::vector<std::size_t> by = {};               ///< the hypotheses that matter to it
@@ -40,7 +40,7 @@ struct RowResponse {
   double factor = 1, offset = 0;   ///< into the unit of the print
   std::optional<Formula> formula;  ///< of all parameters and then `numbers`; else the one number
   std::vector<LookedUp> numbers;
-  std::vector<std::size_t> uses;
+  ParameterSet uses;
   bool sees_law = false, has_peak = false;
 };
 

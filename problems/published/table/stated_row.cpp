@@ -179,8 +179,7 @@ RowResponse Model::make_response_of(const RowModel& model, const std::string& na
     });
     return result;
   }
-  result.uses = response->uses;
-  result.uses.insert(result.uses.end(), response->possible_by.begin(), response->possible_by.end());
+  result.uses = united({response->uses, response->possible_by});
   result.sees_law = response->sees_law;
   check_place(*model.row, result.name, where);
   if (!response->curve && response->write) {
