@@ -69,12 +69,17 @@ Parameters blank_parameters() {
                  bore_parameter()});
 }
 
-Parameters guide_parameters() {
+Parameters friction_parameters() {
   return {{"guide_friction", "mu", "1", "1", "coefficient of friction of the follower's guide", 0,
            0, 1},
-          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
-          {"overhang", "a", "mm", "m",
-           "distance of roller or edge from the guide at the lowest position", 40, 0, 1e5}};
+          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5}};
+}
+
+Parameters guide_parameters() {
+  return joined(
+      {friction_parameters(),
+       {{"overhang", "a", "mm", "m",
+         "distance of roller or edge from the guide at the lowest position", 40, 0, 1e5}}});
 }
 
 Parameters wear_parameter() {

@@ -30,6 +30,9 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::poisson_ratio,
                                      &ConjugateCam<T>::cutter_radius,
                                      &ConjugateCam<T>::bore_radius,
+                                     &ConjugateCam<T>::guide_friction,
+                                     &ConjugateCam<T>::guide_length,
+                                     &ConjugateCam<T>::overhang,
                                      &ConjugateCam<T>::train_stiffness,
                                      &ConjugateCam<T>::train_damping,
                                      &ConjugateCam<T>::end_share};
@@ -48,6 +51,7 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               contact_parameters(),
               cutter_parameter(),
               bore_parameter(),
+              guide_parameters(),
               sliding_train()});
   return all;
 }
@@ -86,9 +90,9 @@ Mechanism conjugate_cam_mechanism() {
                  of_second(least_wall(), kSecond), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscConjugate,
-       .possible = {{{"stroke", "roller_distance"}, "DS2"},
-                    {{"base_radius"}, "DS2"},
-                    {{"roller_radius"}, "DS2"}}},
+       .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
+                    {{"base_radius", "guide_friction"}, "DS2"},
+                    {{"roller_radius", "guide_friction"}, "DS2"}}},
       {conjugate_checks()});
 }
 

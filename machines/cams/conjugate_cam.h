@@ -13,7 +13,8 @@ namespace camlaw {
 ///
 /// Valid while the second roller stays beyond the shaft and its cam has a base radius above 0, for
 /// programs between displacement 0 and 1. The pair runs without play and without bracing: where
-/// one cam bears, the other does not.
+/// one cam bears, the other does not. The guide lies beyond the main roller; with friction in it
+/// that roller must stay outside, stroke at most overhang.
 template <class T>
 struct ConjugateCam {
   T stroke = number<T>(0.020);                    ///< h, m
@@ -31,6 +32,9 @@ struct ConjugateCam {
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T bore_radius = number<T>(0.010);               ///< r_0, m, of either cam
+  T guide_friction = number<T>(0);                ///< mu, between carriage and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the main roller from it at s = 0
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
@@ -47,7 +51,7 @@ struct ConjugateCam {
   }
   bool is_possible() const {
     return main().is_possible() && value_of(base_radius) > 0 && value_of(second_height()) > 0 &&
-           value_of(second_base_radius()) > 0;
+           value_of(second_base_radius()) > 0 && stays_outside(guide_friction, overhang, stroke);
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
@@ -73,14 +77,19 @@ struct ConjugateCam {
     const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
     return {-p.x, -p.y, -p.x1, -p.y1};
   }
-  /// (M31) Force between the cam that bears and its roller, N, above 0 where it is the main one:
-  /// N = F / cos alpha.
+  /// (M31), (M38) Force between the cam that bears and its roller, N, above 0 where it is the main
+  /// one: N = F / (cos alpha (1 - q)). NaN where the carriage jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
+    const X force = driving_force(f);
     const X of_main = inclined(main().pitch_curve(f));
     const X of_second = inclined(second().pitch_curve(second_motion(f)));
     return force * by_side(force, of_main, of_second);
+  }
+  /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return driving_force(f) * f.ds;
   }
   /// Greatest pressure, Pa, at the cam that bears. NaN where that one is undercut.
   template <class X>
@@ -93,6 +102,23 @@ struct ConjugateCam {
   }
 
  private:
+  /// (M37), (M45) N cos alpha; the second roller is D further from the guide.
+  template <class X>
+  X driving_force(const FollowerMotion<X>& f) const {
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    const SlidingGuide<T> guide{guide_friction, guide_length};
+    const X free = overhang - f.s;
+    const X of_main = tangent_of(main().pitch_curve(f), f);
+    const X of_second = tangent_of(second().pitch_curve(second_motion(f)), f);
+    return guide.driving_force(force, guide.share_across(free, of_main),
+                               guide.share_across(X(free + roller_distance), of_second));
+  }
+  /// |tan alpha| of a roller with the sign of the carriage's velocity.
+  template <class X>
+  X tangent_of(const CamCurve<X>& w, const FollowerMotion<X>& f) const {
+    return is_number(offset, 0) ? X(f.ds / w.y) : along(f.ds, X(w.y1 / w.y));
+  }
   RollerCam<T> cam(const T& base, const T& side) const {
     return {stroke,         base,          roller_radius,  side, angular_speed,
             mass,           spring_rate,   spring_preload, load, face_width,
