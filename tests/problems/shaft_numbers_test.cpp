@@ -105,10 +105,12 @@ TEST_CASE("a torque that is 0 over the turn has a root mean square with slopes 0
   }
 }
 
-TEST_CASE("a machine that rests all round has a root mean square with slopes 0", "[cams][servo-axis]") {
+TEST_CASE("a machine that rests all round has a root mean square with slopes 0",
+          "[cams][servo-axis]") {
   const auto resting = [](const std::string& machine, const std::string& rest) {
     return Moving("mechanism = '" + machine + "'\n" + rest +
-                  "[[program.segments]]\nname = 'low'\nangle = 360\n");
+                  "[[program.segments]]\nname = 'low'\nangle = 200\n"
+                  "[[program.segments]]\nname = 'still_low'\n");
   };
   const Moving cam = resting("disc-cam-roller", "[variables.stroke]\nlower = 1\nupper = 50\n");
   for (const std::string name : {"torque_rms", "power_rms"}) {
