@@ -32,6 +32,8 @@ Parameters blank_parameters();
 Parameters friction_parameters();
 /// The same and how far before its guide the follower meets its cam.
 Parameters guide_parameters();
+/// What the bearing of a roller, or of each of a pair, is made for.
+Parameters bearing_parameters();
 /// What a roller bears, and what lubricates it, in the order of RollerDuty's fields.
 Parameters duty_parameters();
 

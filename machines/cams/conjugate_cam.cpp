@@ -6,6 +6,7 @@
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
 
@@ -35,7 +36,10 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::overhang,
                                      &ConjugateCam<T>::train_stiffness,
                                      &ConjugateCam<T>::train_damping,
-                                     &ConjugateCam<T>::end_share};
+                                     &ConjugateCam<T>::end_share,
+                                     &ConjugateCam<T>::dynamic_rating,
+                                     &ConjugateCam<T>::static_rating,
+                                     &ConjugateCam<T>::speed_limit};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -52,7 +56,8 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               cutter_parameter(),
               bore_parameter(),
               guide_parameters(),
-              sliding_train()});
+              sliding_train(),
+              bearing_parameters()});
   return all;
 }
 
@@ -63,6 +68,7 @@ constexpr const char *kMain = "main cam", *kSecond = "second cam";
 std::vector<MechanismResponse> conjugate_responses() {
   std::vector<MechanismResponse> all = follower_responses<ConjugateCam>(kSliding);
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
+  append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));

@@ -3,6 +3,7 @@
 
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_cam.h"
+#include "numerics/scalar/extremes.h"
 
 namespace camlaw {
 
@@ -38,6 +39,9 @@ struct ConjugateCam {
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
+  T dynamic_rating = number<T>(1e4);              ///< C, N, of either roller
+  T static_rating = number<T>(1e4);               ///< C_0, N
+  T speed_limit = number<T>(628.3185307179587);   ///< n_G, rad/s, of a roller on its pin
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
@@ -57,6 +61,14 @@ struct ConjugateCam {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
   RollerContact<T> roller() const { return main().roller(); }
+  /// What either roller bears; the pair has neither crowns nor a lubricant.
+  RollerDuty<T> duty() const {
+    RollerDuty<T> result;
+    result.dynamic_rating = dynamic_rating;
+    result.static_rating = static_rating;
+    result.speed_limit = speed_limit;
+    return result;
+  }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -85,6 +97,16 @@ struct ConjugateCam {
     const X of_main = inclined(main().pitch_curve(f));
     const X of_second = inclined(second().pitch_curve(second_motion(f)));
     return force * by_side(force, of_main, of_second);
+  }
+  /// The same of one of the rollers, N: 0 where the other one bears.
+  template <class X>
+  X main_force(const FollowerMotion<X>& f) const {
+    return greater_of(driving_force(f), number<X>(0)) * inclined(main().pitch_curve(f));
+  }
+  template <class X>
+  X second_force(const FollowerMotion<X>& f) const {
+    return greater_of(X(-driving_force(f)), number<X>(0)) *
+           inclined(second().pitch_curve(second_motion(f)));
   }
   /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>
