@@ -101,12 +101,15 @@ struct ConjugateCam {
   /// The same of one of the rollers, N: 0 where the other one bears.
   template <class X>
   X main_force(const FollowerMotion<X>& f) const {
-    return greater_of(driving_force(f), number<X>(0)) * inclined(main().pitch_curve(f));
+    const X force = greater_of(follower().force(f), number<X>(0));
+    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, main_share(f));
+    return along_way * inclined(main().pitch_curve(f));
   }
   template <class X>
   X second_force(const FollowerMotion<X>& f) const {
-    return greater_of(X(-driving_force(f)), number<X>(0)) *
-           inclined(second().pitch_curve(second_motion(f)));
+    const X force = greater_of(X(-follower().force(f)), number<X>(0));
+    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, X(-second_share(f)));
+    return along_way * inclined(second().pitch_curve(second_motion(f)));
   }
   /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>
@@ -124,17 +127,27 @@ struct ConjugateCam {
   }
 
  private:
-  /// (M37), (M45) N cos alpha; the second roller is D further from the guide.
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+  /// N cos alpha.
   template <class X>
   X driving_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const SlidingGuide<T> guide{guide_friction, guide_length};
-    const X free = overhang - f.s;
-    const X of_main = tangent_of(main().pitch_curve(f), f);
-    const X of_second = tangent_of(second().pitch_curve(second_motion(f)), f);
-    return guide.driving_force(force, guide.share_across(free, of_main),
-                               guide.share_across(X(free + roller_distance), of_second));
+    return guide().driving_force(force, main_share(f), second_share(f));
+  }
+  template <class X>
+  X pushed(const X& force, const X& share) const {
+    return guide().driving_force(force, share, share);
+  }
+  /// (M37), and (M45) of the second roller, which is D further from the guide.
+  template <class X>
+  X main_share(const FollowerMotion<X>& f) const {
+    return guide().share_across(X(overhang - f.s), tangent_of(main().pitch_curve(f), f));
+  }
+  template <class X>
+  X second_share(const FollowerMotion<X>& f) const {
+    return guide().share_across(X(overhang - f.s + roller_distance),
+                                tangent_of(second().pitch_curve(second_motion(f)), f));
   }
   /// |tan alpha| of a roller with the sign of the carriage's velocity.
   template <class X>

@@ -90,8 +90,9 @@ void check_tip(const Slopes& tip) {
 TEST_CASE("a torque that is 0 over the turn has a root mean square with slopes 0",
           "[shaft][shaft-torque]") {
   const std::string size = "size]\nlower = -5\nupper = 5\nstart = 0\n";
-  const Moving moved(load("a", "size * sin(angle)") + load("b", "size * sin(2 * angle)") +
-                     "[cams.a.variables." + size + "[cams.b.variables." + size);
+  const Moving moved(load("a", "size * sin(angle)", "phase = 0\n") +
+                     load("b", "size * sin(2 * angle)", "phase = 0\n") + "[cams.a.variables." +
+                     size + "[cams.b.variables." + size);
   const optim::Function rms = moved.response("torque_rms").function();
   check_tip(Slopes(rms, moved.x));
   // Beside the tip it is the cone sqrt((a^2 + b^2) / 2), however near.
