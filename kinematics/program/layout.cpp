@@ -178,8 +178,17 @@ Layout lay_out(const StatedProgram& program) {
                                  "1",
                                  kLeastPeriods,
                                  kMostPeriods,
-                                 {*program.polydyne},
+                                 {program.polydyne->periods},
                                  "natural periods of the train in a cycle"});
+  }
+  if (program.polydyne && program.polydyne->damping) {
+    layout.polydyne_damping = layout.parameters.size();
+    layout.parameters.push_back({"polydyne_damping",
+                                 "1",
+                                 kLeastPolydyneDamping,
+                                 kMostPolydyneDamping,
+                                 {*program.polydyne->damping},
+                                 "damping of the train, over the critical"});
   }
   return layout;
 }

@@ -25,7 +25,7 @@ struct StatedProgram {
   std::vector<ProgramSegment> segments;
   Matched matched;
   double advance = 0;
-  std::optional<double> polydyne = {};
+  std::optional<Polydyne> polydyne = {};
 };
 
 inline bool joins(const ProgramSegment& segment) {
@@ -50,7 +50,7 @@ struct SegmentPlaces {
 
 struct Layout {
   std::vector<SegmentPlaces> segments;
-  std::optional<std::size_t> polydyne = {};
+  std::optional<std::size_t> polydyne = {}, polydyne_damping = {};
   std::vector<Parameter> parameters;
 };
 

@@ -157,7 +157,10 @@ std::string words_of(const StatedProgram& program) {
     result += fmt::format(
         "; the lift that gives this motion to the end of an elastic train with {:.6g} natural "
         "periods in a cycle",
-        *program.polydyne);
+        program.polydyne->periods);
+    if (program.polydyne->damping) {
+      result += fmt::format(" and the damping ratio {:.6g}", *program.polydyne->damping);
+    }
   }
   return result;
 }
@@ -205,13 +208,18 @@ Member program_of(const StatedProgram& program) {
         auto fault = detail::bad_joint(program, plain, law->template as<double>());
         if (fault) return std::move(*fault);
         if (!layout.polydyne) return law;
+        const S damping =
+            layout.polydyne_damping ? arguments.scalar(*layout.polydyne_damping) : number<S>(0);
         return possible_polydyne(*law, arguments.scalar(*layout.polydyne),
-                                 static_cast<std::size_t>(program.matched));
+                                 static_cast<std::size_t>(program.matched), damping);
       }};
   family.listed = [program, layout](const Arguments<double>& arguments) {
     const auto segments = segments_at(program, layout, arguments).value();
     StatedProgram listed = program;
-    if (layout.polydyne) listed.polydyne = arguments.scalar(*layout.polydyne);
+    if (layout.polydyne) listed.polydyne->periods = arguments.scalar(*layout.polydyne);
+    if (layout.polydyne_damping) {
+      listed.polydyne->damping = arguments.scalar(*layout.polydyne_damping);
+    }
     for (std::size_t i = 0; i < segments.size(); ++i) {
       listed.segments[i] =
           listed_segment(program.segments[i], layout.segments[i], segments[i], arguments);
@@ -231,7 +239,9 @@ Member program_of(const StatedProgram& program) {
     }
     return spans;
   };
-  family.continuity = continuity(family.make(family.defaults()));
+  // A damped lift is as smooth as is matched (PD2), where rounding may say less.
+  family.continuity = layout.polydyne_damping ? static_cast<int>(program.matched)
+                                              : continuity(family.make(family.defaults()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->defaults()};
 }
@@ -239,7 +249,7 @@ Member program_of(const StatedProgram& program) {
 }  // namespace
 
 Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance,
-                      std::optional<double> polydyne) {
+                      std::optional<Polydyne> polydyne) {
   const StatedProgram program{std::move(segments), matched, advance, polydyne};
   check_program(program);
   return program_of(program);

@@ -42,6 +42,15 @@ struct ProgramSegment {
   int continuity = 4;
 };
 
+/// What a train's damping over the critical may be that a lift is made for.
+inline constexpr double kLeastPolydyneDamping = 1e-3, kMostPolydyneDamping = 0.9;
+
+/// The elastic train whose end is wanted to move as a program states it.
+struct Polydyne {
+  double periods;                      ///< natural periods in a cycle
+  std::optional<double> damping = {};  ///< over the critical; none: 0, and it does not vary
+};
+
 /// What must be continuous where segments meet.
 enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 
@@ -54,9 +63,9 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// where the last segment leaves it, less the advance. Its words, the family's formula, are those
 /// of the segments as stated; Member::listed() is the same program in the words of its arguments.
 ///
-/// `polydyne`: what the segments state is wanted of the end of an elastic train with so many
-/// natural periods in a cycle, and the program is the lift that makes the end move so
-/// (kinematics/polydyne.h). It has that number as a parameter, polydyne.
+/// `polydyne`: what the segments state is wanted of the end of this elastic train, and the program
+/// is the lift that makes the end move so (kinematics/polydyne.h). Its numbers are parameters,
+/// polydyne and, where it is stated, polydyne_damping.
 ///
 /// Throws std::invalid_argument: names that are none or not different, angles that are not above 0
 /// or do not add up to 360, points that are not within their segment one after another, what is
@@ -65,6 +74,6 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// strokes per cycle^2", with what would make them meet; and what makes no polydyne lift.
 /// Parameters at which they do not meet make no law.
 Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance = 0,
-                      std::optional<double> polydyne = {});
+                      std::optional<Polydyne> polydyne = {});
 
 }  // namespace camlaw

@@ -69,12 +69,17 @@ Parameters blank_parameters() {
                  bore_parameter()});
 }
 
-Parameters guide_parameters() {
+Parameters friction_parameters() {
   return {{"guide_friction", "mu", "1", "1", "coefficient of friction of the follower's guide", 0,
            0, 1},
-          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
-          {"overhang", "a", "mm", "m",
-           "distance of roller or edge from the guide at the lowest position", 40, 0, 1e5}};
+          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5}};
+}
+
+Parameters guide_parameters() {
+  return joined(
+      {friction_parameters(),
+       {{"overhang", "a", "mm", "m",
+         "distance of roller or edge from the guide at the lowest position", 40, 0, 1e5}}});
 }
 
 Parameters wear_parameter() {
@@ -111,21 +116,26 @@ Parameters cutter_parameter() {
            1e4}};
 }
 
-Parameters duty_parameters() {
-  return {{"crown_radius", "R_c", "mm", "m", "radius of the roller's crown along its axis", 500, 1,
-           1e6},
-          {"dynamic_rating", "C", "kN", "N", "basic dynamic load rating of the roller's bearing",
+Parameters bearing_parameters() {
+  return {{"dynamic_rating", "C", "kN", "N", "basic dynamic load rating of the roller's bearing",
            10, 1e-3, 1e5},
           {"static_rating", "C_0", "kN", "N", "basic static load rating of the roller's bearing",
            10, 1e-3, 1e5},
           {"speed_limit", "n_G", "rpm", "rad/s", "permissible speed of the roller on its pin", 6000,
-           1e-3, 1e6},
-          {"viscosity", "eta", "mPa s", "Pa s", "viscosity of the lubricant at the contact's inlet",
-           50, 1e-3, 1e6},
-          {"pressure_viscosity", "alpha", "1/GPa", "1/Pa",
-           "pressure-viscosity coefficient of the lubricant", 20, 1e-3, 1e3},
-          {"roughness", "R_q", "um", "m",
-           "root mean square roughness of both surfaces, sqrt(R_q1^2 + R_q2^2)", 0.4, 1e-4, 1e3}};
+           1e-3, 1e6}};
+}
+
+Parameters duty_parameters() {
+  return joined(
+      {{{"crown_radius", "R_c", "mm", "m", "radius of the roller's crown along its axis", 500, 1,
+         1e6}},
+       bearing_parameters(),
+       {{"viscosity", "eta", "mPa s", "Pa s", "viscosity of the lubricant at the contact's inlet",
+         50, 1e-3, 1e6},
+        {"pressure_viscosity", "alpha", "1/GPa", "1/Pa",
+         "pressure-viscosity coefficient of the lubricant", 20, 1e-3, 1e3},
+        {"roughness", "R_q", "um", "m",
+         "root mean square roughness of both surfaces, sqrt(R_q1^2 + R_q2^2)", 0.4, 1e-4, 1e3}}});
 }
 
 Parameters joined(const std::vector<Parameters>& lists) {

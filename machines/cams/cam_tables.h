@@ -28,8 +28,12 @@ Parameters bore_parameter();
 Parameters wear_parameter();
 /// Density of the cam, radius of its bore.
 Parameters blank_parameters();
-/// Friction and sizes of the guide of a sliding follower.
+/// Friction in the guide of a sliding follower and its length.
+Parameters friction_parameters();
+/// The same and how far before its guide the follower meets its cam.
 Parameters guide_parameters();
+/// What the bearing of a roller, or of each of a pair, is made for.
+Parameters bearing_parameters();
 /// What a roller bears, and what lubricates it, in the order of RollerDuty's fields.
 Parameters duty_parameters();
 

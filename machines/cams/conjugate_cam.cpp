@@ -6,6 +6,7 @@
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
 
@@ -30,9 +31,15 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::poisson_ratio,
                                      &ConjugateCam<T>::cutter_radius,
                                      &ConjugateCam<T>::bore_radius,
+                                     &ConjugateCam<T>::guide_friction,
+                                     &ConjugateCam<T>::guide_length,
+                                     &ConjugateCam<T>::overhang,
                                      &ConjugateCam<T>::train_stiffness,
                                      &ConjugateCam<T>::train_damping,
-                                     &ConjugateCam<T>::end_share};
+                                     &ConjugateCam<T>::end_share,
+                                     &ConjugateCam<T>::dynamic_rating,
+                                     &ConjugateCam<T>::static_rating,
+                                     &ConjugateCam<T>::speed_limit};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -48,7 +55,9 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               contact_parameters(),
               cutter_parameter(),
               bore_parameter(),
-              sliding_train()});
+              guide_parameters(),
+              sliding_train(),
+              bearing_parameters()});
   return all;
 }
 
@@ -59,6 +68,7 @@ constexpr const char *kMain = "main cam", *kSecond = "second cam";
 std::vector<MechanismResponse> conjugate_responses() {
   std::vector<MechanismResponse> all = follower_responses<ConjugateCam>(kSliding);
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
+  append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));
@@ -86,9 +96,9 @@ Mechanism conjugate_cam_mechanism() {
                  of_second(least_wall(), kSecond), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscConjugate,
-       .possible = {{{"stroke", "roller_distance"}, "DS2"},
-                    {{"base_radius"}, "DS2"},
-                    {{"roller_radius"}, "DS2"}}},
+       .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
+                    {{"base_radius", "guide_friction"}, "DS2"},
+                    {{"roller_radius", "guide_friction"}, "DS2"}}},
       {conjugate_checks()});
 }
 

@@ -3,6 +3,7 @@
 
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_cam.h"
+#include "numerics/scalar/extremes.h"
 
 namespace camlaw {
 
@@ -13,7 +14,8 @@ namespace camlaw {
 ///
 /// Valid while the second roller stays beyond the shaft and its cam has a base radius above 0, for
 /// programs between displacement 0 and 1. The pair runs without play and without bracing: where
-/// one cam bears, the other does not.
+/// one cam bears, the other does not. The guide lies beyond the main roller; with friction in it
+/// that roller must stay outside, stroke at most overhang.
 template <class T>
 struct ConjugateCam {
   T stroke = number<T>(0.020);                    ///< h, m
@@ -31,9 +33,15 @@ struct ConjugateCam {
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T bore_radius = number<T>(0.010);               ///< r_0, m, of either cam
+  T guide_friction = number<T>(0);                ///< mu, between carriage and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the main roller from it at s = 0
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
+  T dynamic_rating = number<T>(1e4);              ///< C, N, of either roller
+  T static_rating = number<T>(1e4);               ///< C_0, N
+  T speed_limit = number<T>(628.3185307179587);   ///< n_G, rad/s, of a roller on its pin
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
@@ -47,12 +55,20 @@ struct ConjugateCam {
   }
   bool is_possible() const {
     return main().is_possible() && value_of(base_radius) > 0 && value_of(second_height()) > 0 &&
-           value_of(second_base_radius()) > 0;
+           value_of(second_base_radius()) > 0 && stays_outside(guide_friction, overhang, stroke);
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
   RollerContact<T> roller() const { return main().roller(); }
+  /// What either roller bears; the pair has neither crowns nor a lubricant.
+  RollerDuty<T> duty() const {
+    RollerDuty<T> result;
+    result.dynamic_rating = dynamic_rating;
+    result.static_rating = static_rating;
+    result.speed_limit = speed_limit;
+    return result;
+  }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -73,14 +89,32 @@ struct ConjugateCam {
     const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
     return {-p.x, -p.y, -p.x1, -p.y1};
   }
-  /// (M31) Force between the cam that bears and its roller, N, above 0 where it is the main one:
-  /// N = F / cos alpha.
+  /// (M31), (M38) Force between the cam that bears and its roller, N, above 0 where it is the main
+  /// one: N = F / (cos alpha (1 - q)). NaN where the carriage jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
+    const X force = driving_force(f);
     const X of_main = inclined(main().pitch_curve(f));
     const X of_second = inclined(second().pitch_curve(second_motion(f)));
     return force * by_side(force, of_main, of_second);
+  }
+  /// The same of one of the rollers, N: 0 where the other one bears.
+  template <class X>
+  X main_force(const FollowerMotion<X>& f) const {
+    const X force = greater_of(follower().force(f), number<X>(0));
+    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, main_share(f));
+    return along_way * inclined(main().pitch_curve(f));
+  }
+  template <class X>
+  X second_force(const FollowerMotion<X>& f) const {
+    const X force = greater_of(X(-follower().force(f)), number<X>(0));
+    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, X(-second_share(f)));
+    return along_way * inclined(second().pitch_curve(second_motion(f)));
+  }
+  /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return driving_force(f) * f.ds;
   }
   /// Greatest pressure, Pa, at the cam that bears. NaN where that one is undercut.
   template <class X>
@@ -93,6 +127,33 @@ struct ConjugateCam {
   }
 
  private:
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+  /// N cos alpha.
+  template <class X>
+  X driving_force(const FollowerMotion<X>& f) const {
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    return guide().driving_force(force, main_share(f), second_share(f));
+  }
+  template <class X>
+  X pushed(const X& force, const X& share) const {
+    return guide().driving_force(force, share, share);
+  }
+  /// (M37), and (M45) of the second roller, which is D further from the guide.
+  template <class X>
+  X main_share(const FollowerMotion<X>& f) const {
+    return guide().share_across(X(overhang - f.s), tangent_of(main().pitch_curve(f), f));
+  }
+  template <class X>
+  X second_share(const FollowerMotion<X>& f) const {
+    return guide().share_across(X(overhang - f.s + roller_distance),
+                                tangent_of(second().pitch_curve(second_motion(f)), f));
+  }
+  /// |tan alpha| of a roller with the sign of the carriage's velocity.
+  template <class X>
+  X tangent_of(const CamCurve<X>& w, const FollowerMotion<X>& f) const {
+    return is_number(offset, 0) ? X(f.ds / w.y) : along(f.ds, X(w.y1 / w.y));
+  }
   RollerCam<T> cam(const T& base, const T& side) const {
     return {stroke,         base,          roller_radius,  side, angular_speed,
             mass,           spring_rate,   spring_preload, load, face_width,

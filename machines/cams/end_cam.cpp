@@ -21,6 +21,7 @@ struct MachineTraits<EndCam> {
       &EndCam<T>::angular_speed,   &EndCam<T>::mass,          &EndCam<T>::spring_rate,
       &EndCam<T>::spring_preload,  &EndCam<T>::load,          &EndCam<T>::face_width,
       &EndCam<T>::youngs_modulus,  &EndCam<T>::poisson_ratio, &EndCam<T>::cutter_radius,
+      &EndCam<T>::guide_friction,  &EndCam<T>::guide_length,  &EndCam<T>::overhang,
       &EndCam<T>::train_stiffness, &EndCam<T>::train_damping, &EndCam<T>::end_share};
   template <class T>
   static constexpr auto part = &EndCam<T>::duty;
@@ -35,6 +36,7 @@ const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
               sliding_load(0, 0),
               contact_parameters(),
               cutter_parameter(),
+              guide_parameters(),
               sliding_train(),
               duty_parameters()});
   return all;
@@ -54,7 +56,8 @@ Mechanism end_cam_mechanism() {
                             peak_torque(), peak_stress(), peak_outer_undercut(),
                             peak_groove_stress(), peak_end_deviation(), least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
-                  .form = Form::EndRoller},
+                  .form = Form::EndRoller,
+                  .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
                  {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
 }
 

@@ -4,11 +4,14 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
+#include "machines/cams/sliding_guide.h"
 
 namespace camlaw {
 
 /// An end (face) or barrel cam with a roller that moves along the cam's axis (docs/theory.md, "End
 /// and barrel cams"), developed at the mean radius of the roller's track. Fields in SI units.
+///
+/// Valid, with friction in the guide, while the roller stays outside it, stroke at most overhang.
 template <class T>
 struct EndCam {
   T stroke = number<T>(0.020);                    ///< h, m
@@ -23,12 +26,17 @@ struct EndCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the track
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const { return value_of(radius) > 0; }
+  bool is_possible() const {
+    return value_of(radius) > 0 && stays_outside(guide_friction, overhang, stroke);
+  }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
@@ -57,17 +65,34 @@ struct EndCam {
     using std::atan;
     return atan(f.ds / radius);
   }
-  /// (M18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
+  /// (M18), (M38) Force between roller and cam, N, signed as the force along the way:
+  /// N = F / (cos alpha (1 - q)). NaN where the follower jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     using std::sqrt;
     const X slope = f.ds / radius;
-    return follower().force(f) * sqrt(slope * slope + number<T>(1));
+    return driving_force(f) * sqrt(slope * slope + number<T>(1));
+  }
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return driving_force(f) * f.ds;
   }
   /// About the roller's axis the cam does not turn (RB1).
   template <class X>
   X turning(const FollowerMotion<X>&) const {
     return number<X>(0);
+  }
+
+ private:
+  /// (M37) N cos alpha; tan alpha = s' / R has the velocity's sign.
+  template <class X>
+  X driving_force(const FollowerMotion<X>& f) const {
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    const SlidingGuide<T> guide{guide_friction, guide_length};
+    const X share = guide.share_across(X(overhang - f.s), X(f.ds / radius));
+    return guide.driving_force(force, share, share);
   }
 };
 

@@ -29,6 +29,8 @@ struct MachineTraits<FlatCam> {
                                      &FlatCam<T>::density,
                                      &FlatCam<T>::bore_radius,
                                      &FlatCam<T>::wear_coefficient,
+                                     &FlatCam<T>::guide_friction,
+                                     &FlatCam<T>::guide_length,
                                      &FlatCam<T>::train_stiffness,
                                      &FlatCam<T>::train_damping,
                                      &FlatCam<T>::end_share};
@@ -37,7 +39,8 @@ struct MachineTraits<FlatCam> {
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters(), wear_parameter(), sliding_train()});
+              contact_parameters(), blank_parameters(), wear_parameter(), friction_parameters(),
+              sliding_train()});
   return all;
 }
 
@@ -45,21 +48,26 @@ namespace {
 
 using optim::Part;
 
-MechanismResponse contact_offset() {
-  return curve_response<FlatCam>({"contact_offset", "mm", "m",
-                                  "position of the contact on the face, from the follower's axis"},
-                                 turn_of_the_cam(), [](const auto& cam) {
-                                   return [cam](const auto& motion) {
-                                     return cam.contact_offset(cam.over_angle(motion));
-                                   };
-                                 });
+enum class FlatCurve { ContactOffset, ContactForce };
+
+MechanismResponse flat_curve(FlatCurve which, ResponseAbout about) {
+  return listed_curve<FlatCam>(std::move(about), turn_of_the_cam(), which,
+                               [](const auto& cam, FlatCurve wanted, const auto& motion) {
+                                 const auto f = cam.over_angle(motion);
+                                 return wanted == FlatCurve::ContactOffset ? cam.contact_offset(f)
+                                                                           : cam.contact_force(f);
+                               });
 }
 
 }  // namespace
 
 Mechanism flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
-  responses.push_back(contact_offset());
+  responses.push_back(flat_curve(
+      FlatCurve::ContactOffset, {"contact_offset", "mm", "m",
+                                 "position of the contact on the face, from the follower's axis"}));
+  responses.push_back(flat_curve(FlatCurve::ContactForce,
+                                 {"contact_force", "N", "N", "force between face and cam"}));
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));

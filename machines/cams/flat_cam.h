@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/sliding_guide.h"
 #include "machines/contact/hertz.h"
 
 namespace camlaw {
@@ -24,6 +25,8 @@ struct FlatCam {
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
   T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
@@ -33,6 +36,7 @@ struct FlatCam {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
   LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -42,6 +46,20 @@ struct FlatCam {
   template <class X>
   X contact_offset(const FollowerMotion<X>& f) const {
     return f.ds;
+  }
+  /// (M38), (M44) Force between face and cam, N, along the way: F / (1 - q) with the friction in
+  /// the guide that the couple of a contact beside the axis makes. NaN where the follower jams.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    const X share = guide().share_beside(contact_offset(f));  // signed as s'
+    return guide().driving_force(force, share, share);
+  }
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return contact_force(f) * f.ds;
   }
   /// (M12) Radius of curvature of the profile, m: r_b + s + s''. The cam can be made while it is
   /// above 0; a flat face touches no hollow.
@@ -64,15 +82,15 @@ struct FlatCam {
   template <class X>
   X wear(const FollowerMotion<X>& f) const {
     return wear_coefficient / face_width *
-           (follower().force(f) * ((f.s + base_radius) / profile_radius(f)));
+           (contact_force(f) * ((f.s + base_radius) / profile_radius(f)));
   }
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
-    return contact().pressure(follower().force(f) / face_width, number<X>(1) / profile_radius(f));
+    return contact().pressure(contact_force(f) / face_width, number<X>(1) / profile_radius(f));
   }
   template <class X>
   X contact_half_width(const FollowerMotion<X>& f) const {
-    return contact().half_width(follower().force(f) / face_width, number<X>(1) / profile_radius(f));
+    return contact().half_width(contact_force(f) / face_width, number<X>(1) / profile_radius(f));
   }
 };
 

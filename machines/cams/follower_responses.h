@@ -8,6 +8,7 @@
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
 #include "machines/model/peak_number.h"
+#include "numerics/scalar/by_side.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
@@ -116,10 +117,7 @@ MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
         const auto value = follower_curve(cam, which, cam.over_angle(motion));
         return value * value;
       },
-      [](const auto&, const auto& mean) {
-        using std::sqrt;
-        return sqrt(mean);
-      });
+      [](const auto&, const auto& mean) { return root_of_squares(mean); });
 }
 
 /// Numbers of the whole cycle.

@@ -21,6 +21,7 @@ struct MachineTraits<LinearCam> {
       &LinearCam<T>::angular_speed,   &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
       &LinearCam<T>::spring_preload,  &LinearCam<T>::load,          &LinearCam<T>::face_width,
       &LinearCam<T>::youngs_modulus,  &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius,
+      &LinearCam<T>::guide_friction,  &LinearCam<T>::guide_length,  &LinearCam<T>::overhang,
       &LinearCam<T>::train_stiffness, &LinearCam<T>::train_damping, &LinearCam<T>::end_share};
   template <class T>
   static constexpr auto part = &LinearCam<T>::duty;
@@ -35,6 +36,7 @@ const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
               sliding_load(5, 50),
               contact_parameters(),
               cutter_parameter(),
+              guide_parameters(),
               sliding_train(),
               duty_parameters()});
   return all;
@@ -49,7 +51,7 @@ std::vector<MechanismResponse> plate_responses() {
     return response.name.find("torque") != std::string::npos;
   });
   responses.push_back(curve_response<LinearCam>(
-      {"plate_force", "N", "N", "force that moves the plate, without friction"}, turn_of_the_cam(),
+      {"plate_force", "N", "N", "force that moves the plate"}, turn_of_the_cam(),
       [](const auto& cam) {
         return [cam](const auto& motion) { return cam.plate_force(cam.over_angle(motion)); };
       }));
@@ -80,7 +82,8 @@ Mechanism linear_cam_mechanism() {
                             peak_end_deviation(),
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
-                  .form = Form::Plate},
+                  .form = Form::Plate,
+                  .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
                  {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
 }
 

@@ -11,7 +11,7 @@ namespace camlaw {
 /// radius L / (2 pi). Fields in SI units. Radians are of the cycle, 2 pi each.
 ///
 /// Valid for one passage of the plate, or one that repeats; what a plate does that stops and comes
-/// back is another cycle.
+/// back is another cycle. With friction in the guide, while the roller stays outside it.
 template <class T>
 struct LinearCam {
   T stroke = number<T>(0.020);                    ///< h, m
@@ -26,17 +26,21 @@ struct LinearCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of plate and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const { return value_of(travel) > 0; }
+  bool is_possible() const { return value_of(travel) > 0 && developed().is_possible(); }
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {
-    return {stroke,         radius(), roller_radius, angular_speed,  mass,          spring_rate,
-            spring_preload, load,     face_width,    youngs_modulus, poisson_ratio, cutter_radius};
+    return {stroke,        radius(),       roller_radius,  angular_speed, mass,
+            spring_rate,   spring_preload, load,           face_width,    youngs_modulus,
+            poisson_ratio, cutter_radius,  guide_friction, guide_length,  overhang};
   }
   FollowerLoad<T> follower() const { return developed().follower(); }
   RollerContact<T> roller() const { return developed().roller(); }
@@ -59,15 +63,20 @@ struct LinearCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return developed().pressure_angle(f);
   }
-  /// (M18) Force between roller and plate, N: N = F / cos alpha.
+  /// (M18), (M38) Force between roller and plate, N: N = F / (cos alpha (1 - q)).
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     return developed().contact_force(f);
   }
-  /// (M26) Force that moves the plate, N, without friction: P = F tan alpha.
+  /// (M39) What stands for the torque on a shaft, N m: the plate's force by its way per radian.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return developed().drive_torque(f);
+  }
+  /// (M26) Force that moves the plate, N: P = N sin alpha.
   template <class X>
   X plate_force(const FollowerMotion<X>& f) const {
-    return follower().torque(f) / radius();
+    return drive_torque(f) / radius();
   }
   /// The plate does not turn (RB1).
   template <class X>

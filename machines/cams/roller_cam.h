@@ -4,8 +4,7 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
-#include "numerics/scalar/absolute.h"
-#include "numerics/scalar/by_side.h"
+#include "machines/cams/sliding_guide.h"
 
 namespace camlaw {
 
@@ -43,8 +42,7 @@ struct RollerCam {
 
   bool is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
-    const bool guided = value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
-    return prime > 0 && e * e < prime * prime && guided;
+    return prime > 0 && e * e < prime * prime && stays_outside(guide_friction, overhang, stroke);
   }
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
@@ -59,6 +57,7 @@ struct RollerCam {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -86,8 +85,7 @@ struct RollerCam {
   X guide_share(const FollowerMotion<X>& f) const {
     const X slope = (f.ds - offset) / (f.s + lowest_height());
     const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
-    return guide_friction * (number<T>(2) * ((overhang - f.s) / guide_length) + number<T>(1)) *
-           size;
+    return guide().share_across(X(overhang - f.s), size);
   }
   /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
   /// where F is above 0 and its negative below. NaN where the follower jams.
@@ -111,12 +109,10 @@ struct RollerCam {
   /// N cos alpha: the force along the way with the guide's friction.
   template <class X>
   X driving_force(const FollowerMotion<X>& f) const {
-    using std::sqrt;
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const X share = guide_share(f), one = number<X>(1);
-    const X left = by_side(force, X(one - share), X(one + share)), root = sqrt(left);
-    return force / (root * root);  // a root of what is below 0 is not a number
+    const X share = guide_share(f);
+    return guide().driving_force(force, share, share);
   }
 };
 

@@ -42,9 +42,10 @@ struct RollerDuty {
     return number<T>(kMillion) * power(dynamic_rating, kExponent) * number<T>(2) * pi<T>() /
            (angular_speed * mean);
   }
-  /// (RB2) Equivalent load, N, from the means of |N|^p nu and of nu.
+  /// (RB2) Equivalent load, N, from the means of |N|^p nu and of nu. It is a norm of the load:
+  /// where nothing bears it is 0, with slopes 0.
   static T equivalent_load(const T& mean, const T& turns) {
-    return power(T(mean / turns), 1 / kExponent);
+    return unless_zero(mean, T(power(T(mean / turns), 1 / kExponent)));
   }
   /// |N|^p, p = 10/3 of roller bearings.
   template <class X>

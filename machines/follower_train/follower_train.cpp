@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
 
 namespace camlaw {
@@ -299,7 +300,6 @@ TrainState<T> TrainMotion<T>::around(double middle, double radius,
 
 template <class T>
 Possible<T> TrainMotion<T>::swing_at_rest() const {
-  using std::sqrt;
   std::optional<T> greatest;
   for (std::size_t i = 0; i < law_->pieces().size(); ++i) {
     if (!rests(law_->pieces()[i])) continue;
@@ -308,7 +308,7 @@ Possible<T> TrainMotion<T>::swing_at_rest() const {
     greatest = greatest ? larger(*greatest, square) : square;
   }
   if (!greatest) return Impossible{"elastic train: the motion never rests"};
-  return T(sqrt(*greatest) / damped_);
+  return T(root_of_squares(*greatest) / damped_);
 }
 
 template <class T>
@@ -330,7 +330,7 @@ T FollowerTrain<T>::amplitude(const TrainState<T>& state) const {
   const T W = number<T>(2) * pi<T>() * period_ratio;
   const T damped = W * sqrt(number<T>(1) - damping_ratio * damping_ratio);
   const T swing = (state.rate + damping_ratio * W * state.z) / damped;
-  return sqrt(state.z * state.z + swing * swing);
+  return root_of_squares(T(state.z * state.z + swing * swing));
 }
 
 template <class T>

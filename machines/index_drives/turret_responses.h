@@ -4,6 +4,7 @@
 #include "machines/index_drives/index_load.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
+#include "numerics/scalar/by_side.h"
 
 /// What the turret of every index drive does and asks for.
 namespace camlaw::problems {
@@ -71,10 +72,7 @@ std::vector<MechanismResponse> turret_responses() {
         const auto torque = turret_curve(drive, C::DriveTorque, drive.over_angle(motion));
         return torque * torque;
       },
-      [](const auto&, const auto& mean) {
-        using std::sqrt;
-        return sqrt(mean);
-      }));
+      [](const auto&, const auto& mean) { return root_of_squares(mean); }));
   all.push_back(number_response<M>(
       {"station_angle", "deg", "rad", "angle of the turret between two stations"},
       [](const auto& drive) { return station_angle(drive.stations); }));

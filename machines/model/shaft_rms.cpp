@@ -9,6 +9,7 @@
 #include "machines/model/kernel_of.h"
 #include "machines/model/not_a_number.h"
 #include "machines/model/turn_sections.h"
+#include "numerics/scalar/by_side.h"
 
 namespace camlaw::problems {
 namespace {
@@ -36,7 +37,6 @@ class MeanSquareOnShaft {
 
   template <class T>
   T operator()(std::span<const T> u) const {
-    using std::sqrt;
     Sections<T> turns;
     std::vector<T> phases;
     for (const CamOnShaft& cam : cams_) {
@@ -45,7 +45,7 @@ class MeanSquareOnShaft {
       turns.push_back(std::move(*turn));
       phases.push_back((cam.varying ? u[*cam.varying] : number<T>(cam.phase)) / number<T>(360));
     }
-    return sqrt(mean_square(turns, phases));
+    return root_of_squares(mean_square(turns, phases));
   }
 
  private:

@@ -5,6 +5,7 @@
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
 #include "machines/servo_axis/servo_axis.h"
+#include "numerics/scalar/by_side.h"
 
 namespace camlaw::problems {
 
@@ -257,14 +258,10 @@ std::vector<MechanismResponse> servo_numbers() {
   };
   return {
       servo_mean<M>({"torque_rms", "N m", "N m", "root mean square of the motor torque"}, square,
-                    [](const auto&, const auto& mean) {
-                      using std::sqrt;
-                      return sqrt(mean);
-                    }),
+                    [](const auto&, const auto& mean) { return root_of_squares(mean); }),
       servo_mean<M>({"rms_utilisation", "1", "1", "torque_rms over the continuous torque"}, square,
                     [](const auto& axis, const auto& mean) {
-                      using std::sqrt;
-                      return sqrt(mean) / axis.continuous_torque;
+                      return root_of_squares(mean) / axis.continuous_torque;
                     }),
       servo_mean<M>({"mean_power", "W", "W", "mean power of the motor's shaft"}, power,
                     [](const auto&, const auto& mean) { return mean; }),

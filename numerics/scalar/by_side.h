@@ -94,4 +94,12 @@ Series<Interval, N> unless_zero(const Series<Interval, N>& force, Series<Interva
   return x;
 }
 
+/// The root of a sum or mean of squares, whose derivatives are given as 0 where it is 0: the root
+/// is least there, so that 0 is among its slopes, as at the tip of a cone.
+template <class X>
+X root_of_squares(const X& sum) {
+  using std::sqrt;
+  return unless_zero(sum, X(sqrt(sum)));
+}
+
 }  // namespace camlaw

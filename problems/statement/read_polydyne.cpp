@@ -11,10 +11,11 @@
 
 namespace camlaw::problems {
 
-std::optional<double> read_polydyne(const Entry& file, const Entry& program,
-                                    const Mechanism& mechanism) {
-  const Entry* entry = find(program, "polydyne");
-  if (entry == nullptr) return {};
+namespace {
+
+/// The natural periods in a turn: the number that is stated, or those of the machine's own train
+/// at the speed that is.
+double read_periods(const Entry& file, const Entry* entry, const Mechanism& mechanism) {
   if (!has_unit(*entry)) return positive_of(*entry, "1");
   const double speed = positive_of(*entry, "rpm");
   const auto frequency =
@@ -45,6 +46,27 @@ std::optional<double> read_polydyne(const Entry& file, const Entry& program,
   }
   constexpr double kSeconds = 60;  // in a minute
   return by_second * kSeconds / speed;
+}
+
+}  // namespace
+
+std::optional<Polydyne> read_polydyne(const Entry& file, const Entry& program,
+                                      const Mechanism& mechanism) {
+  const Entry *periods = find(program, "polydyne"), *damping = find(program, "polydyne_damping");
+  if (periods == nullptr) {
+    if (damping == nullptr) return {};
+    refuse(*damping,
+           "it is the damping of a train; say with polydyne how many natural periods "
+           "that has in a turn");
+  }
+  Polydyne result{read_periods(file, periods, mechanism)};
+  if (damping == nullptr) return result;
+  result.damping = positive_of(*damping, "1");
+  if (*result.damping < kLeastPolydyneDamping || *result.damping > kMostPolydyneDamping) {
+    refuse(*damping, fmt::format("the damping over the critical must be between {} and {}",
+                                 kLeastPolydyneDamping, kMostPolydyneDamping));
+  }
+  return result;
 }
 
 }  // namespace camlaw::problems

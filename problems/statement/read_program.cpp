@@ -279,8 +279,8 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
     read_table(file, program, problem);
     return;
   }
-  check_keys(program,
-             {"matched", "cycle_time", "times_at", "advance", "polydyne", "segments", "table"});
+  check_keys(program, {"matched", "cycle_time", "times_at", "advance", "polydyne",
+                       "polydyne_damping", "segments", "table"});
   const Matched matched = read_matched(program);
   const Entry* list = find(program, "segments");
   if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
@@ -293,7 +293,7 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   problem.timing = units.timing;
   if (units.told_by_motion) problem.told_by_motion.insert(*units.told_by_motion);
   const double advance = read_advance(program, units, *problem.mechanism);
-  const std::optional<double> polydyne = read_polydyne(file, program, *problem.mechanism);
+  const std::optional<Polydyne> polydyne = read_polydyne(file, program, *problem.mechanism);
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : tables) {

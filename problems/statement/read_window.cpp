@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+
 #include "kinematics/laws/side_by_side.h"
 #include "machines/model/cycle.h"
 #include "machines/model/windowed.h"
@@ -33,14 +36,27 @@ CycleWindow read_over(const Entry& over, const ProblemStatement& problem,
   return window;
 }
 
+/// The places that a curve has.
+struct Places {
+  double begin, end;
+  std::string unit;
+};
+
+/// Of a curve over a motion's cycle, or over a turn that no motion makes; none of any other.
+std::optional<Places> places_of(const MechanismResponse& response) {
+  if (response.turn) return Places{0, 360, response.along};
+  if (!response.cycle) return {};
+  const Cycle& cycle = *response.cycle;
+  return Places{cycle.stretches.front().begin, cycle.stretches.back().end, cycle.unit};
+}
+
 /// An end of the window; where it is not stated, that of the cycle.
-double read_end(const Entry* entry, const Cycle& cycle, double otherwise) {
+double read_end(const Entry* entry, const Places& all, double otherwise) {
   if (entry == nullptr) return otherwise;
-  const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
-  const double value = quantity_of(*entry, cycle.unit);
-  if (!(value >= begin && value <= end)) {
-    refuse(*entry, fmt::format("{} is outside the cycle, {}", with_unit(value, cycle.unit),
-                               range_text(begin, end, cycle.unit)));
+  const double value = quantity_of(*entry, all.unit);
+  if (!(value >= all.begin && value <= all.end)) {
+    refuse(*entry, fmt::format("{} is outside the cycle, {}", with_unit(value, all.unit),
+                               range_text(all.begin, all.end, all.unit)));
   }
   return value;
 }
@@ -56,11 +72,8 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
                              "curves and their peaks",
                              response.name));
   }
-  const auto cycle = response.response->cycle;
-  if (!cycle) {
-    refuse(*any, fmt::format("{} runs over the turn of the driving shaft, which takes no windows",
-                             response.name));
-  }
+  const std::optional<Places> all = places_of(*response.response);
+  if (!all) refuse(*any, fmt::format("{} takes no windows", response.name));
   if (over != nullptr) {
     if (from != nullptr || to != nullptr) {
       refuse(from != nullptr ? *from : *to, "over already says where; drop one of the two");
@@ -69,16 +82,14 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
     response.name += " over " + response.window->segment;
     return;
   }
-  CycleWindow window{"", read_end(from, *cycle, cycle->stretches.front().begin),
-                     read_end(to, *cycle, cycle->stretches.back().end)};
+  CycleWindow window{"", read_end(from, *all, all->begin), read_end(to, *all, all->end)};
   if (!(window.from < window.to)) {
     refuse(*any,
            fmt::format("the window from {} to {} is empty; state one that crosses the end of the "
                        "cycle as two limits",
-                       with_unit(window.from, cycle->unit), with_unit(window.to, cycle->unit)));
+                       with_unit(window.from, all->unit), with_unit(window.to, all->unit)));
   }
-  response.name +=
-      fmt::format(" from {:.6g} to {}", window.from, with_unit(window.to, cycle->unit));
+  response.name += fmt::format(" from {:.6g} to {}", window.from, with_unit(window.to, all->unit));
   response.window = window;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "kinematics/program/program.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
 #include "problems/statement/toml_entry.h"
@@ -56,8 +57,8 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
 const std::string& table_text(const Entry& name, HeldFiles& files);
 /// How many natural periods the train has in a turn for which a program's lift is made, where it is
 /// `polydyne`: a number, or those that the machine's train has at a stated speed.
-std::optional<double> read_polydyne(const Entry& file, const Entry& program,
-                                    const Mechanism& mechanism);
+std::optional<Polydyne> read_polydyne(const Entry& file, const Entry& program,
+                                      const Mechanism& mechanism);
 /// The motion of a program's `table`, and the stroke that it has.
 void read_table(const Entry& file, const Entry& program, ProblemStatement& problem);
 /// The tolerances of a program's points and ends: as variables, but for those that the file states.

@@ -83,6 +83,7 @@ TEST_CASE("curves of cams have exact derivatives by all parameters", "[cams][lon
       const auto made = response_of(cam, response.name, design.binding);
       INFO(name << ": " << response.name);
       if (!made.is_curve()) {
+        if (std::isinf(made.function().value(design.x))) continue;  // the life of what never bears
         const double step = &design == &in_dwells ? 1e-5 : 1e-4;
         testing::check_derivatives(made.function(), design.x, step, 1e-6);
         continue;

@@ -2,6 +2,7 @@
 // The life of a roller's bearing on each roller cam, from its curves summed up over the turn.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 
@@ -39,6 +40,13 @@ std::map<std::string, double> numbers_of(const ProblemStatement& statement) {
     all[r.name] = r.is_curve ? r.highest : r.value;
   }
   return all;
+}
+
+double lowest_of(const ProblemStatement& statement, const std::string& name) {
+  for (const EvaluatedResponse& r : evaluate(statement)) {
+    if (r.name == name) return r.lowest;
+  }
+  return std::nan("");
 }
 
 struct Curves {
@@ -146,6 +154,111 @@ TEST_CASE("a roller's life has exact derivatives and close bounds", "[cams]") {
     const double value = f.value(design.x);
     CHECK((bounds.lower <= value && value <= bounds.upper));
     CHECK(bounds.upper - bounds.lower < 1e-6 * value);
+  }
+}
+
+namespace {
+
+/// A pair in which both cams bear, off the line of the shaft and with friction in the guide.
+const char* const kPair =
+    "speed = 400\nmass = 3\nload = 40\nspring_rate = 1\noffset = 6\nguide_friction = 0.1\n";
+
+/// How far a roller goes on its own cam by radian, m, per m of its radius, and the cam's turn less:
+/// from where its centre is, `below` m under the main one.
+double turns_of_drawn(const Curves& curves, double degrees, double below) {
+  const double base = 0.05, offset = 0.006, lowest = std::sqrt(base * base - offset * offset);
+  const auto centre = [&](double at) {
+    const double angle = at * kPi / 180;
+    const std::complex<double> seen(offset, lowest + curves.at("displacement", at) / 1000 - below);
+    return seen * std::polar(1.0, -angle);
+  };
+  const double h = 1e-3;
+  const double way = std::abs(centre(degrees + h) - centre(degrees - h)) / (2 * h * kPi / 180);
+  return way / 0.01 - 1;
+}
+
+}  // namespace
+
+TEST_CASE("each roller of a pair bears its own part of the cycle", "[cams]") {
+  const ProblemStatement statement = program_of("disc-cam-conjugate", kPair);
+  const auto found = numbers_of(statement);
+  const Curves curves(statement);
+  struct Roller {
+    double damage = 0, turns = 0, bears = 0;
+  } main, second;
+  for (int i = 0; i < kPoints; ++i) {
+    const double place = 360 * (i + 0.5) / kPoints;
+    const double force = curves.at("contact_force", place);
+    const double of_main = curves.at("roller_speed", place) / 400;
+    const double of_second = curves.at("second_roller_speed", place) / 400;
+    if (i % 100 == 0) {
+      CHECK(of_main == Approx(turns_of_drawn(curves, place, 0)).epsilon(1e-6));
+      CHECK(of_second == Approx(turns_of_drawn(curves, place, 0.14)).epsilon(1e-6));
+    }
+    Roller& loaded = force > 0 ? main : second;
+    loaded.damage +=
+        std::pow(std::abs(force), kExponent) * (force > 0 ? of_main : of_second) / kPoints;
+    loaded.bears += 1.0 / kPoints;
+    main.turns += of_main / kPoints, second.turns += of_second / kPoints;
+  }
+  CHECK(main.bears > 0.1);
+  CHECK(second.bears > 0.1);
+  for (const auto& [roller, of] :
+       {std::pair(main, std::string()), std::pair(second, std::string("second_"))}) {
+    const double load = std::pow(roller.damage / roller.turns, 1 / kExponent);
+    const double millions = std::pow(10000 / load, kExponent);
+    CHECK(found.at(of + "equivalent_load") == Approx(load).epsilon(1e-5));
+    CHECK(found.at(of + "life_revolutions") == Approx(millions).epsilon(1e-5));
+    CHECK(found.at(of + "life") ==
+          Approx(millions * 1e6 / (400 * roller.turns) / 60).epsilon(1e-5));
+    CHECK(found.at(of + "speed_fraction") == Approx(found.at(of + "roller_speed") / 6000));
+  }
+  CHECK(found.at("static_fraction") * 10000 ==
+        Approx(std::max(found.at("contact_force"), -lowest_of(statement, "contact_force"))));
+}
+
+TEST_CASE("the roller of a pair that never bears has no load", "[cams]") {
+  // A load that inertia never passes: the main cam bears all round.
+  const auto found =
+      numbers_of(program_of("disc-cam-conjugate", "speed = 60\nload = 500\nmass = 1\n"));
+  CHECK(found.at("equivalent_load") > 400);
+  CHECK(found.at("second_equivalent_load") == 0);
+  CHECK(std::isinf(found.at("second_life")));
+  // As the main roller of a single cam with the same parts.
+  const auto single = numbers_of(
+      program_of("disc-cam-roller",
+                 "speed = 60\nload = 500\nmass = 1\nspring_rate = 0\nspring_preload = 0\n"));
+  for (const char* name : {"equivalent_load", "life_revolutions", "life"}) {
+    CHECK(found.at(name) == Approx(single.at(name)).epsilon(1e-12));
+  }
+  const Mechanism& pair = find_mechanism("disc-cam-conjugate");
+  testing::TestDesign design =
+      testing::design_of(pair, "legendre c=-3,1", {"c"}, {"roller_distance", "mass"});
+  design.binding.constants[pair.parameter("speed")] = 60;
+  design.binding.constants[pair.parameter("load")] = 500;
+  const auto f = testing::response_of(pair, "second_equivalent_load", design.binding).function();
+  std::vector<double> slopes(f.inputs().size(), -1);
+  CHECK(f.gradient(design.x, slopes) == 0);
+  CHECK(slopes == std::vector<double>(slopes.size(), 0.0));
+}
+
+TEST_CASE("the lives of a pair have exact derivatives and close bounds", "[cams]") {
+  const Mechanism& pair = find_mechanism("disc-cam-conjugate");
+  testing::TestDesign design = testing::design_of(pair, "legendre c=-3,1", {"c"},
+                                                  {"base_radius", "roller_distance", "mass"});
+  design.binding.constants[pair.parameter("load")] = 2;
+  design.binding.constants[pair.parameter("speed")] = 400;
+  for (const char* name : {"life", "equivalent_load", "life_revolutions", "second_life",
+                           "second_equivalent_load", "second_life_revolutions"}) {
+    INFO(name);
+    const auto f = testing::response_of(pair, name, design.binding).function();
+    testing::check_derivatives(f, design.x, 1e-3, 1e-5);
+    const auto bounds = f.enclose(design.x);
+    const double value = f.value(design.x);
+    // Gauss-Legendre is less exact beside the changeover, where the power 10/3 of the force begins.
+    CHECK(bounds.lower <= value * (1 + 1e-9));
+    CHECK(bounds.upper >= value * (1 - 1e-9));
+    CHECK(bounds.upper - bounds.lower < 1e-4 * value);
   }
 }
 

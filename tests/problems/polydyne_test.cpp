@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 
 #include "optim/search/optimise.h"
@@ -60,6 +62,15 @@ TEST_CASE("what makes no polydyne lift is refused in a sentence", "[polydyne]") 
              Contains("mass varies; write a plain number"));
   CHECK_THAT(refusal(text("0")), Contains("program.polydyne"));
   CHECK_THAT(refusal(text("'3 mm'")), Contains("program.polydyne"));
+  CHECK_THAT(refusal(text("14.5\npolydyne_damping = 0")), Contains("program.polydyne_damping"));
+  CHECK_THAT(refusal(text("14.5\npolydyne_damping = 0.95")),
+             Contains("program.polydyne_damping") && Contains("between 0.001 and 0.9"));
+  CHECK_THAT(refusal(text("14.5\npolydyne_damping = '3 mm'")),
+             Contains("program.polydyne_damping"));
+  CHECK_THAT(refusal("mechanism = 'disc-cam-roller'\n[program]\npolydyne_damping = 0.1\nsegments = "
+                     "[{name = 'rise', angle = 180, law = 'cycloidal'}, {name = 'return', law = "
+                     "'cycloidal'}]\n"),
+             Contains("say with polydyne how many natural periods"));
   CHECK_THAT(refusal(text("14.5", "", "modified-sine")),
              Contains("jumps: use laws in which it does not, such as 5-6-7-8-9"));
   CHECK_THAT(refusal(text("'600 rpm'", "", "poly-5-6-7-8-9", "", "servo-axis")),
@@ -84,6 +95,13 @@ TEST_CASE("the shipped polydyne lift leaves what the damping makes alone",
   ProblemStatement undamped = problem;
   undamped.constants[undamped.mechanism->parameter("train_damping")] = 0;
   CHECK(left(undamped) < 1e-9);
+  // With the damping stated to the program too nothing is left.
+  std::ifstream file(testing::source("problems/cams/polydyne_lift.toml"));
+  std::string whole((std::istreambuf_iterator<char>(file)), {});
+  const std::string speed = "polydyne = \"600 rpm\"";
+  REQUIRE(whole.find(speed) != std::string::npos);
+  whole.replace(whole.find(speed), speed.size(), "polydyne_damping = 0.02\n" + speed);
+  CHECK(left(read_problem(whole, "f.toml")) < 1e-9);
 }
 
 }  // namespace camlaw::problems::polydyne_test

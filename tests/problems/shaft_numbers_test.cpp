@@ -63,6 +63,67 @@ TEST_CASE("derivatives hold where a formula of the angle decides otherwise",
   }
 }
 
+/// A number at one design with its derivatives by what it depends on, and what encloses it.
+struct Slopes {
+  double value;
+  std::vector<double> first, second;
+  optim::Bounds bounds;
+
+  Slopes(const optim::Function& f, const std::vector<double>& x)
+      : first(f.inputs().size(), -1),
+        second(optim::packed_size(f.inputs().size()), -1),
+        bounds(f.enclose(x)) {
+    value = f.hessian(x, first, second);
+  }
+  double steepest() const { return *std::max_element(first.begin(), first.end()); }
+};
+
+void check_tip(const Slopes& tip) {
+  REQUIRE(!tip.first.empty());
+  CHECK(tip.value == 0);
+  CHECK(tip.first == std::vector<double>(tip.first.size(), 0.0));
+  CHECK(tip.second == std::vector<double>(tip.second.size(), 0.0));
+  CHECK(tip.bounds.lower == 0);
+  CHECK(tip.bounds.upper < 1e-150);
+}
+
+TEST_CASE("a torque that is 0 over the turn has a root mean square with slopes 0",
+          "[shaft][shaft-torque]") {
+  const std::string size = "size]\nlower = -5\nupper = 5\nstart = 0\n";
+  const Moving moved(load("a", "size * sin(angle)", "phase = 0\n") +
+                     load("b", "size * sin(2 * angle)", "phase = 0\n") + "[cams.a.variables." +
+                     size + "[cams.b.variables." + size);
+  const optim::Function rms = moved.response("torque_rms").function();
+  check_tip(Slopes(rms, moved.x));
+  // Beside the tip it is the cone sqrt((a^2 + b^2) / 2), however near.
+  for (const double both : {1.0, 1e-9, 1e-100}) {
+    const Slopes beside(rms, {both, both});
+    INFO(both);
+    CHECK(beside.value == Approx(both).epsilon(1e-13));
+    CHECK(beside.steepest() == Approx(0.5).epsilon(1e-13));
+    CHECK(beside.bounds.lower <= beside.value);
+    CHECK(beside.bounds.upper >= beside.value);
+  }
+}
+
+TEST_CASE("a machine that rests all round has a root mean square with slopes 0",
+          "[cams][servo-axis]") {
+  const auto resting = [](const std::string& machine, const std::string& rest) {
+    return Moving("mechanism = '" + machine + "'\n" + rest +
+                  "[[program.segments]]\nname = 'low'\nangle = 200\n"
+                  "[[program.segments]]\nname = 'still_low'\n");
+  };
+  const Moving cam = resting("disc-cam-roller", "[variables.stroke]\nlower = 1\nupper = 50\n");
+  for (const std::string name : {"torque_rms", "power_rms"}) {
+    check_tip(Slopes(cam.response(name).function(), cam.x));
+  }
+  const Moving axis =
+      resting("linear-servo-axis", "[variables.gear_ratio]\nlower = 1\nupper = 5\nstart = 2\n");
+  for (const std::string name : {"torque_rms", "rms_utilisation"}) {
+    check_tip(Slopes(axis.response(name).function(), axis.x));
+  }
+}
+
 TEST_CASE("derivatives of the work and of the balancing lift agree with differences",
           "[shaft][shaft-torque]") {
   const Moving moved(moving("modified-sine", "spring_rate = 4\nspring_preload = 80\nload = 40\n"));

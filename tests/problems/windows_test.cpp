@@ -107,6 +107,57 @@ TEST_CASE("a window over a segment moves with it", "[windows]") {
   CHECK(fixed.problem({}).objective().response.curve().tied({80.0, false}, y).joint < 0);
 }
 
+TEST_CASE("a curve over a turn that no motion makes has windows by places", "[windows]") {
+  const std::string geneva =
+      "mechanism = 'geneva'\n[constants]\nslots = 5\n"
+      "[variables.speed]\nlower = 10\nupper = 200\nstart = 60\n";
+  const auto peak_of = [&](const std::string& part) {
+    const BoundProblem bound(
+        read_problem(geneva + "[objective]\nminimize = 'highest drive_torque'\n" + part, "f.toml"));
+    return bound.problem({}).objective().response.curve().trace(std::vector{60.0});
+  };
+  const auto all = peak_of("");
+  // The engagement of five slots lasts 108 deg: a window within it, one across its end, one beyond.
+  for (const auto& [from, to] :
+       {std::pair(10.0, 25.0), std::pair(60.0, 200.0), std::pair(150.0, 300.0)}) {
+    INFO(from << " .. " << to);
+    const auto trace = peak_of(fmt::format("from = '{} deg'\nto = '{} deg'\n", from, to));
+    CHECK(trace->breaks().front() == from);
+    CHECK(trace->breaks().back() == to);
+    double most = -1e300;
+    for (int i = 0; i <= 20000; ++i) {
+      most = std::max(most, all->at({from + (to - from) * i / 20000, i > 0})[0]);
+    }
+    CHECK(optim::extreme_of(*trace, optim::Part::Highest).value == Approx(most).margin(1e-6));
+  }
+  // The torque is limited to 90 N m: where the pin enters, or all round.
+  const auto fastest = [&](const char* window) {
+    const optim::Optimum optimum =
+        best(geneva +
+             "[objective]\nmaximize = 'speed'\n[[constraints]]\nresponse = 'drive_torque'\n"
+             "upper = '90 N m'\n" +
+             window);
+    CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+    CHECK(optimum.found.assessment.limits[0].proved);
+    return optimum.found.x[0];
+  };
+  CHECK(fastest("to = 20\n") > 1.05 * fastest(""));
+  const auto trace_at = [&](double speed) {
+    const BoundProblem bound(read_problem(
+        geneva + "[objective]\nminimize = 'highest drive_torque'\nto = 20\n", "f.toml"));
+    return bound.problem({}).objective().response.curve().trace(std::vector{speed});
+  };
+  CHECK(optim::extreme_of(*trace_at(fastest("to = 20\n")), optim::Part::Highest).value ==
+        Approx(90).epsilon(1e-7));
+  CHECK_THAT(complaint([&] {
+               read_problem(geneva +
+                                "[[constraints]]\nresponse = 'drive_torque'\nupper = 40\n"
+                                "over = 'rise'\n",
+                            "f.toml");
+             }),
+             Contains("geneva has no motion program") && Contains("write from and to"));
+}
+
 TEST_CASE("windows that cannot be are refused in words", "[windows]") {
   const auto refusal = [](const std::string& window, const char* response = "peak pressure_angle") {
     return complaint([&] {

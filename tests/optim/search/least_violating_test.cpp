@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "optim/problem/starts.h"
+#include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::least_violating_test {

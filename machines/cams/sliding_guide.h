@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "numerics/scalar/by_side.h"
+
+namespace camlaw {
+
+/// The guide of a translating follower and the friction in it, as a share q of the force along the
+/// way, signed as the velocity (docs/theory.md, "Friction in the guide"). Fields in SI units.
+template <class T>
+struct SlidingGuide {
+  T friction;  ///< mu
+  T length;    ///< l_g, m
+
+  /// (M37) From a force across the way, tan alpha times that along it, at so far before the guide:
+  /// |tan alpha| mu (2 a + l_g) / l_g. Of tan alpha the size with the velocity's sign.
+  template <class X>
+  X share_across(const X& overhang, const X& tangent) const {
+    return friction * (number<T>(2) * (overhang / length) + number<T>(1)) * tangent;
+  }
+  /// (M42) From a force along the way, at so far beside the guide's middle: 2 mu |x| / l_g. Of x
+  /// the size with the velocity's sign.
+  template <class X>
+  X share_beside(const X& distance) const {
+    return number<T>(2) * friction / length * distance;
+  }
+  /// (M38) The force along the way with friction, N: F / (1 - q) where F is above 0, and
+  /// F / (1 + q) below, of what bears then. NaN where the follower jams.
+  template <class X>
+  static X driving_force(const X& force, const X& pushing, const X& pulling) {
+    using std::sqrt;
+    const X one = number<X>(1);
+    const X left = by_side(force, X(one - pushing), X(one + pulling)), root = sqrt(left);
+    return force / (root * root);  // a root of what is below 0 is not a number
+  }
+};
+
+/// Whether a contact that is so far before its guide at the lowest place stays outside it.
+template <class T>
+bool stays_outside(const T& guide_friction, const T& overhang, const T& stroke) {
+  return value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
+}
+
+}  // namespace camlaw
