@@ -86,8 +86,8 @@ const FormatRow& format_of(const ExportOptions& options) {
   throw std::invalid_argument(fmt::format(
       "{}; use one of {}",
       options.format ? fmt::format("--format: '{}' is not a format", *options.format)
-      : options.out  ? fmt::format("--out: the ending of '{}' does not say in which format to "
-                                    "write; add --format",
+      : options.out  ? fmt::format("--format is missing, and the ending of '{}' does not say "
+                                    "which it is",
                                    *options.out)
                      : "--format is missing",
       fmt::join(names, ", ")));

@@ -482,7 +482,7 @@ TEST_CASE("the sentences tell laws apart and what of them stays", "[statement]")
              Contains("Choose the motion law among cosine and legendre (c = [varies, 2]).\n"));
   CHECK_THAT(words, Contains("Vary c[1] (of legendre) between -3 and 3, starting at 1.\n"));
   CHECK_THAT(words, Contains("Find the greatest lowest inertia_force (N).\n"));
-  CHECK_THAT(words, Contains("inertia_force is between -20 and 20 N over the whole cycle.\n"));
+  CHECK_THAT(words, Contains("inertia_force must be between -20 and 20 N over the whole cycle.\n"));
   CHECK_THAT(in_words(read("")), Contains("There is no objective.\n"));
 }
 
