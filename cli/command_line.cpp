@@ -64,9 +64,25 @@ std::string with_near_commands(const Program& program, const std::string& word) 
                                   : fmt::format("did you mean {}?", fmt::join(near, ", ")));
 }
 
+/// What to say of words that a command does not take.
+std::string extra_words(const CLI::App& command, const std::vector<std::string>& extras) {
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  }
+  const std::string& first = extras.front();
+  const bool is_option = first.starts_with('-');
+  const auto near = is_option ? near_names(first, options) : std::vector<std::string>{};
+  return fmt::format("{} does not take '{}'{}", command.get_name(), fmt::join(extras, " "),
+                     !is_option     ? "; a value with blanks needs quotes"
+                     : near.empty() ? ""
+                                    : fmt::format("; near: {}", fmt::join(near, ", ")));
+}
+
 std::string usage_error(const Program& program, const CLI::App& app, const CLI::ParseError& error,
                         const std::string& word) {
-  if (app.get_subcommands().empty() && !word.empty()) {
+  const auto commands = app.get_subcommands();
+  if (commands.empty() && !word.empty()) {
     return word.front() == '-' ? fmt::format("there is no option '{}'; '{} --help' shows the usage",
                                              word, program.name)
                                : with_near_commands(program, word);
@@ -76,7 +92,12 @@ std::string usage_error(const Program& program, const CLI::App& app, const CLI::
   if (what.ends_with(kOverride)) {
     what = fmt::format("--{} takes no value", what.substr(0, what.size() - kOverride.size()));
   }
-  return fmt::format("{}; '{} --help' shows the usage", what, program.name);
+  const std::string called =
+      commands.empty() ? program.name : program.name + " " + commands.front()->get_name();
+  if (!commands.empty() && !commands.front()->remaining().empty()) {
+    what = extra_words(*commands.front(), commands.front()->remaining());
+  }
+  return fmt::format("{}; '{} --help' shows the usage", what, called);
 }
 
 }  // namespace

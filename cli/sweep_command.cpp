@@ -49,7 +49,7 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     }
   }
   if (options.seed && !options.sample) {
-    throw std::invalid_argument("--seed: it is that of the samples of lhs; add --sample 'lhs 64'");
+    throw std::invalid_argument("--seed is for samples by lhs; add --sample 'lhs 64'");
   }
   problems::SweepSettings settings{.evaluates = options.evaluates, .is_cold = options.cold};
   problems::add_settings(settings, options.settings);
@@ -60,7 +60,7 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     settings.sampling = problems::stated_sampling(*options.sample, seed, options.over);
   } else if (!options.over.empty()) {
     throw std::invalid_argument(
-        "--over: it is a range that samples are drawn from; say how many, --sample 'sobol 64'");
+        "--over is a range from which samples are drawn; say how many: --sample 'sobol 64'");
   }
   if (options.start) settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
@@ -173,7 +173,7 @@ Command sweep_command() {
             "draw samples from the ranges of --over: 'sobol 64' or 'lhs 64'"},
            {"--over", &options->over, takes::kSetting,
             "a range for --sample: 'base_radius=30:60 mm'"},
-           {"--seed", &options->seed, takes::kNumber, "of the samples of lhs; an integer from 0"},
+           {"--seed", &options->seed, takes::kNumber, "seed of samples by lhs, an integer from 0"},
            {"--evaluate", &options->evaluates, takes::kNothing,
             "evaluate the file's own design in each combination, without a search"},
            {"--cold", &options->cold, takes::kNothing,
@@ -183,7 +183,7 @@ Command sweep_command() {
            executor_option(options->executor),
            {"--db", &options->db, takes::kFile, "record the study in this file"},
            {"--resume", &options->resume, takes::kNothing,
-            "go on with the study of --db; what is damaged or wrong in it is solved again"},
+            "resume the study of --db; damaged or wrong parts are solved again"},
            time_limit_option(options->limits),
            memory_option(options->limits),
            json_switch(options->json),

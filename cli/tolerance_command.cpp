@@ -136,43 +136,47 @@ Command tolerance_command() {
   const auto options = std::make_shared<ToleranceCommand>();
   return {
       .name = "tolerance",
-      .help = "Say what manufacture makes of a design: worst case, yield, what may grow",
+      .help =
+          "Show what manufacturing tolerances do to a design: worst case, yield, how far they may "
+          "grow",
       .options =
           {{.names = "FILE",
             .target = &options->file,
             .takes = takes::kFile,
             .help =
                 "a problem file, a result, or with --point a study; its tables [variation.NAME] "
-                "say what manufacture does",
+                "state the tolerances",
             .required = true},
            {"--point", &options->point, takes::kNumber,
-            "of a study's front the point of this number"},
+            "the point with this number of a study's front"},
            {"--tolerance", &options->tolerances, takes::kSetting,
-            "name=value, as much to either side, in place of the file's variations"},
+            "a tolerance to either side, name=value, in place of the file's variations"},
            set_option(options->settings),
            {"--waviness", &options->profile["waviness"], "LENGTH",
-            "of the profile: amplitude of its waves, '2 um'; needs --waves or --wavelength"},
-           {"--waves", &options->profile["waves"], takes::kNumber, "how many of them in a turn"},
+            "amplitude of the profile's waves, such as '2 um'; needs --waves or --wavelength"},
+           {"--waves", &options->profile["waves"], takes::kNumber, "number of waves in a turn"},
            {"--wavelength", &options->profile["wavelength"], "LENGTH",
-            "how long they are along the profile, '3 mm', in place of --waves"},
+            "length of a wave along the profile, such as '3 mm', in place of --waves"},
            {"--form", &options->profile["form"], "LENGTH",
-            "of the profile: width of its tolerance zone (ISO 1101), '0.02 mm'"},
+            "width of the profile's tolerance zone (ISO 1101), such as '0.02 mm'"},
            {"--chord", &options->profile["chord"], "LENGTH",
-            "a profile that is cut in chords within this deviation, '5 um'"},
+            "the profile is cut in chords within this deviation, such as '5 um'"},
            {"--chord-step", &options->profile["chord_step"], "ANGLE",
-            "the same, with chords of this cam angle, '0.5 deg'"},
+            "the profile is cut in chords of this cam angle, such as '0.5 deg'"},
            {"--loss", &options->profile["loss"], "SHARE",
-            "what the shop must hold for this much more peak acceleration, '10 %'"},
+            "find what the shop must hold if the peak acceleration may grow by this share, such as "
+            "'10 %'"},
            {"--samples", &options->samples, takes::kNumber,
-            "parts that the yield is estimated from; unless stated 100000, and fewer where a limit "
-            "must be searched anew for each part"},
-           {"--seed", &options->seed, takes::kNumber, "of the samples; unless stated 1"},
+            "number of parts from which the yield is estimated (100000; fewer where a limit must "
+            "be "
+            "searched anew for each part)"},
+           {"--seed", &options->seed, takes::kNumber, "seed of the samples (1)"},
            workers_option(options->workers),
            executor_option(options->executor),
            {"--db", &options->db, takes::kFile,
             "record in this file which parts of the yield have been counted"},
            {"--resume", &options->resume, takes::kNothing,
-            "go on with the study of --db; what is damaged in it is counted again"},
+            "resume the study of --db; damaged parts are counted again"},
            time_limit_option(options->limits),
            json_switch(options->json)},
       .examples =
@@ -180,13 +184,13 @@ Command tolerance_command() {
             "the worst case with its proof, and the yield"},
            {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
             "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
-            "the same of a file that states no variations"},
+            "the same for a file that states no variations"},
            {"camlaw tolerance problems/cams/roller_least_base.toml --waviness '2 um' "
             "--waves 40 --loss '10 %'",
             "what a wavy profile does, and which amplitude costs a tenth more acceleration"},
            {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
             "results/yield.db",
-            "recorded: --resume goes on where it was cut short"}},
+            "with a record, from which --resume continues after an interruption"}},
       .run = [options] { return run_tolerance(*options); }};
 }
 

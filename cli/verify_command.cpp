@@ -44,7 +44,7 @@ Command verify_command() {
                       json_switch(options->json)},
           .examples = {{"camlaw optimize problems/cams/roller_least_base.toml --out "
                         "results/disc_cam; camlaw verify results/disc_cam/result.json",
-                        "the verdict worked out again from the design alone, without a search"}},
+                        "the verdict again, from the design alone and without a search"}},
           .run = [options] { return run_verify(*options); }};
 }
 

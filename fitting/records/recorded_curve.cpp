@@ -46,10 +46,11 @@ const SampleColumn& recorded_column(const SampleTable& table, const Mechanism& m
     names.push_back(column.name);
   }
   if (found.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{}: no column is called {}", table.source,
-        name ? fmt::format("'{}'", *name)
-             : fmt::format("as a curve of {}: {}", mechanism.name, fmt::join(curves, ", "))));
+    throw std::invalid_argument(
+        fmt::format("{}: no column {}", table.source,
+                    name ? fmt::format("is called '{}'", *name)
+                         : fmt::format("has the name of a curve of {}; its curves are {}",
+                                       mechanism.name, fmt::join(curves, ", "))));
   }
   if (found.size() > 1) {
     throw std::invalid_argument(

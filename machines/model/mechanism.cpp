@@ -148,7 +148,7 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
   refuse_name(fmt::format("{}: no response or parameter is called", mechanism.name), name,
               known_responses(mechanism),
-              "'camlaw evaluate FILE' lists all, for a file without this name");
+              "'camlaw evaluate FILE' lists all once this name is out of the file");
 }
 
 }  // namespace camlaw::problems

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -201,9 +203,14 @@ SampleTable numbers_of(const SampleTable& table,
 
 SampleTable read_samples(const std::string& path) {
   if (path == "-") return read_from(std::cin, "standard input");
-  if (std::filesystem::is_directory(path)) throw std::invalid_argument(path + ": it is a folder");
+  if (std::filesystem::is_directory(path))
+    throw std::invalid_argument(path + ": it is a directory, not a table");
+  errno = 0;
   std::ifstream file(path);
-  if (!file) throw std::invalid_argument(path + ": it cannot be read");
+  if (!file) {
+    throw std::invalid_argument(fmt::format("{}: it cannot be read: {}", path,
+                                            errno != 0 ? std::strerror(errno) : "unknown cause"));
+  }
   return read_from(file, path);
 }
 

@@ -262,6 +262,10 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   }
   const std::string given(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
   if (given.empty()) return convert_unit(value, listed, unit);
+  if (given.front() == ':') {
+    throw std::invalid_argument(
+        fmt::format("{}: '{}' is a range; a single value is needed here", what, text));
+  }
   if (has_decimal_comma(given)) {
     throw std::invalid_argument(
         fmt::format("{}: '{}' has a comma; use a point for the decimals", what, text));

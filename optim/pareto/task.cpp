@@ -305,7 +305,7 @@ Outcome safely(const std::function<Outcome()>& work) {
   } catch (const std::exception& error) {
     failed.failure = error.what();
   } catch (...) {
-    failed.failure = "the model threw something that is not a std::exception";
+    failed.failure = "the model raised an error that says nothing of its cause";
   }
   return failed;
 }

@@ -247,7 +247,7 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
     });
   } catch (...) {  // what the model throws between solves
     attempt.status = Status::Failed;
-    attempt.message = "the model threw";
+    attempt.message = "the model raised an error";
     attempt.error = std::current_exception();
   }
   return attempt;

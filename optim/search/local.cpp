@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "optim/cycle/extremes.h"
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
 #include "optim/search/convex_part.h"
@@ -41,18 +43,32 @@ bool is_constant(const Function& f, const Problem& problem) {
   });
 }
 
+/// A response at the start; of a curve, where it is highest or lowest. Not a number where something
+/// that varies moves it there.
+double settled_value(const Response& response, bool highest, const Problem& problem) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> start = problem.start();
+  if (!response.is_curve()) {
+    const Function& f = response.function();
+    return is_constant(f, problem) ? f.value(start) : kNone;
+  }
+  const Curve& curve = response.curve();
+  const auto trace = curve.trace(start);
+  if (!is_constant(curve.at({trace->breaks().front()}), problem)) return kNone;
+  const Extreme worst = extreme_of(*trace, highest ? Part::Highest : Part::Lowest);
+  return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
+}
+
 /// Looks for a limit that is passed and that nothing moves which varies; nullptr where there is
 /// none.
 const Constraint* passed_for_good(const Problem& problem, const Sizes& sizes) {
-  const std::vector<double> start = problem.start();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
-    if (c.response.is_curve() || !is_constant(c.response.function(), problem)) continue;
-    const double value = c.response.function().value(start);
     const double tolerance = sizes.constraints[i].tolerance;
-    const bool met = value >= c.lower.value_or(-kInfinity) - tolerance &&
-                     value <= c.upper.value_or(kInfinity) + tolerance;
-    if (!met && !std::isnan(value)) return &c;
+    const bool passed =
+        (c.upper && settled_value(c.response, true, problem) > *c.upper + tolerance) ||
+        (c.lower && settled_value(c.response, false, problem) < *c.lower - tolerance);
+    if (passed) return &c;
   }
   return nullptr;
 }

@@ -56,12 +56,13 @@ void judge_combinations(const Tally& tally, Assessment& a) {
                                tally.stopped, tally.solved, tally.combinations);
       }
     } else {
-      a.reason = fmt::format("{}, in the combination of least violation; none of {} can be met",
-                             a.reason, tally.combinations);
+      a.reason = fmt::format(
+          "none of the {} combinations meets the limits; in the one that comes nearest, {}",
+          tally.combinations, a.reason);
     }
     a.global.reset();
     if (tally.bounds_hold && a.verdict == Verdict::Infeasible)
-      a.global = how + ", each has a convex feasible set, and all of these are empty";
+      a.global = how + ", and each is known to have no design within the limits";
     return;
   }
   if (a.verdict != Verdict::Certified) return;

@@ -24,7 +24,8 @@ struct Setting {
 };
 
 /// Says what was thrown, and who let it out: the model, or a solver that was registered.
-std::string words_of(const std::exception_ptr& error, const std::string& who = "the model threw");
+std::string words_of(const std::exception_ptr& error,
+                     const std::string& who = "the model raised an error");
 
 /// Holds what a search has come to so far, which is not lost where an exception ends a stage.
 struct Trail {

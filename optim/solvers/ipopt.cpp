@@ -239,7 +239,7 @@ class IpoptSolver final : public Solver {
     const auto start = with_multipliers ? std::span<const double>(warm->y) : program.start();
     if (!finite_start(program, start, solution)) {
       solution.status = solution.error ? Status::Failed : Status::NonFiniteStart;
-      solution.message = solution.error ? "the model threw" : "not a number at the start";
+      solution.message = solution.error ? "the model raised an error" : "not a number at the start";
       return solution;
     }
     if (program.variables() == 0) {
@@ -260,7 +260,8 @@ class IpoptSolver final : public Solver {
     Solution& solution = adapter.solution;
     if (adapter.stopped) solution.status = Status::Stopped, solution.message = "stopped";
     if (adapter.out_of_time) solution.status = Status::TimeLimit, solution.message = "time limit";
-    if (solution.error) solution.status = Status::Failed, solution.message = "the model threw";
+    if (solution.error)
+      solution.status = Status::Failed, solution.message = "the model raised an error";
   }
 
   static void run(const Ipopt::SmartPtr<Adapter>& adapter, const SolverOptions& options,

@@ -26,7 +26,7 @@ RunEnd run_end(Halt halt) {
     case Halt::None:
       break;
   }
-  return {Status::Failed, "the model threw"};
+  return {Status::Failed, "the model raised an error"};
 }
 
 RunEnd run_end(nlopt_result result, const char* words) {

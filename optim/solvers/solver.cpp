@@ -15,7 +15,7 @@ namespace {
 /// What a method throws, or lets through of what the model throws.
 Solution thrown(const std::string& solver) {
   Solution solution;
-  solution.message = solver + " threw an exception";
+  solution.message = solver + " raised an error";
   solution.error = std::current_exception();
   return solution;
 }

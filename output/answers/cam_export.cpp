@@ -83,11 +83,14 @@ const FormatRow& format_of(const ExportOptions& options) {
         std::find(row.endings.begin(), row.endings.end(), ending) != row.endings.end();
     if (options.format ? *options.format == row.name : fits) return row;
   }
-  throw std::invalid_argument(
-      fmt::format("{}; use one of {}",
-                  options.format ? fmt::format("--format: '{}' is not a format", *options.format)
-                                 : "--format is missing, and the ending of --out does not tell it",
-                  fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format(
+      "{}; use one of {}",
+      options.format ? fmt::format("--format: '{}' is not a format", *options.format)
+      : options.out  ? fmt::format("--format is missing, and the ending of '{}' does not say "
+                                    "which it is",
+                                   *options.out)
+                     : "--format is missing",
+      fmt::join(names, ", ")));
 }
 
 void check_options(const ExportOptions& o, const FormatRow& format) {

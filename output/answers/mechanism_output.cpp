@@ -169,7 +169,8 @@ Document mechanisms_document() {
   document.add(std::move(table));
   document.take_list([] {
     Json list = Json::array();
-    for (const Mechanism& m : problems::mechanisms()) list.push_back(json_of(mechanism_document(m)));
+    for (const Mechanism& m : problems::mechanisms())
+      list.push_back(json_of(mechanism_document(m)));
     return list;
   });
   document.say("\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n");

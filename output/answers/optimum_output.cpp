@@ -125,7 +125,10 @@ std::string how(const Answer& answer) {
   std::string text = fmt::format("{} evaluations in {} solves, {:.3g} s; {}", found.evaluations,
                                  found.solves, answer.optimum.wall_s, solver_words(answer));
   if (found.starts > 1) {
-    text += fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
+    text +=
+        found.assessment.verdict == optim::Verdict::Infeasible
+            ? fmt::format("\nnone of {} starts led to a design within the limits", found.starts)
+            : fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
   }
   if (answer.optimum.combinations > 1) {
     text += fmt::format("\n{} combinations, {} problems solved", answer.optimum.combinations,

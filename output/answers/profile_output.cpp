@@ -53,13 +53,14 @@ void say_bridging(const WaveEffects& waves, Document& document) {
   if (!waves.bridged_from) return;
   if (waves.valley_share >= 1) {
     document.say(fmt::format(
-        "  such waves are too steep: from an amplitude of {} um on the follower no longer reaches "
+        "  such waves are too steep: at amplitudes of {} um and more the follower no longer "
+        "reaches "
         "into their valleys, strikes from crest to crest, and its acceleration has no bound\n",
         short_digits(*waves.bridged_from)));
     return;
   }
   document.say(fmt::format(
-      "  the follower reaches into every valley; it would not from an amplitude of {} um on\n",
+      "  the follower reaches into every valley; at amplitudes of {} um and more it would not\n",
       short_digits(*waves.bridged_from)));
 }
 

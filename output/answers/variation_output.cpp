@@ -32,8 +32,8 @@ Table variations_table(const VariedDesign& varied, const ToleranceAnswer& answer
   Table table{
       .key = "variations",
       .columns = {words("varies", "name"), numbers("nominal", "meant"), words("unit", "unit"),
-                  words("by", "text"), words("fails alone", "breaks"), data("lower"), data("upper"),
-                  data("distribution"), data("deviation")}};
+                  words("by", "text"), words("alone violates", "breaks"), data("lower"),
+                  data("upper"), data("distribution"), data("deviation")}};
   for (std::size_t i = 0; i < varied.statements.size(); ++i) {
     const problems::VariationStatement& v = varied.statements[i];
     const optim::Variation& off = varied.variations[i];
@@ -71,8 +71,8 @@ Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
                   data("at_angle"), data("slopes")}};
   for (const auto& v : varied.problem.variables) {
-    table.columns.push_back(numbers("by " + v.name));
-    table.columns.push_back(words("in"));
+    table.columns.push_back(numbers("slope by " + v.name));
+    table.columns.push_back(words("unit of it"));
   }
   for (std::size_t i = 0; i < answer.limits.size(); ++i) {
     const optim::LimitReport& r = answer.limits[i].report;
@@ -121,7 +121,7 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
       .key = "worst_cases",
       .columns = {names("worst of", "name"), numbers("value", "value"), numbers("bound", "bound"),
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
-                  words("for a part with", "part_text"), words("it", "holds"),
+                  words("for a part with", "part_text"), words("the limit", "holds"),
                   numbers("violated at factor", "factor"), data("at_angle"), data("part"),
                   data("side"), data("proved_within"), data("why_not"), data("factor_proved")}};
   for (std::size_t i = 0; i < answer.worst.size(); ++i) {

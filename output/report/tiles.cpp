@@ -76,7 +76,7 @@ std::string limit_clause(const LimitReport& limit, const std::string& near,
   };
   if (!limit.met) return fmt::format("the design passes {} by {}", which, distance(-limit.margin));
   if (limit.margin <= limit.tolerance)
-    return fmt::format("the design stands at {}{}{}", which, side, gain(limit, design, priced));
+    return fmt::format("the design is at {}{}{}", which, side, gain(limit, design, priced));
   return fmt::format("the design keeps {} from {}{}", distance(limit.margin), which, side);
 }
 
@@ -101,11 +101,10 @@ std::string objective_tile(const ProblemStatement& design, const DesignReview& r
   const bool least = stated.sense == optim::Sense::Minimize;
   const ToldResponse told_of = told(stated.response, *design.mechanism);
   const std::string clause =
-      review.is_optimal()
-          ? fmt::format("no design near has {} without passing a limit",
-                        least ? "a smaller value" : "a larger one")
-          : fmt::format("it is what the problem asks to be as {} as the limits allow",
-                        least ? "small" : "large");
+      review.is_optimal() ? fmt::format("no design near has {} without passing a limit",
+                                        least ? "a smaller value" : "a larger one")
+                          : fmt::format("the problem asks for it to be as {} as the limits allow",
+                                        least ? "small" : "large");
   return tile_html({stated.response.name,
                     with_unit(in_digits(review.assessment->objective.value), stated.response.unit),
                     "plain", told_of.meaning, sentence_of(told_of.consequence, clause)});

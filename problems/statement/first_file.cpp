@@ -130,7 +130,14 @@ std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual
     (matters ? fixed : optional) +=
         words_on(p) + assignment(matters ? kFixed : kOptional, p.name, value_of(p, usual), p.unit);
   }
-  std::string text = "\n# The numbers of the machine that stay as they are.\n[constants]\n" + fixed;
+  const bool turns = std::any_of(mechanism.parameters.begin(), mechanism.parameters.end(),
+                                 [](const MechanismParameter& p) { return p.name == "speed"; });
+  const char* const ranges = turns ? "# A limit can hold over a whole range of speeds: "
+                                     "[ranges.speed] with lower and upper.\n"
+                                   : "";
+  std::string text =
+      "\n# The numbers of the machine that stay as they are; what is left out has its default.\n" +
+      std::string(ranges) + "[constants]\n" + fixed;
   if (!optional.empty()) {
     text += "\n# These have the values shown unless they are stated.\n" + optional;
   }

@@ -70,8 +70,8 @@ void set_profile_error(ProfileErrors& errors, std::string_view key, const std::s
 void check_profile_errors(const ProfileErrors& errors) {
   if (errors.waviness && !errors.has_length()) {
     throw std::invalid_argument(
-        "waviness: state waves (in a turn) or wavelength (along the profile) too; the acceleration "
-        "grows with the square of the number of waves");
+        "waviness: state waves (their number in a turn) or wavelength (their length along the "
+        "profile) too; the acceleration grows with the square of the number of waves");
   }
   if (errors.has_length() && !errors.waviness && !errors.form && !errors.loss) {
     throw std::invalid_argument(fmt::format(

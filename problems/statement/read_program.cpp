@@ -218,15 +218,18 @@ void add_tolerance(const Entry& entry, const ProgramUnits& units, const std::str
 void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
   double sum = 0;
   for (StatedSegment& s : segments) {
-    if (&s == &segments.back() && s.segment.angle == 0) s.segment.angle = kTurnDegrees - sum;
+    if (&s == &segments.back()) {
+      if (sum >= kTurnDegrees) {
+        refuse(list, fmt::format("the angles before the last segment add up to {:g} deg; they must "
+                                 "add up to less than {:g} deg",
+                                 sum, kTurnDegrees));
+      }
+      if (s.segment.angle == 0) s.segment.angle = kTurnDegrees - sum;
+    }
     if (s.segment.angle == 0) {
       refuse(*s.entry, "angle is missing; only the last segment may leave it out");
     }
     sum += s.segment.angle;
-  }
-  if (!(segments.back().segment.angle > 0)) {
-    refuse(list, fmt::format("the angles before the last segment add up to {:g} deg already",
-                             sum - segments.back().segment.angle));
   }
 }
 

@@ -9,7 +9,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 
 #include "problems/statement/toml_guard.h"
@@ -118,18 +120,33 @@ class EntryBuilder {
 
 /// toml++'s own words, with the remedy where a slip is a likely one.
 std::string explained(std::string_view description) {
+  struct Slip {
+    std::string_view words, remedy;
+  };
+  constexpr std::array<Slip, 12> kSlips{{
+      {"saw ','", "use a point for the decimals, such as 4.5"},
+      {"a comment or whitespace", "put a number with a unit in quotes, such as \"40 mm\""},
+      {"could not determine value type", "put a name in quotes, such as \"cosine\""},
+      {"control characters other than TAB", "close the quotes on the line where they are opened"},
+      {"redefine existing table",
+       "a table is stated once; each item of a list has double brackets: [[constraints]]"},
+      {"redefine existing array", "each item of a list has double brackets: [[constraints]]"},
+      {"cannot redefine", "a name may be stated only once"},
+      {"expected '='", "write name = value"},
+      {"expected comma or closing ']'", "put commas between the items of a list"},
+      {"comments, saw '{'", "this looks like JSON, such as a result, and not like a problem file"},
+      {"comments, saw '/'", "a comment begins with #"},
+      {"comments, saw ';'", "a comment begins with #"},
+  }};
+  const auto says = [&](const Slip& slip) {
+    return description.find(slip.words) != std::string_view::npos;
+  };
   if (description.find("utf-8") != std::string_view::npos) {
     return "it is not UTF-8; save the file as UTF-8 text";
   }
-  const auto says = [&](std::string_view words) {
-    return description.find(words) != std::string_view::npos;
-  };
-  const char* remedy =
-      says("saw ','")                   ? "; use a point for the decimals, such as 4.5"
-      : says("a comment or whitespace") ? "; put a number with a unit in quotes, such as \"40 mm\""
-      : says("could not determine value type") ? "; put a name in quotes, such as \"cosine\""
-                                               : "";
-  return fmt::format("it is not TOML: {}{}", description, remedy);
+  const auto* const slip = std::find_if(kSlips.begin(), kSlips.end(), says);
+  return fmt::format("it is not TOML: {}{}{}", description, slip == kSlips.end() ? "" : "; ",
+                     slip == kSlips.end() ? "" : slip->remedy);
 }
 
 }  // namespace

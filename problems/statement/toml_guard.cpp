@@ -14,9 +14,21 @@ bool is_between(char c, unsigned char low, unsigned char high) {
   return byte >= low && byte <= high;
 }
 
-/// Whether a letter of UTF-8 beyond ASCII may begin here: two of its bytes are looked at.
+/// Whether a letter of UTF-8 beyond ASCII may begin here: judged by two of its bytes.
 bool begins_letter(std::string_view text) {
   return text.size() > 1 && is_between(text[0], 0xC2, 0xF4) && is_between(text[1], 0x80, 0xBF);
+}
+
+/// What to say of a byte beyond ASCII in neither quotes nor a comment.
+std::string outside_ascii(std::string_view text) {
+  if (!begins_letter(text)) return "it is not UTF-8; save the file as UTF-8 text";
+  for (const std::string_view mark : {"“", "”", "„", "‘", "’", "‚", "«", "»"}) {
+    if (text.starts_with(mark)) {
+      return fmt::format("it is not TOML: write straight quotes, such as \"40 mm\", not {}", mark);
+    }
+  }
+  return "it is not TOML: put text with characters beyond a to z in quotes, such as \"größe\" or "
+         "\"110°\"";
 }
 
 /// Walks through TOML and knows what is in quotes or a comment.
@@ -100,12 +112,7 @@ void guard_toml(std::string_view text, const std::string& source) {
   };
   for (; walk.is_outside(); walk.step_outside()) {
     const char next = walk.rest().front();
-    if (is_between(next, 0x80, 0xFF)) {
-      refuse(
-          begins_letter(walk.rest())
-              ? "it is not TOML: put a key with letters beyond a to z in quotes, such as \"größe\""
-              : "it is not UTF-8; save the file as UTF-8 text");
-    }
+    if (is_between(next, 0x80, 0xFF)) refuse(outside_ascii(walk.rest()));
     points.take(next);
     if (points.count() >= kMostParts) {
       refuse(fmt::format("a key has more than {} parts", kMostParts));

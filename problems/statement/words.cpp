@@ -281,7 +281,7 @@ std::string constraint_sentence(const ConstraintStatement& c) {
                                 ? fmt::format("{} for {:.6g} % of all parts",
                                               several ? ", each bound" : "", 100 * *c.reliability)
                                 : "";
-  return fmt::format("Such that {} is {}{}{}{}.\n", c.response.name, limits_text(c),
+  return fmt::format("{} must be {}{}{}{}.\n", c.response.name, limits_text(c),
                      everywhere ? " over the whole cycle" : "", share,
                      tolerance_note(c.tolerance, c.response.unit));
 }
@@ -328,7 +328,8 @@ std::string in_words(const ProblemStatement& problem) {
   words += objectives_sentence(problem.objectives);
   for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
   if (problem.profile) {
-    words += fmt::format("Its profile is looked at with {}.\n", words_of(*problem.profile));
+    words +=
+        fmt::format("Its profile is judged with these errors: {}.\n", words_of(*problem.profile));
   }
   return words + buildable_sentence(problem) + solver_sentence(problem.solver);
 }

@@ -44,11 +44,11 @@ const KnownProfile& known_profile(const Mechanism& mechanism) {
       all.begin(), all.end(), [&](const KnownProfile& one) { return one.form == mechanism.form; });
   if (found != all.end()) return *found;
   const std::string why =
-      !mechanism.cams.empty()                 ? "several cams are on its shaft; ask of each alone"
+      !mechanism.cams.empty() ? "several cams are on its shaft; state each in a file of its own"
       : mechanism.form == Form::DiscConjugate ? "its follower runs between two profiles at once"
                                               : "no follower runs on the profile of one cam";
   throw std::invalid_argument(fmt::format(
-      "errors of the profile: camlaw cannot tell what they do to {}: {}", mechanism.name, why));
+      "errors of the profile: camlaw does not know how they act on {}: {}", mechanism.name, why));
 }
 
 }  // namespace

@@ -200,7 +200,8 @@ bool Reached::all() const {
 
 std::string Reached::fault() const {
   if (!cut_short.empty()) {
-    return "how many parts hold the limits with a reliability was not worked out: " + cut_short;
+    return "the share of parts that hold the limits with a reliability was not calculated: " +
+           cut_short;
   }
   for (const ReachedShare& limit : limits) {
     if (limit.reach == IsReached::Yes) continue;

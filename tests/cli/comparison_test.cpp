@@ -169,7 +169,7 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   const std::string tiles = section_of(page_of(folder / "out/result.json", folder), "glance");
   CHECK(count_of(tiles, "<div class=\"tile ") == 4);  // the objective and three limits
   CHECK_THAT(tiles, Contains("Least radius of the profile"));
-  CHECK_THAT(tiles, Contains("The design stands at its upper limit of 30 deg, the nearer of the "
+  CHECK_THAT(tiles, Contains("The design is at its upper limit of 30 deg, the nearer of the "
                              "two; easing it by 1 deg would reduce base radius by 2.95 mm."));
   CHECK_THAT(tiles, Contains("At 1 the profile is undercut; the design keeps 0.615 from"));
 }

@@ -292,7 +292,7 @@ TEST_CASE("checks that are required are limits, and decide the exit status", "[p
   CHECK(answer["verdict"] == "certified optimum");
   CHECK(answer["constraints"][0]["name"] == "undercut");
   CHECK((answer["buildable"]["required"] == true && answer["buildable"]["fails"] == 0));
-  CHECK_THAT(done({"check", wide}), Contains("Such that undercut is at most"));
+  CHECK_THAT(done({"check", wide}), Contains("undercut must be at most"));
 }
 
 TEST_CASE("a limit with a wrong unit is named by check and beside the verdict", "[program]") {

@@ -31,6 +31,8 @@ TEST_CASE("bad input ends with status 2 and one line that says what is accepted"
       {{}, "subcommand", "--help"},
       {{"laws", "--jsn"}, "--jsn", "--help"},
       {{"laws", "cubic"}, "cubic", "--help"},
+      {{"laws", "--jsn", "--mrkdown"}, "laws does not take '--jsn --mrkdown'", "near: --json"},
+      {{"law", "cubic", "--param", "crossover=0.4", "deg"}, "'deg'", "blanks needs quotes"},
       {{"laws", "--json=3"}, "--json takes no value", "--help"},
       {{"law"}, "NAME", "--help"},
       {{"law", "modified-sin"}, "modified-sin", "modified-sine"},

@@ -178,6 +178,8 @@ TEST_CASE("what is not a program is refused with its line", "[cams]") {
        "the angles add up to 320 deg"},
       {with_segments(rise + "{name = 'dwell'}, {name = 'back', law = 'cycloidal'}"),
        "angle is missing; only the last segment may leave it out"},
+      {with_segments(rise + "{name = 'high', angle = 240}, {name = 'back', law = 'cycloidal'}"),
+       "add up to 360 deg; they must add up to less than 360 deg"},
       {with_segments(rise + "{name = 'back', law = 'cycloidale'}"), "cycloidal"},
       {with_segments(rise + "{name = 'back', to = 0}"), "needs a law"},
       {with_segments(rise + "{name = 'back', time = '1 s', law = 'cycloidal'}"), "cycle_time"},

@@ -104,7 +104,7 @@ TEST_CASE("times that contradict the speed, or hold at none, are refused", "[pro
       {cam(kTime, "times_at = '60 mm'\n"), "times_at"},
       {cam(kTime, "cycle_time = '1e-9 s'\n"), "it must be"},
       {cam(kTime, "cycle_time = '-1 s'\n"), "cycle_time"},
-      {cam("time = '2 s'", "cycle_time = '1 s'\n"), "720 deg already"},
+      {cam("time = '2 s'", "cycle_time = '1 s'\n"), "add up to 720 deg; they must"},
   };
   for (const Case& c : cases) {
     INFO(c.text);

@@ -64,7 +64,14 @@ const std::string kBounds = "lower = -5\nupper = 5\n";
 TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
   check({
       {"title = 'x'\nmechanism =\n", ":2: ", {"not TOML", "expected value"}},
-      {"a = 1\na = 2\n", ":2: ", {"cannot redefine"}},
+      {"a = 1\na = 2\n", ":2: ", {"cannot redefine", "stated only once"}},
+      {"[[constraints]]\n[constraints]\n", ":2: ", {"double brackets: [[constraints]]"}},
+      {"title = 'x\nmechanism = 'law'\n", ":1: ", {"close the quotes"}},
+      {"title: 'x'\n", ":1: ", {"write name = value"}},
+      {"a = ['b' 'c']\n", ":1: ", {"put commas between"}},
+      {"{\"format\": 1}\n", ":1: ", {"this looks like JSON"}},
+      {"// a disc cam\n", ":1: ", {"a comment begins with #"}},
+      {"title = “x”\n", ":1: ", {"straight quotes", "not “"}},
       {"title = 'x'\n[law\n", ":2: ", {"expected ']'"}},
       {"[constants]\nstroke = 40 mm\n", ":2: ", {"in quotes, such as \"40 mm\""}},
       {"mechanism = law\n", ":1: ", {"put a name in quotes"}},

@@ -459,10 +459,10 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
   CHECK_THAT(words,
              Contains("Choose cutter_diameter among 40, 50 and 63 mm, starting at 50 mm.\n"));
   CHECK_THAT(words, Contains("Find the least cam_radius (mm) (tolerance 0.01 mm).\n"));
-  CHECK_THAT(words, Contains("Such that cam_pressure_angle is at most 30 deg over the whole cycle "
+  CHECK_THAT(words, Contains("cam_pressure_angle must be at most 30 deg over the whole cycle "
                              "(tolerance 0.01 deg).\n"));
-  CHECK_THAT(words, Contains("Such that peak inertia_force is at most 20 N.\n"));
-  CHECK_THAT(words, Contains("Such that blades_in_contact is equal to 1.\n"));
+  CHECK_THAT(words, Contains("peak inertia_force must be at most 20 N.\n"));
+  CHECK_THAT(words, Contains("blades_in_contact must be equal to 1.\n"));
   CHECK_THAT(words, Contains("Solve with ipopt, from 10 starts, with seed 3, for at most 60 s.\n"));
 }
 
@@ -482,7 +482,7 @@ TEST_CASE("the sentences tell laws apart and what of them stays", "[statement]")
              Contains("Choose the motion law among cosine and legendre (c = [varies, 2]).\n"));
   CHECK_THAT(words, Contains("Vary c[1] (of legendre) between -3 and 3, starting at 1.\n"));
   CHECK_THAT(words, Contains("Find the greatest lowest inertia_force (N).\n"));
-  CHECK_THAT(words, Contains("inertia_force is between -20 and 20 N over the whole cycle.\n"));
+  CHECK_THAT(words, Contains("inertia_force must be between -20 and 20 N over the whole cycle.\n"));
   CHECK_THAT(in_words(read("")), Contains("There is no objective.\n"));
 }
 

@@ -73,13 +73,13 @@ TEST_CASE("what the model throws is a failed assessment with its words", "[optim
     const Found found =
         optimise(valley_of(observed(rosenbrock(), always)), {.solver = solver}).found;
     CHECK(found.assessment.verdict == Verdict::Failed);
-    CHECK(found.assessment.reason == "the model threw: no such follower");
+    CHECK(found.assessment.reason == "the model raised an error: no such follower");
     CHECK(found.status == Status::Failed);
   }
   const auto odd = [](std::span<const double>) { throw 42; };
   const Found found = optimise(valley_of(observed(rosenbrock(), odd))).found;
   CHECK(found.assessment.verdict == Verdict::Failed);
-  CHECK(contains(found.assessment.reason, "the model threw"));
+  CHECK(contains(found.assessment.reason, "the model raised an error"));
 }
 
 TEST_CASE("a model that throws on the way never throws out of optimise", "[optimise]") {

@@ -413,7 +413,7 @@ TEST_CASE("what the model throws is kept, with the best point before", "[nlopt]"
     CAPTURE(name);
     const Solution s = method(name).solve(program, {});
     CHECK(s.status == Status::Failed);
-    CHECK(s.message == "the model threw");
+    CHECK(s.message == "the model raised an error");
     REQUIRE(s.error);
     CHECK_THROWS_WITH(std::rethrow_exception(s.error), "beyond a half");
     CHECK(s.y.at(0) <= 0.5);
