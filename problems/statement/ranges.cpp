@@ -75,8 +75,12 @@ std::vector<ConstraintStatement> with_reliability(
     ResponseName of = limit.response;
     if (is_curve) of.part = is_upper ? Part::Highest : Part::Lowest;
     const double wanted = limit.searched_share.value_or(*limit.reliability);
-    side.of_range = robust_number(problem.mechanism, of, varying,
-                                  {true, 0, is_upper ? wanted : 1 - wanted, *limit.reliability});
+    Robust robust{true, 0, is_upper ? wanted : 1 - wanted, *limit.reliability};
+    // Where these parts promise too much, more of them are asked.
+    constexpr double kFewer = 0.8;
+    const double stated = 1 - *limit.reliability;
+    if (1 - wanted < kFewer * stated) robust.parts_for = 1 - stated / 4;
+    side.of_range = robust_number(problem.mechanism, of, varying, robust);
     if (own) {
       auto both = std::make_shared<std::pair<Held, Held>>(own, side.of_range);
       side.of_range = Held(both, both->second.get());
