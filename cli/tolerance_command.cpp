@@ -76,9 +76,7 @@ ProblemStatement design_of(const ToleranceCommand& options) {
 problems::ProfileErrors profile_errors(const ToleranceCommand& options,
                                        const ProblemStatement& design) {
   problems::ProfileErrors errors = problems::profile_errors_of(design);
-  for (const auto& [key, text] : options.profile) {
-    if (text) problems::set_profile_error(errors, key, *text);
-  }
+  problems::set_profile_errors(errors, options.profile);
   problems::check_profile_errors(errors);
   return errors;
 }
@@ -151,7 +149,8 @@ Command tolerance_command() {
             "name=value, as much to either side, in place of the file's variations"},
            set_option(options->settings),
            {"--waviness", &options->profile["waviness"], "LENGTH",
-            "of the profile: amplitude of its waves, '2 um'; needs --waves or --wavelength"},
+            "of the profile: amplitude of its waves, '2 um'; needs --waves or --wavelength, one of "
+            "them"},
            {"--waves", &options->profile["waves"], takes::kNumber, "how many of them in a turn"},
            {"--wavelength", &options->profile["wavelength"], "LENGTH",
             "how long they are along the profile, '3 mm', in place of --waves"},
@@ -160,9 +159,11 @@ Command tolerance_command() {
            {"--chord", &options->profile["chord"], "LENGTH",
             "a profile that is cut in chords within this deviation, '5 um'"},
            {"--chord-step", &options->profile["chord_step"], "ANGLE",
-            "the same, with chords of this cam angle, '0.5 deg'"},
+            "the same, with chords of this cam angle, '0.5 deg', in place of --chord"},
            {"--loss", &options->profile["loss"], "SHARE",
-            "what the shop must hold for this much more peak acceleration, '10 %'"},
+            "what the shop must hold for this much more peak acceleration, force or contact "
+            "stress, "
+            "'10 %'"},
            {"--samples", &options->samples, takes::kNumber,
             "parts that the yield is estimated from; unless stated 100000, and fewer where a limit "
             "must be searched anew for each part"},
@@ -175,18 +176,19 @@ Command tolerance_command() {
             "go on with the study of --db; what is damaged in it is counted again"},
            time_limit_option(options->limits),
            json_switch(options->json)},
-      .examples =
-          {{"camlaw tolerance problems/cams/tolerances.toml",
-            "the worst case with its proof, and the yield"},
-           {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
-            "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
-            "the same of a file that states no variations"},
-           {"camlaw tolerance problems/cams/roller_least_base.toml --waviness '2 um' "
-            "--waves 40 --loss '10 %'",
-            "what a wavy profile does, and which amplitude costs a tenth more acceleration"},
-           {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
-            "results/yield.db",
-            "recorded: --resume goes on where it was cut short"}},
+      .examples = {{"camlaw tolerance problems/cams/tolerances.toml",
+                    "the worst case with its proof, and the yield"},
+                   {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
+                    "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
+                    "the same of a file that states no variations"},
+                   {"camlaw tolerance problems/cams/roller_least_base.toml --waviness '2 um' "
+                    "--waves 40 --loss '10 %'",
+                    "what a wavy profile does, and which amplitude costs a tenth more "
+                    "acceleration, force and "
+                    "contact stress"},
+                   {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
+                    "results/yield.db",
+                    "recorded: --resume goes on where it was cut short"}},
       .run = [options] { return run_tolerance(*options); }};
 }
 
