@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "machines/model/law_binding.h"
@@ -193,6 +194,18 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
 
 bool is_quantile(const ConstraintStatement& limit) {
   return limit.reliability && limit.of_range && !limit.of_range->over_ranges;
+}
+
+void refuse_reliabilities(const ProblemStatement& problem, const std::string& what) {
+  const auto found =
+      std::find_if(problem.constraints.begin(), problem.constraints.end(), is_quantile);
+  if (found == problem.constraints.end()) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: the limit on {} has a reliability, and the designs of {} are not judged by parts that "
+      "their searches did not have, as that of camlaw optimize is; drop reliability, and ask "
+      "camlaw "
+      "tolerance what share of the parts holds the limits of a design",
+      problem.source, found->response.name, what));
 }
 
 ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 'camlaw tolerance' of errors of the profile, and what a search says of a reliability.
+#include <fstream>
+
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
 
@@ -78,6 +80,31 @@ TEST_CASE("optimize says which reliability is reached", "[program][variation]") 
   CHECK(double(own["upper"]) >= double(own["share"]));
   CHECK(facts["robust_objective"]["samples"] == 2048);
   CHECK(facts["verdict"] == "feasible");
+}
+
+TEST_CASE("fronts and sweeps refuse a reliability, which they do not judge",
+          "[program][variation]") {
+  const std::string file = testing::source("problems/cams/robust_force.toml");
+  const Outcome swept = run({"sweep", file, "--set", "mass=1,1.5 kg"});
+  CHECK(swept.status == 2);
+  CHECK_THAT(swept.err, Contains("follower_force has a reliability") && Contains("a sweep") &&
+                            Contains("camlaw tolerance"));
+  std::string text = testing::read(file);
+  const std::string one =
+      "[objective]\nminimize = \"peak contact_force\"\nrobust = \"mean + 3 sigma\"\n";
+  REQUIRE(text.find(one) != std::string::npos);
+  text.replace(text.find(one), one.size(),
+               "[[objectives]]\nminimize = \"peak contact_force\"\n"
+               "[[objectives]]\nminimize = \"spring_rate\"\n");
+  const Folder folder;
+  std::ofstream(folder / "front.toml") << text;
+  const Outcome front = run({"pareto", folder / "front.toml", "--points", "3"});
+  CHECK(front.status == 2);
+  CHECK_THAT(front.err, Contains("follower_force has a reliability") && Contains("a front"));
+  // Without the reliability both are done.
+  const std::string without = text.substr(0, text.find("reliability = 0.98"));
+  std::ofstream(folder / "front.toml") << without;
+  CHECK(run({"pareto", folder / "front.toml", "--points", "2", "--workers", "1"}).status == 0);
 }
 
 TEST_CASE("a reliability that was not worked out is not called met, nor verified",
