@@ -18,7 +18,7 @@ std::string state_text(const SearchState& state) {
   } else if (state.done > 0) {
     text = fmt::format("{:.0f} % searched", std::floor(100 * state.done));
   }
-  if (state.round > 0) text = fmt::format("knots, round {}: {}", state.round, text);
+  if (!state.stage.empty()) text = state.stage + ": " + text;
   if (!state.best) return text + ", no design within the limits yet";
   return text + ", best " + with_unit(in_digits(*state.best, kDigits), shown_unit(state.unit));
 }
@@ -29,13 +29,13 @@ void SearchProgress::heard(const optim::Progress& progress) {
   line_.show(state_text(state_), progress.done);
 }
 
-void SearchProgress::begins_round() {
-  ++state_.round;
+void SearchProgress::begins(const std::string& stage) {
+  state_.stage = stage;
   state_.done = 0;
   state_.iteration = 0;
-  state_.best = {};  // of a round: the next one may begin worse
+  state_.best = {};
   line_.restart();
-  line_.show(state_text(state_));
+  line_.show(stage);
 }
 
 void SearchProgress::heard(const optim::Candidate& candidate) {

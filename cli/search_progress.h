@@ -18,10 +18,11 @@ struct SearchState {
   int iteration = 0;                ///< of the solver that told last
   std::optional<double> best = {};  ///< the objective of the best design within the limits
   std::string unit = {};            ///< of the objective
-  int round = 0;                    ///< of a search that adds knots, from 1 on
+  std::string stage = {};           ///< of several searches which it is: "knots, round 3"
 };
 
-/// "27 of 100 combinations, best 49.2 mm"; "27 % searched, no design within the limits yet".
+/// "27 of 100 combinations, best 49.2 mm"; "27 % searched, no design within the limits yet". The
+/// stage comes first.
 std::string state_text(const SearchState& state);
 
 /// Shows on a line what a search tells.
@@ -30,8 +31,8 @@ class SearchProgress {
   SearchProgress(ProgressLine& line, SearchState begun) : line_(line), state_(std::move(begun)) {}
   void heard(const optim::Progress& progress);
   void heard(const optim::Candidate& candidate);
-  /// Another search begins that may find something better.
-  void begins_round();
+  /// Other work begins, "knots, round 3"; its best may be worse than that before.
+  void begins(const std::string& stage);
 
  private:
   ProgressLine& line_;

@@ -219,15 +219,14 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     SearchProgress shown(line, begun_state(statement));
     knots = problems::find_knots(
         statement, line.is_shown() ? shown_by(shown, search) : search, wanted,
-        [&] { return clock.spent(); }, [&shown] { shown.begins_round(); });
+        [&] { return clock.spent(); }, [&shown](const auto& stage) { shown.begins(stage); });
   }
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
-  const auto give = [&](optim::Optimum optimum) {
-    const problems::Reached reached = search_until_reached(bound, search, optimum);
+  const auto give = [&](const optim::Optimum& optimum, const problems::Reached& reached) {
     Answer answer{bound, space, optimum, search.solver, search.seed};
     answer.reached = reached;
     answer.knots = knots;
@@ -249,28 +248,42 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   };
   SearchState begun = begun_state(bound.statement());
   for (const optim::Choice& choice : space.choices) begun.combinations *= choice.options.size();
-  const auto look = [&](optim::OptimiseOptions how) {
+  // What is told of the first search is kept where this process is ended; of the further ones, for
+  // limits that are stricter than those stated, nothing is.
+  const auto look = [&](const optim::OptimiseOptions& how) {
     ProgressLine line(!options.json);
     SearchProgress shown(line, begun);
-    if (line.is_shown()) how = shown_by(shown, how);
-    optim::Crew crew({.workers = workers, .program = problems::worker_program(bound.statement())});
-    optim::Optimum optimum = optim::optimise(space, how, crew);
-    if (!crew.remark().empty()) warn(crew.remark());
-    return optimum;
+    const auto followed = [&](const optim::OptimiseOptions& o) {
+      return line.is_shown() ? shown_by(shown, o) : o;
+    };
+    const auto begins = [&](const std::string& stage) { shown.begins(stage); };
+    optim::Optimum optimum;
+    optim::OptimiseOptions further = search;
+    if (knots) {
+      optimum = knots->optimum;
+      optimum.wall_s = clock.spent();
+      further.spent = 0;  // it is in the optimum's
+    } else {
+      optim::Crew crew(
+          {.workers = workers, .program = problems::worker_program(bound.statement())});
+      optimum = optim::optimise(space, followed(how), crew);
+      if (!crew.remark().empty()) warn(crew.remark());
+    }
+    problems::Reached reached = search_until_reached(bound, followed(further), optimum, begins);
+    return std::pair(std::move(optimum), std::move(reached));
   };
-  if (knots) {
-    knots->optimum.wall_s = clock.spent();
-    search.spent = 0;  // it is in the optimum's
-    return give(knots->optimum);
-  }
-  if (!is_large(bound.statement())) return give(look(search));
+  const auto look_and_give = [&](const optim::OptimiseOptions& how, const auto& before) {
+    const auto [optimum, reached] = look(how);
+    before();
+    return give(optimum, reached);
+  };
+  const bool is_watched = !knots && is_large(bound.statement());
+  if (!is_watched) return look_and_give(search, [] {});
   const Watch watch{search.time_limit, clock.spent(), search.stop};
   const auto ended = watched(watch, [&](const Teller& teller) {
     optim::OptimiseOptions how = search;
     how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
-    const optim::Optimum optimum = look(how);
-    teller.answers();
-    return give(optimum);
+    return look_and_give(how, [&teller] { teller.answers(); });
   });
   if (const int* status = std::get_if<int>(&ended)) return *status;
   optim::Optimum optimum = unfinished_optimum(space, std::get<Unfinished>(ended));
@@ -278,7 +291,8 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   search.spent = 0;  // it is in the optimum's
   optimum.found.solver = search.solver;
   optimum.found.why_solver = "ended from outside";
-  return give(optimum);
+  const problems::Reached reached = judge_optimum(bound, search, optimum);
+  return give(optimum, reached);
 }
 
 std::vector<Option> search_options(SearchOptions& options, const std::string& files) {

@@ -76,9 +76,7 @@ ProblemStatement design_of(const ToleranceCommand& options) {
 problems::ProfileErrors profile_errors(const ToleranceCommand& options,
                                        const ProblemStatement& design) {
   problems::ProfileErrors errors = problems::profile_errors_of(design);
-  for (const auto& [key, text] : options.profile) {
-    if (text) problems::set_profile_error(errors, key, *text);
-  }
+  problems::set_profile_errors(errors, options.profile);
   problems::check_profile_errors(errors);
   return errors;
 }
@@ -153,7 +151,8 @@ Command tolerance_command() {
             "a tolerance to either side, name=value, in place of the file's variations"},
            set_option(options->settings),
            {"--waviness", &options->profile["waviness"], "LENGTH",
-            "amplitude of the profile's waves, such as '2 um'; needs --waves or --wavelength"},
+            "amplitude of the profile's waves, such as '2 um'; needs either --waves or "
+            "--wavelength"},
            {"--waves", &options->profile["waves"], takes::kNumber, "number of waves in a turn"},
            {"--wavelength", &options->profile["wavelength"], "LENGTH",
             "length of a wave along the profile, such as '3 mm', in place of --waves"},
@@ -162,9 +161,11 @@ Command tolerance_command() {
            {"--chord", &options->profile["chord"], "LENGTH",
             "the profile is cut in chords within this deviation, such as '5 um'"},
            {"--chord-step", &options->profile["chord_step"], "ANGLE",
-            "the profile is cut in chords of this cam angle, such as '0.5 deg'"},
+            "the profile is cut in chords of this cam angle, such as '0.5 deg', in place of "
+            "--chord"},
            {"--loss", &options->profile["loss"], "SHARE",
-            "find what the shop must hold if the peak acceleration may grow by this share, such as "
+            "find what the shop must hold if the peaks of acceleration, force and contact stress "
+            "may grow by this share, "
             "'10 %'"},
            {"--samples", &options->samples, takes::kNumber,
             "number of parts from which the yield is estimated (100000; fewer where a limit must "
@@ -187,7 +188,8 @@ Command tolerance_command() {
             "the same for a file that states no variations"},
            {"camlaw tolerance problems/cams/roller_least_base.toml --waviness '2 um' "
             "--waves 40 --loss '10 %'",
-            "what a wavy profile does, and which amplitude costs a tenth more acceleration"},
+            "what a wavy profile does, and which amplitude costs a tenth more acceleration, force "
+            "and contact stress"},
            {"camlaw tolerance problems/cams/tolerances.toml --samples 50000000 --db "
             "results/yield.db",
             "with a record, from which --resume continues after an interruption"}},

@@ -16,6 +16,7 @@
 #include "numerics/linear/statistics.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/peak_function.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems {
 namespace {
@@ -43,6 +44,7 @@ class RobustKernel final : public optim::Kernel {
     if (!is_number(*all)) return without_number(g);
     std::fill(g.begin(), g.end(), 0.0);
     for (const auto& [sample, weight] : weights(*all)) {
+      optim::check_deadline();
       std::vector<double> own(f_.inputs().size());
       f_.gradient(design(u, offsets_[sample]), own);
       for (std::size_t i = 0; i < g.size(); ++i) g[i] += weight * own[own_.behind[i]];
@@ -66,6 +68,7 @@ class RobustKernel final : public optim::Kernel {
     const bool bends = deviation > 0 && robust_.factor != 0;
     std::vector<std::vector<double>> slopes;
     for (const auto& [sample, weight] : weights(*all)) {
+      optim::check_deadline();
       std::vector<double> own(f_.inputs().size()), second(optim::packed_size(own.size()));
       f_.hessian(design(u, offsets_[sample]), own, second);
       std::vector<double> slope(n);
@@ -107,7 +110,10 @@ class RobustKernel final : public optim::Kernel {
   std::shared_ptr<const std::vector<double>> values(std::span<const double> u) const {
     return recent_.get(u, [&] {
       std::vector<double> all;
-      for (const Point& offset : offsets_) all.push_back(f_.value(design(u, offset)));
+      for (const Point& offset : offsets_) {
+        optim::check_deadline();  // each may be a search along a curve
+        all.push_back(f_.value(design(u, offset)));
+      }
       return all;
     });
   }

@@ -33,6 +33,22 @@ void Deadline::check() const {
   if (passed()) throw Interrupted();
 }
 
+namespace {
+
+thread_local const Deadline* of_this_work = nullptr;
+
+}  // namespace
+
+DeadlineScope::DeadlineScope(const Deadline& deadline) : before_(of_this_work) {
+  of_this_work = &deadline;
+}
+
+DeadlineScope::~DeadlineScope() { of_this_work = before_; }
+
+void check_deadline() {
+  if (of_this_work != nullptr) of_this_work->check();
+}
+
 std::string Deadline::reason() const {
   const bool late = limit_ && now() - began_ >= *limit_;
   return late ? fmt::format("the time limit of {:g} s was reached", *limit_) : "stopped";

@@ -28,4 +28,20 @@ class Deadline {
   double began_;
 };
 
+/// While one of these lives, it is the deadline of whatever this thread works out: what asks for a
+/// value sets it, and what takes long over one, such as a number over many parts, looks at it.
+class DeadlineScope {
+ public:
+  explicit DeadlineScope(const Deadline& deadline);
+  DeadlineScope(const DeadlineScope&) = delete;
+  DeadlineScope& operator=(const DeadlineScope&) = delete;
+  ~DeadlineScope();
+
+ private:
+  const Deadline* before_;
+};
+
+/// Throws Interrupted where the deadline of this thread's work has passed; there may be none.
+void check_deadline();
+
 }  // namespace camlaw::optim

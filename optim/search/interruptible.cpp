@@ -14,12 +14,17 @@ class InterruptibleKernel final : public Kernel {
   InterruptibleKernel(Function function, const Deadline& deadline)
       : function_(std::move(function)), deadline_(deadline) {}
 
-  double value(std::span<const double> u) const override { return function_.value(design(u)); }
+  double value(std::span<const double> u) const override {
+    const DeadlineScope scope(deadline_);
+    return function_.value(design(u));
+  }
   double gradient(std::span<const double> u, std::span<double> g) const override {
+    const DeadlineScope scope(deadline_);
     return function_.gradient(design(u), g);
   }
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
+    const DeadlineScope scope(deadline_);
     return function_.hessian(design(u), g, h);
   }
   Bounds enclose(std::span<const double> u) const override { return function_.enclose(design(u)); }

@@ -120,19 +120,22 @@ void add_chords(const ProfileAnswer& answer, Document& document) {
 
 void add_shop(const ProfileAnswer& answer, Document& document) {
   document.say(fmt::format(
-      "\nwhat the shop must hold, for {:.4g} % more peak acceleration than {} {}\n",
+      "\nwhat the shop must hold, so that no peak grows by more than {:.4g} % (the acceleration is "
+      "{} {} as drawn)\n",
       100 * *answer.errors.loss, short_digits(answer.acceleration), answer.acceleration_unit));
   const bool by_length = answer.errors.wavelength.has_value();
   Table table{
       .key = "shop",
       .columns = {by_length ? numbers("waves, mm", "wavelength") : numbers("waves a turn", "waves"),
-                  numbers("amplitude, um", "amplitude"), numbers("profile tolerance, um", "form"),
-                  words("proved", "proved")}};
+                  words("for the", "of"), numbers("amplitude, um", "amplitude"),
+                  numbers("profile tolerance, um", "form"), words("proved", "proved")}};
   for (const problems::ShopLimit& limit : answer.shop) {
     const double length = by_length ? *limit.wavelength : *limit.waves;
     table.add({{in_digits(length, 6), length},
+               limit.of,
                {short_digits(limit.amplitude), limit.amplitude},
-               {short_digits(limit.form), limit.form},
+               {limit.form ? short_digits(*limit.form) : "",
+                limit.form ? Json(*limit.form) : Json(nullptr)},
                yes_or_no(limit.proved)});
   }
   document.add(std::move(table));

@@ -54,6 +54,12 @@ Document reached_document(const problems::Reached& reached) {
   }
   if (reached.objective) {
     const problems::ReachedObjective& o = *reached.objective;
+    if (!o.cut_short.empty()) {
+      document.say(
+          fmt::format("\n{} over parts that the search did not have was not worked out: {}\n",
+                      o.name, o.cut_short));
+      return document;
+    }
     document.say(fmt::format(
         "\n{}: {} over {} parts that the search did not have, between {} and {} at a "
         "confidence of 95 %\n",

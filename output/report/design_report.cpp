@@ -123,6 +123,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   if (review.held) {
     page.sections.push_back(sensitivity_section(review.held->problem, review.held->x));
   }
+  if (auto profile = profile_section(design)) page.sections.push_back(*std::move(profile));
   if (auto derivatives = derivatives_section(design)) {
     page.sections.push_back(*std::move(derivatives));
   }

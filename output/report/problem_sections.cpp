@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "kinematics/limits.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/profile_output.h"
 #include "output/document/formatting.h"
 #include "output/report/html.h"
 #include "problems/statement/parameters.h"
+#include "problems/tolerance/profile_loss.h"
 
 namespace camlaw::cli {
 namespace {
@@ -185,6 +188,18 @@ ReportSection limits_section(const ProblemStatement& design,
 ReportSection buildable_section(const problems::Buildability& found) {
   return {"buildable", "Can it be built?",
           html_of(buildable_table(found)) + paragraph(buildable_words(found) + ".")};
+}
+
+std::optional<ReportSection> profile_section(const ProblemStatement& design) {
+  if (!design.profile || !design.profile->any()) return {};
+  Document document;
+  document.add(Heading{"Errors of the profile"});
+  try {
+    document.add(profile_document(problems::profile_answer(design, *design.profile)));
+  } catch (const std::invalid_argument& error) {
+    document.say(error.what() + std::string("\n"));  // undercut, say: the page has all the rest
+  }
+  return sections_of(document).front();
 }
 
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated) {

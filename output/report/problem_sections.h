@@ -27,6 +27,10 @@ ReportSection limits_section(const problems::ProblemStatement& design,
 /// Each check of whether the machine can be built.
 ReportSection buildable_section(const problems::Buildability& found);
 
+/// What the errors of the profile that a problem states do to its follower, and what the shop must
+/// hold; or why that cannot be said. None where it states none.
+std::optional<ReportSection> profile_section(const problems::ProblemStatement& design);
+
 /// What the mechanism's numbers and peaks are.
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated);
 

@@ -10,6 +10,7 @@
 
 #include "problems/fronts/problem_settings.h"
 #include "problems/statement/auto_knots.h"
+#include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
 namespace {
@@ -54,6 +55,7 @@ FrontStudy::FrontStudy(const std::string& text, const std::string& source,
                        const FrontSettings& settings)
     : bound_(read_and_set(text, source, settings)), space_(bound_.front_space()) {
   refuse_auto_knots(bound_.statement(), "a front");
+  refuse_reliabilities(bound_.statement(), "a front");
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
   options_.method = settings.method;

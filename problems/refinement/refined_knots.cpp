@@ -239,9 +239,10 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
 
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
                         int workers, const std::function<double()>& spent,
-                        const std::function<void()>& begins) {
+                        const std::function<void(const std::string& stage)>& begins) {
+  int round = 0;
   const auto once = [&](const ProblemStatement& stated) {
-    if (begins) begins();
+    if (begins) begins(fmt::format("knots, round {}", ++round));
     optim::OptimiseOptions how = search;
     how.spent = spent();
     const BoundProblem bound(stated);

@@ -41,6 +41,13 @@ const ProfileKey& key_named(std::string_view key) {
                        [&](const ProfileKey& one) { return key == one.key; });
 }
 
+/// The key of what one takes the place of.
+const char* excluded_by(const ProfileKey& key) {
+  return std::find_if(keys().begin(), keys().end(),
+                      [&](const ProfileKey& one) { return one.own == key.instead; })
+      ->key;
+}
+
 void set(ProfileErrors& errors, const ProfileKey& key, double value) {
   if (!(value > 0 && value <= key.most)) {
     throw std::invalid_argument(fmt::format("{}: it must be above 0 and at most {}", key.key,
@@ -62,9 +69,18 @@ std::vector<std::string> profile_keys() {
   return names;
 }
 
-void set_profile_error(ProfileErrors& errors, std::string_view key, const std::string& text) {
-  const ProfileKey& own = key_named(key);
-  set(errors, own, parse_quantity(text, own.unit, own.unit, own.key));
+void set_profile_errors(ProfileErrors& errors,
+                        const std::map<std::string, std::optional<std::string>>& stated) {
+  for (const auto& [key, text] : stated) {
+    if (!text) continue;
+    const ProfileKey& own = key_named(key);
+    const auto other = own.instead != nullptr ? stated.find(excluded_by(own)) : stated.end();
+    if (other != stated.end() && other->second) {
+      throw std::invalid_argument(
+          fmt::format("{} and {} are both stated; state one of them", key, other->first));
+    }
+    set(errors, own, parse_quantity(*text, own.unit, own.unit, own.key));
+  }
 }
 
 void check_profile_errors(const ProfileErrors& errors) {
@@ -100,7 +116,7 @@ std::string words_of(const ProfileErrors& errors) {
   if (errors.chord) parts.push_back("chords within " + with_unit(*errors.chord, "mm"));
   if (errors.chord_step) parts.push_back("chords of " + with_unit(*errors.chord_step, "deg"));
   if (errors.loss) {
-    parts.push_back(fmt::format("{:.6g} % more acceleration at most", 100 * *errors.loss));
+    parts.push_back(fmt::format("peaks that grow by {:.6g} % at most", 100 * *errors.loss));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -114,10 +130,7 @@ void read_profile_errors(const Entry& file, ProblemStatement& problem) {
   for (const Entry& entry : table->items) {
     const ProfileKey& key = key_named(entry.key);
     if (key.instead != nullptr && (*errors).*key.instead) {
-      const auto other = std::find_if(keys().begin(), keys().end(), [&](const ProfileKey& one) {
-        return one.own == key.instead;
-      });
-      refuse(entry, fmt::format("{} is stated too; state one of them", other->key));
+      refuse(entry, fmt::format("{} is stated too; state one of them", excluded_by(key)));
     }
     const double value = quantity_of(entry, key.unit);
     located(entry, [&] { set(*errors, key, value); });

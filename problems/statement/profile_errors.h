@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// How a cam's profile is made other than it is meant, [profile]; and what that may cost.
@@ -19,7 +19,7 @@ struct ProfileErrors {
   std::optional<double> form;        ///< width of the zone of a profile tolerance, mm (ISO 1101)
   std::optional<double> chord;       ///< deviation of a profile that is made of chords, mm
   std::optional<double> chord_step;  ///< cam angle of such a chord, deg, in place of chord
-  std::optional<double> loss;        ///< the share by which the peak acceleration may grow
+  std::optional<double> loss;        ///< the share by which a peak of the follower may grow
 
   bool any() const { return waviness || form || chord || chord_step || loss; }
   bool has_length() const { return waves || wavelength; }
@@ -28,9 +28,10 @@ struct ProfileErrors {
 /// "waviness", "waves" ...: keys of [profile], and with two dashes options of `camlaw tolerance`.
 std::vector<std::string> profile_keys();
 
-/// Sets one by its key, in place of what it excludes. Throws std::invalid_argument with what is
-/// accepted.
-void set_profile_error(ProfileErrors& errors, std::string_view key, const std::string& text);
+/// Sets those that are stated, by their keys, each in place of what it excludes. Throws
+/// std::invalid_argument with what is accepted, and where two are stated that exclude each other.
+void set_profile_errors(ProfileErrors& errors,
+                        const std::map<std::string, std::optional<std::string>>& stated);
 
 /// Throws std::invalid_argument where an amplitude has no number of waves, or a number of waves
 /// nothing that it is of.

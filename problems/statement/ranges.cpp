@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "machines/model/law_binding.h"
@@ -75,8 +76,12 @@ std::vector<ConstraintStatement> with_reliability(
     ResponseName of = limit.response;
     if (is_curve) of.part = is_upper ? Part::Highest : Part::Lowest;
     const double wanted = limit.searched_share.value_or(*limit.reliability);
-    side.of_range = robust_number(problem.mechanism, of, varying,
-                                  {true, 0, is_upper ? wanted : 1 - wanted, *limit.reliability});
+    Robust robust{true, 0, is_upper ? wanted : 1 - wanted, *limit.reliability};
+    // Where these parts promise too much, more of them are asked.
+    constexpr double kFewer = 0.8;
+    const double stated = 1 - *limit.reliability;
+    if (1 - wanted < kFewer * stated) robust.parts_for = 1 - stated / 4;
+    side.of_range = robust_number(problem.mechanism, of, varying, robust);
     if (own) {
       auto both = std::make_shared<std::pair<Held, Held>>(own, side.of_range);
       side.of_range = Held(both, both->second.get());
@@ -189,6 +194,18 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
 
 bool is_quantile(const ConstraintStatement& limit) {
   return limit.reliability && limit.of_range && !limit.of_range->over_ranges;
+}
+
+void refuse_reliabilities(const ProblemStatement& problem, const std::string& what) {
+  const auto found =
+      std::find_if(problem.constraints.begin(), problem.constraints.end(), is_quantile);
+  if (found == problem.constraints.end()) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: the limit on {} has a reliability, and the designs of {} are not judged by parts that "
+      "their searches did not have, as that of camlaw optimize is; drop reliability, and ask "
+      "camlaw "
+      "tolerance what share of the parts holds the limits of a design",
+      problem.source, found->response.name, what));
 }
 
 ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit) {

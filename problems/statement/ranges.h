@@ -21,6 +21,9 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
                                              const ConstraintStatement& limit);
 /// Whether a limit is one on a quantile over parts, for it has a reliability.
 bool is_quantile(const ConstraintStatement& limit);
+/// Throws std::invalid_argument for a problem with such a limit, where designs are not judged by
+/// parts of their own; `what` is made of them: "a front".
+void refuse_reliabilities(const ProblemStatement& problem, const std::string& what);
 /// Of such a limit the same on the response itself; another as it is.
 ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit);
 /// Of such a limit the same on another quantile of its parts.

@@ -13,6 +13,7 @@
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
 #include "problems/statement/auto_knots.h"
+#include "problems/statement/ranges.h"
 #include "problems/sweeps/optimum_point.h"
 
 namespace camlaw::problems {
@@ -81,6 +82,7 @@ SweepStudy::SweepStudy(const std::string& text, const std::string& source,
       options_(options_of(statement_.solver)) {
   check_objectives(statement_, settings.evaluates);
   refuse_auto_knots(statement_, "a sweep");
+  refuse_reliabilities(statement_, "a sweep");
   check_values();
 }
 

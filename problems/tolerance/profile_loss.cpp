@@ -53,6 +53,37 @@ std::optional<double> bridged_from(const ProfileGeometry& geometry, const Waves&
   return 1 / highest(geometry, kFine * rough.value, chi).at_most;
 }
 
+/// What acts along the follower's way: the highest and, below 0, the least.
+struct ForcePeaks {
+  CyclePeak highest, least;
+
+  CyclePeak size() const { return higher(highest, least); }
+};
+
+ForcePeaks forces_as_drawn(const ProfileGeometry& geometry, double accuracy) {
+  return {highest(geometry, accuracy, [](const auto& p) { return p.force; }),
+          highest(geometry, accuracy, [](const auto& p) { return -p.force; })};
+}
+
+ForcePeaks forces_with(const ProfileGeometry& geometry, const Waves& waves, bool any,
+                       double amplitude, double accuracy) {
+  const double speed = geometry.speed(), mass = geometry.mass();
+  const double moved = geometry.spring() * amplitude;
+  return {highest(geometry, accuracy,
+                  [&](const auto& p) {
+                    using T = std::decay_t<decltype(p.force)>;
+                    return p.force +
+                           T(mass) *
+                               (worst_away(p, waves, any, amplitude, speed) - p.acceleration) +
+                           T(moved) * p.lift.value;
+                  }),
+          highest(geometry, accuracy, [&](const auto& p) {
+            using T = std::decay_t<decltype(p.force)>;
+            return T(mass) * (worst_towards(p, waves, any, amplitude, speed) + p.acceleration) +
+                   T(moved) * p.lift.value - p.force;
+          })};
+}
+
 /// Of the contact, relative to what it is as drawn: its square, at a phase of the waves (PE7).
 double stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>& p,
                     const Waves& waves, double amplitude, double phase) {
@@ -69,10 +100,15 @@ double stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>&
   return (1 + force / p.force) * (1 + chi * c);
 }
 
-/// Looked for at even places and phases: not proved.
-ProfileEffect stress_effect(const ProfileGeometry& geometry, const Waves& waves, double amplitude) {
-  constexpr int kPlaces = 400, kPhases = 72;
-  ProfileEffect result{"peak contact stress", geometry.stress_unit()};
+/// One of the even places at which the contact stress is looked at.
+struct StressPlace {
+  double at = 0, as_drawn = 0;
+  ProfilePlace<double> place;
+};
+
+std::vector<StressPlace> stress_places(const ProfileGeometry& geometry) {
+  constexpr int kPlaces = 400;
+  std::vector<StressPlace> result;
   const std::vector<double> breaks = geometry.stress()->breaks();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double width = breaks[k + 1] - breaks[k];
@@ -80,43 +116,54 @@ ProfileEffect stress_effect(const ProfileGeometry& geometry, const Waves& waves,
     for (int i = 0; i <= count; ++i) {
       const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], count, i);
       const double stress = geometry.stress()->at(place)[0];
-      if (!std::isfinite(stress)) continue;
-      result.as_drawn = std::max(result.as_drawn, stress);
-      const ProfilePlace<double> p = geometry.place_at(place);
-      for (int m = 0; m < kPhases; ++m) {
-        const double ratio =
-            stress_ratio(geometry, p, waves, amplitude, 2 * std::numbers::pi * m / kPhases);
-        const double own = ratio > 0 ? stress * std::sqrt(ratio) : 0;
-        if (own > result.worst) result.worst = own, result.at = place.angle;
-      }
+      if (std::isfinite(stress)) result.push_back({place.angle, stress, geometry.place_at(place)});
     }
   }
   return result;
 }
 
-/// What acts along the follower's way: the highest, and the least.
+constexpr const char* kStress = "peak contact stress";
+
+/// Looked for at even places and phases: not proved.
+ProfileEffect stress_effect(const ProfileGeometry& geometry, const std::vector<StressPlace>& places,
+                            const Waves& waves, double amplitude) {
+  constexpr int kPhases = 72;
+  ProfileEffect result{kStress, geometry.stress_unit()};
+  for (const StressPlace& p : places) {
+    result.as_drawn = std::max(result.as_drawn, p.as_drawn);
+    for (int m = 0; m < kPhases; ++m) {
+      const double ratio =
+          stress_ratio(geometry, p.place, waves, amplitude, 2 * std::numbers::pi * m / kPhases);
+      const double own = ratio > 0 ? p.as_drawn * std::sqrt(ratio) : 0;
+      if (own > result.worst) result.worst = own, result.at = p.at;
+    }
+  }
+  return result;
+}
+
+std::string force_name(const ProfileGeometry& geometry) {
+  return geometry.swings() ? "follower torque" : "follower force";
+}
+
 std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry, const Waves& waves,
                                          bool any, double amplitude) {
-  const double speed = geometry.speed(), mass = geometry.mass();
-  const double moved = geometry.spring() * amplitude;
+  const ForcePeaks rough = forces_as_drawn(geometry, kInfinite);
+  const ForcePeaks wavy = forces_with(geometry, waves, any, amplitude, kInfinite);
+  const auto least_change =
+      std::min(wavy.highest.value - rough.highest.value, wavy.least.value - rough.least.value);
+  // Half of what the change may be off for the force as drawn, half for that with waves.
+  const double accuracy = std::max(0.5 * kFine * least_change, 1e-9 * rough.size().value);
+  const ForcePeaks drawn = forces_as_drawn(geometry, accuracy);
+  const ForcePeaks worst = forces_with(geometry, waves, any, amplitude, accuracy);
   const char* unit = geometry.swings() ? "N m" : "N";
-  const auto size = highest(geometry, kInfinite, [](const auto& p) { return absolute(p.force); });
-  const double accuracy = 1e-5 * size.value;
-  const auto up = highest(geometry, accuracy, [](const auto& p) { return p.force; });
-  const auto down = highest(geometry, accuracy, [](const auto& p) { return -p.force; });
-  const auto most = highest(geometry, accuracy, [&](const auto& p) {
-    using T = std::decay_t<decltype(p.force)>;
-    return p.force + T(mass) * (worst_away(p, waves, any, amplitude, speed) - p.acceleration) +
-           T(moved) * p.lift.value;
-  });
-  const auto least = highest(geometry, accuracy, [&](const auto& p) {
-    using T = std::decay_t<decltype(p.force)>;
-    return T(mass) * (worst_towards(p, waves, any, amplitude, speed) + p.acceleration) +
-           T(moved) * p.lift.value - p.force;
-  });
-  const std::string what = geometry.swings() ? "follower torque" : "follower force";
-  return {{"highest " + what, unit, up.value, most.value, most.at, most.proved},
-          {"least " + what, unit, -down.value, -least.value, least.at, least.proved}};
+  const std::string what = force_name(geometry);
+  const auto row = [&](const char* which, const CyclePeak& a, const CyclePeak& b, double sign) {
+    const double off = (a.at_most - a.value) + (b.at_most - b.value);
+    return ProfileEffect{which + what,   unit, sign * a.value,
+                         sign * b.value, b.at, off <= kFine * (b.value - a.value)};
+  };
+  return {row("highest ", drawn.highest, worst.highest, 1),
+          row("least ", drawn.least, worst.least, -1)};
 }
 
 WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn,
@@ -146,26 +193,16 @@ WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn
     result.effects.push_back(std::move(effect));
   }
   if (geometry.stress() != nullptr && !any) {
-    result.effects.push_back(stress_effect(geometry, *waves, amplitude));
+    result.effects.push_back(stress_effect(geometry, stress_places(geometry), *waves, amplitude));
   }
   return result;
 }
 
-/// The largest amplitude, m, whose peak is proved not to exceed `allowed`.
-double largest_amplitude(const ProfileGeometry& geometry, const CyclePeak& drawn,
-                         const Waves& waves, bool any, double allowed) {
-  const double accuracy = kFine * (allowed - drawn.value);
-  const auto holds = [&](double amplitude) {
-    return peak_with(geometry, waves, any, amplitude, accuracy).at_most <= allowed;
-  };
-  const double most = bridged_from(geometry, waves).value_or(1);
+/// The largest amplitude up to `most` that holds, where smaller ones hold too; tried from `step`
+/// on.
+double largest_that_holds(double step, double most, const std::function<bool(double)>& holds) {
+  if (!(step > 0)) return 0;
   double good = 0, bad = most;
-  const auto steep = highest(
-      geometry, kInfinite, [&](const auto& p) { return wave_acceleration(p, waves, any).either; });
-  const double speed = geometry.speed();
-  // No less than this is allowed where the acceleration as drawn is least.
-  double step = (allowed - drawn.value) / (speed * speed * steep.value);
-  if (!(step > 0)) return 0;  // of a follower that is not accelerated every wave is too much
   while (step < bad && holds(step)) good = step, step *= 2;
   bad = std::min(bad, step);
   while (bad - good > kFine * bad) {
@@ -175,18 +212,92 @@ double largest_amplitude(const ProfileGeometry& geometry, const CyclePeak& drawn
   return good;
 }
 
+/// What the shop must hold so that no peak grows by more than a share of it.
+class Shop {
+ public:
+  Shop(const ProfileGeometry& geometry, const CyclePeak& acceleration, double loss)
+      : geometry_(geometry), loss_(loss), acceleration_(acceleration) {
+    const double rough = forces_as_drawn(geometry, kInfinite).size().value;
+    force_ = forces_as_drawn(geometry, 0.1 * kFine * loss * rough).size();
+    if (geometry.stress() != nullptr) stress_ = stress_places(geometry);
+    for (const StressPlace& p : stress_) drawn_stress_ = std::max(drawn_stress_, p.as_drawn);
+  }
+
+  /// The amplitudes, m, at which the peaks are proved not to exceed what is allowed.
+  double for_acceleration(const Waves& waves, bool any) const {
+    const double spare = loss_ * acceleration_.value;
+    return largest(waves, spare / by_amplitude(waves, any), [&](double amplitude) {
+      return peak_with(geometry_, waves, any, amplitude, kFine * spare).at_most <=
+             acceleration_.value + spare;
+    });
+  }
+  double for_force(const Waves& waves, bool any) const {
+    const double spare = loss_ * force_.value;
+    const auto lift = highest(geometry_, kInfinite, [](const auto& p) { return p.lift.value; });
+    const double steep =
+        geometry_.mass() * by_amplitude(waves, any) + geometry_.spring() * lift.value;
+    return largest(waves, spare / steep, [&](double amplitude) {
+      return forces_with(geometry_, waves, any, amplitude, kFine * spare).size().at_most <=
+             force_.value + spare;
+    });
+  }
+  /// Looked for, not proved.
+  double for_stress(const Waves& waves, double from) const {
+    return largest(waves, from, [&](double amplitude) {
+      return stress_effect(geometry_, stress_, waves, amplitude).worst <=
+             (1 + loss_) * drawn_stress_;
+    });
+  }
+
+  std::vector<ShopLimit> limits(const Waves& waves) const {
+    constexpr double kMicro = 1e6;
+    const double force = for_force(waves, false);
+    std::vector<ShopLimit> result;
+    result.push_back({.of = "peak acceleration",
+                      .amplitude = kMicro * for_acceleration(waves, false),
+                      .form = 2 * kMicro * for_acceleration(waves, true),
+                      .proved = acceleration_.proved});
+    result.push_back({.of = "peak " + force_name(geometry_),
+                      .amplitude = kMicro * force,
+                      .form = 2 * kMicro * for_force(waves, true),
+                      .proved = force_.proved});
+    if (!stress_.empty()) {
+      const double tried = force > 0 ? 0.1 * force : 1e-9;
+      result.push_back(
+          {.of = kStress, .amplitude = kMicro * for_stress(waves, tried), .proved = false});
+    }
+    return result;
+  }
+
+ private:
+  /// By how much the acceleration grows at most, by the amplitude, as long as chi is small.
+  double by_amplitude(const Waves& waves, bool any) const {
+    const auto steep = highest(geometry_, kInfinite, [&](const auto& p) {
+      return wave_acceleration(p, waves, any).either;
+    });
+    return geometry_.speed() * geometry_.speed() * steep.value;
+  }
+  double largest(const Waves& waves, double step, const std::function<bool(double)>& holds) const {
+    return largest_that_holds(step, bridged_from(geometry_, waves).value_or(1), holds);
+  }
+
+  const ProfileGeometry& geometry_;
+  double loss_;
+  CyclePeak acceleration_, force_;
+  std::vector<StressPlace> stress_;
+  double drawn_stress_ = 0;
+};
+
 std::vector<ShopLimit> shop_limits(const ProfileGeometry& geometry, const CyclePeak& drawn,
                                    const ProfileErrors& errors) {
   std::vector<ShopLimit> result;
-  const double allowed = (1 + *errors.loss) * drawn.value;
+  const Shop shop(geometry, drawn, *errors.loss);
   const auto add = [&](const Waves& waves) {
-    ShopLimit limit;
-    limit.waves = waves.in_turn;
-    if (!waves.in_turn) limit.wavelength = errors.wavelength;
-    limit.amplitude = 1e6 * largest_amplitude(geometry, drawn, waves, false, allowed);
-    limit.form = 2e6 * largest_amplitude(geometry, drawn, waves, true, allowed);
-    limit.proved = drawn.proved;
-    result.push_back(limit);
+    for (ShopLimit& limit : shop.limits(waves)) {
+      limit.waves = waves.in_turn;
+      if (!waves.in_turn) limit.wavelength = errors.wavelength;
+      result.push_back(std::move(limit));
+    }
   };
   if (errors.wavelength) {
     add({{}, *errors.wavelength / 1e3});

@@ -31,11 +31,13 @@ struct WaveEffects {
   std::optional<double> bridged_from{};  ///< the amplitude at which that begins, um
 };
 
-/// What the shop must hold for the stated loss, of so many waves.
+/// What the shop must hold for the stated loss of one peak, of so many waves.
 struct ShopLimit {
+  std::string of;                           ///< "peak acceleration", "peak contact stress"
   std::optional<double> waves, wavelength;  ///< in a turn; mm
   double amplitude = 0;                     ///< of waves, um, at most
-  double form = 0;                          ///< width of the zone of any error, um, at most
+  /// Width of the zone of any error, um, at most; none of the stress, which is that of waves.
+  std::optional<double> form = {};
   bool proved = true;
 };
 

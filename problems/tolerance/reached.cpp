@@ -42,6 +42,15 @@ bool are_formulas(const std::vector<ConstraintStatement>& limits) {
   });
 }
 
+/// So many that what no sample saw (TV10) is a quarter of what may fail: with fewer no design could
+/// be known to reach what is asked for.
+std::size_t least_parts(const std::vector<ReachedShare>& limits) {
+  constexpr double kQuarter = 60;
+  double least = 1;
+  for (const ReachedShare& limit : limits) least = std::min(least, 1 - limit.wanted);
+  return static_cast<std::size_t>(std::ceil(kQuarter / least));
+}
+
 IsReached reach_of(const optim::Bounds& between, double wanted) {
   if (between.lower >= wanted) return IsReached::Yes;
   return between.upper < wanted ? IsReached::No : IsReached::NotDecided;
@@ -64,7 +73,11 @@ void judge_limits(const ProblemStatement& design, const optim::Deadline& deadlin
   ToleranceOptions options;
   options.seed = seed;
   constexpr std::size_t kCheap = 100000;
-  if (are_formulas(varied.design.constraints)) options.samples = kCheap;
+  if (are_formulas(varied.design.constraints)) {
+    options.samples = kCheap;
+  } else {
+    options.least = least_parts(reached.limits);
+  }
   GridReport grid;
   const optim::Yield yield = yield_of(varied, options, grid);
   if (yield.stopped) throw optim::Interrupted();
@@ -142,9 +155,13 @@ optim::Bounds quantile_between(std::vector<double> values, double share) {
   return {at(std::floor(count * share - reach)), at(std::ceil(count * share + reach))};
 }
 
+bool has_robust_objective(const ProblemStatement& problem) {
+  return problem.objectives.size() == 1 && problem.objectives.front().robust;
+}
+
 void judge_objective(const ProblemStatement& design, const optim::Deadline& deadline,
                      std::uint64_t seed, Reached& reached) {
-  if (design.objectives.size() != 1 || !design.objectives.front().robust) return;
+  if (!has_robust_objective(design)) return;
   const Robust& robust = *design.objectives.front().robust;
   ProblemStatement only = design;
   only.constraints.clear();
@@ -154,6 +171,11 @@ void judge_objective(const ProblemStatement& design, const optim::Deadline& dead
       sought.response.is_curve()
           ? optim::peak_function(sought.response, sought.part, varied.meant.size())
           : sought.response.function();
+  // What is known until it is worked out.
+  reached.objective = {design.objectives.front().response.name,
+                       sought.response.unit,
+                       std::nan(""),
+                       {std::nan(""), std::nan("")}};
   constexpr double kBeyond = 64;
   constexpr std::size_t kEach = 64;
   const double beyond = robust.is_quantile ? std::min(robust.share, 1 - robust.share) : 1;
@@ -161,21 +183,18 @@ void judge_objective(const ProblemStatement& design, const optim::Deadline& dead
   const auto all = values_of(f, varied, each, seed);
   std::vector<double> values;
   for (const auto& own : all) values.insert(values.end(), own.begin(), own.end());
-  ReachedObjective result;
-  result.name = design.objectives.front().response.name;
-  result.unit = sought.response.unit;
+  ReachedObjective& result = *reached.objective;
   result.samples = values.size();
   if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
-    result.value = std::nan("");
-    result.between = {std::nan(""), std::nan("")};
-  } else if (robust.is_quantile) {
+    return;
+  }
+  if (robust.is_quantile) {
     result.value = optim::quantile(values, robust.share);
     result.between = quantile_between(values, robust.share);
   } else {
     result.value = taken(values, robust.factor);
     result.between = mean_between(all, robust.factor, result.value);
   }
-  reached.objective = std::move(result);
 }
 
 }  // namespace
@@ -222,9 +241,14 @@ Reached reached_by(const ProblemStatement& design, const optim::Deadline& deadli
     judge_objective(design, deadline, seed, result);
   } catch (const optim::Interrupted&) {
     const bool is_open = result.samples == 0 && !result.limits.empty();
-    result.cut_short = is_open ? deadline.reason() : "";
+    if (is_open) result.cut_short = deadline.reason();
+    if (!is_open && result.objective) result.objective->cut_short = deadline.reason();
   }
   return result;
+}
+
+bool is_judged(const ProblemStatement& problem) {
+  return has_robust_objective(problem) || !with_a_reliability(problem).empty();
 }
 
 std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& design) {

@@ -40,13 +40,14 @@ struct ReachedObjective {
   double value = 0;       ///< over as many parts as are told
   optim::Bounds between;  ///< at a confidence of 95 %
   std::size_t samples = 0;
+  std::string cut_short = {};  ///< why it was not worked out; empty: it was
 };
 
 struct Reached {
   std::vector<ReachedShare> limits = {};
   std::optional<ReachedObjective> objective = {};
   std::size_t samples = 0;     ///< of the limits
-  std::string cut_short = {};  ///< why nothing is known; empty: it is
+  std::string cut_short = {};  ///< why nothing is known of the limits; empty: it is
 
   /// Whether all limits are reached; true where there are none.
   bool all() const;
@@ -58,6 +59,9 @@ struct Reached {
 /// Of the parts that judge a design; neither those of a search nor, unless it is asked for, those
 /// of `camlaw tolerance` are of this seed.
 inline constexpr std::uint64_t kJudgesSeed = 20;
+
+/// Whether a problem has reliabilities or a robust objective, so that its design is judged.
+bool is_judged(const ProblemStatement& problem);
 
 /// Of the design that a statement begins with; empty where it has neither. A variation of the law's
 /// own parameters does not count, as in the search.

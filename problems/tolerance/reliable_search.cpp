@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/tolerance/reliable_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "optim/cycle/sizes.h"
@@ -11,15 +14,18 @@
 namespace camlaw::problems {
 namespace {
 
-/// The problem with shares that ask for more where a limit is not reached (TV11).
-ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reached) {
-  constexpr double kSpare = 0.98, kLeast = 1e-4;
+/// The problem with shares that ask for more where a limit is not reached (TV11); with more to
+/// spare in each round, as between few parts the share that is reached may not follow.
+ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reached, int round) {
+  constexpr double kSpare = 0.98, kLeast = 0.125;
   for (const ReachedShare& own : reached.limits) {
     if (own.reach == IsReached::Yes) continue;
     ConstraintStatement& limit = statement.constraints[own.limit];
     const double before = 1 - limit.searched_share.value_or(*limit.reliability);
-    const double after = kSpare * before * (1 - own.wanted) / (1 - own.between.lower);
-    limit = searched_at(statement, limit, 1 - std::min(std::max(after, kLeast), before));
+    const double spare = std::pow(kSpare, std::pow(3.0, std::min(round, 3)));
+    const double after = spare * before * (1 - own.wanted) / (1 - own.between.lower);
+    limit = searched_at(statement, limit,
+                        1 - std::min(std::max(after, kLeast * (1 - own.wanted)), before));
   }
   return statement;
 }
@@ -40,29 +46,47 @@ optim::Optimum restated(const BoundProblem& bound, optim::Optimum found) {
   return found;
 }
 
+optim::Deadline clock_of(const optim::OptimiseOptions& options, const optim::Optimum& optimum) {
+  return {options.time_limit, options.stop, options.spent + optimum.wall_s};
+}
+
 }  // namespace
 
-Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOptions& options,
-                             optim::Optimum& optimum) {
-  constexpr int kMost = 4;
+Reached judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
+                      optim::Optimum& optimum) {
   if (!optim::is_feasible(optimum.found.assessment)) return {};
-  const optim::Deadline clock(options.time_limit, options.stop, options.spent + optimum.wall_s);
+  const Reached reached =
+      reached_by(bound.at(optimum.options, optimum.found.x), clock_of(options, optimum));
+  hold_to(reached, optimum.found.assessment);
+  return reached;
+}
+
+Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOptions& options,
+                             optim::Optimum& optimum,
+                             const std::function<void(const std::string& stage)>& begins) {
+  constexpr int kMost = 6;
+  if (!optim::is_feasible(optimum.found.assessment)) return {};
+  const optim::Deadline clock = clock_of(options, optimum);
+  const auto says = [&](const std::string& stage) {
+    if (begins) begins(stage);
+  };
   const auto judged = [&](const optim::Optimum& one) {
     return reached_by(bound.at(one.options, one.found.x), clock);
   };
+  if (is_judged(bound.statement())) says("parts of other draws are judged");
   Reached reached = judged(optimum);
   ProblemStatement statement = bound.statement();
   for (int k = 0; k < kMost && reached.cut_short.empty() && !reached.all(); ++k) {
-    statement = asking_for_more(std::move(statement), reached);
+    statement = asking_for_more(std::move(statement), reached, k);
     optim::OptimiseOptions again = options;
     again.spent = clock.spent();
-    again.progress = {};
-    again.candidate = {};
+    says(fmt::format("reliability, round {}", k + 1));
     optim::Optimum found = optim::optimise(BoundProblem(statement).space(), again);
     if (!optim::is_feasible(found.found.assessment)) break;
     found = restated(bound, std::move(found));
     found.found.add_work(optimum.found);
     found.wall_s += optimum.wall_s;
+    says(fmt::format("reliability, round {}: parts of other draws are judged", k + 1));
     Reached next = judged(found);
     if (!next.cut_short.empty()) break;
     optimum = std::move(found);

@@ -72,8 +72,8 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
     slopes.push_back(optim::room_slopes(problem, i, varied.meant));
   }
   const optim::PartsDrawer drawer(*rooms.rows, varied.meant, varied.variations);
-  optim::YieldOptions own{options.samples.value_or(samples_for(grid)), options.seed,
-                          [&] { return varied.deadline.passed(); }};
+  optim::YieldOptions own{options.samples.value_or(std::max(options.least, samples_for(grid))),
+                          options.seed, [&] { return varied.deadline.passed(); }};
   if (options.hands) {
     own.count = optim::counted_by(options.hands, drawer, own.samples, own.stopped);
   }

@@ -147,15 +147,18 @@ struct Searched {
 StoredResult searched(const problems::ProblemStatement& statement, const SearchSettings& told,
                       bool synthesize, Work& work) {
   const auto began = std::chrono::steady_clock::now();
+  const auto seconds_since_start = [began] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
   optim::OptimiseOptions search = options_of(told, statement.solver);
   search.stop = work.stop();
-  search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
+  std::string stage;  // of several searches which it is
+  const auto begins = [&](const std::string& next) { stage = next + ": "; };
+  search.progress = [&](const optim::Progress& p) { work.tell(p.done, stage + words_of(p)); };
   std::optional<problems::RefinedKnots> knots;
   problems::ProblemStatement stated = statement;
   if (stated.finds_knots) {
-    knots = problems::find_knots(stated, search, told.workers, [began] {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    });
+    knots = problems::find_knots(stated, search, told.workers, seconds_since_start, begins);
   }
   const auto found = std::make_shared<Searched>(problems::BoundProblem(std::move(stated)));
   const optim::ProblemSpace& space = found->space;
@@ -164,7 +167,9 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   optim::Crew crew(
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
-  problems::Reached reached = problems::search_until_reached(found->bound, search, found->optimum);
+  search.spent = seconds_since_start() - found->optimum.wall_s;
+  problems::Reached reached =
+      problems::search_until_reached(found->bound, search, found->optimum, begins);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.reached = std::move(reached);
   answer.knots = knots;
@@ -174,8 +179,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   Json facts = cli::json_of(document);
   if (synthesize) {
     optim::OptimiseOptions rest = search;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
-    if (rest.time_limit) rest.time_limit = *rest.time_limit - spent.count();
+    if (rest.time_limit) rest.time_limit = *rest.time_limit - seconds_since_start();
     measure(answer, rest, workers, facts, document);
   }
   problems::seal(facts);

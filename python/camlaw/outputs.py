@@ -10,7 +10,7 @@ import threading
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from . import units
 from .arguments import flag
@@ -18,21 +18,28 @@ from .arguments import path as checked_path
 from .errors import InputError
 
 
-def written(text: str, path: str | Path | None) -> str:
-    """Writes a text, all of it or nothing, where a path is given; returns it."""
+_Content = TypeVar("_Content", str, bytes)
+
+
+def written(content: _Content, path: str | Path | None) -> _Content:
+    """Writes a text or bytes, all of it or nothing, where a path is given; returns it."""
     if path is not None:
         named = checked_path(path)
         try:
             if os.path.exists(named) and not _is_replaced(named):
-                with open(named, "a", encoding="utf-8") as open_one:
-                    open_one.write(text)
+                with open(named, "ab") as open_one:
+                    open_one.write(_bytes_of(content))
             else:
-                _replace(Path(named).resolve(), text)  # of a link the file that it leads to
+                _replace(Path(named).resolve(), _bytes_of(content))  # of a link the file that it leads to
         except RuntimeError:  # so resolve() says that links go in a circle
             raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), named) from None
         except OSError as error:
             raise type(error)(error.errno, error.strerror, named) from None
-    return text
+    return content
+
+
+def _bytes_of(content: str | bytes) -> bytes:
+    return content.encode("utf-8") if isinstance(content, str) else content
 
 
 def _is_replaced(named: str) -> bool:
@@ -41,11 +48,11 @@ def _is_replaced(named: str) -> bool:
     return os.path.isfile(place) and not place.startswith(("/dev/", "/proc/"))
 
 
-def _replace(place: Path, text: str) -> None:
+def _replace(place: Path, content: bytes) -> None:
     beside = place.with_name(f".camlaw.{os.getpid()}.{threading.get_ident()}")
     try:
-        with open(beside, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
+        with open(beside, "wb") as file:
+            file.write(content)
             file.flush()
             os.fsync(file.fileno())
         if place.exists():

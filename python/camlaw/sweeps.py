@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from . import tables, units
+from . import parquet, tables, units
 from .answers import Answer
 from .arguments import mapping, place, shown
 from .arguments import path as checked_path
@@ -105,6 +105,13 @@ class Sweep(Answer):
     def csv(self, path: str | Path | None = None) -> str:
         """The table as CSV; written to `path` if given."""
         return written(self._native.csv(), path)
+
+    def parquet(self, path: str | Path | None = None) -> bytes:
+        """The table as Parquet; written to `path` if given. Numbers are doubles with their unit in the
+        field's metadata, words are strings, and what a combination does not have is null. Raises
+        MissingPackage without pyarrow."""
+        about = {"title": str(self.facts["title"]), "program": native.version()}
+        return written(parquet.of_rows(self.facts["combinations"], about), path)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser with a map of which setting is best where; written to `path` if given."""

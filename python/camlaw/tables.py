@@ -46,12 +46,13 @@ class Columns(dict[str, Any]):
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def _number(value: Any) -> Any:
+def number_of(value: Any) -> Any:
+    """A value as rows have it; a number without end is a word there."""
     return float(value) if value in ("inf", "-inf") else value
 
 
 def _column(values: Sequence[Any]) -> Any:
-    values = [_number(value) for value in values]
+    values = [number_of(value) for value in values]
     numbers = [float("nan") if value is None else value for value in values]
     if any(
         isinstance(value, (int, float)) and not isinstance(value, bool) for value in numbers

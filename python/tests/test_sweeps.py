@@ -3,6 +3,7 @@
 
 import copy
 import pickle
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import camlaw as cl
@@ -123,3 +124,51 @@ def test_a_front_and_a_sweep_of_a_design_have_the_laws_of_its_segments():
     assert all(law in point["law"].split() for point in again.facts["points"])
     swept = design.sweep({"stroke": ["30 mm", "31 mm"]}, evaluate=True)
     assert all(f"{law} " in one._native.laws()[0] for one in swept)
+
+
+def test_a_sweep_is_parquet_with_types_and_units(sweep, tmp_path):
+    arrow = pytest.importorskip("pyarrow")
+    read = pytest.importorskip("pyarrow.parquet").read_table
+    data = sweep.parquet(tmp_path / "sweep.parquet")
+    assert (tmp_path / "sweep.parquet").read_bytes() == data
+    assert [one.name for one in tmp_path.iterdir()] == ["sweep.parquet"]
+    table = read(tmp_path / "sweep.parquet")
+    rows = sweep.facts["combinations"]
+    assert table.num_rows == len(rows) and table.column_names == list(rows[0])
+    kinds = {field.name: field.type for field in table.schema}
+    assert kinds["law"] == kinds["verdict"] == kinds["active"] == arrow.string()
+    assert kinds["global"] == arrow.bool_()
+    units = {
+        field.name: field.metadata[b"unit"].decode()
+        for field in table.schema
+        if field.type == arrow.float64()
+    }
+    assert units["stroke [mm]"] == units["design base_radius [mm]"] == "mm"
+    assert units["margin of pressure_angle [deg]"] == "deg"
+    assert units["margin of undercut"] == units["evaluations"] == "1"
+    assert set(units) == {name for name, value in rows[0].items() if type(value) in (int, float)}
+    assert table.to_pylist() == rows
+    assert table.schema.metadata[b"title"].decode() == sweep.facts["title"]
+
+
+def test_parquet_has_null_where_a_combination_has_nothing(tmp_path):
+    arrow = pytest.importorskip("pyarrow")
+    read = pytest.importorskip("pyarrow.parquet").read_table
+    problem = cl.Problem.load(ROLLER)
+    stopped = problem.sweep(SWEPT, workers=1, time_limit=1e-6)
+    table = read(arrow.BufferReader(stopped.parquet()))
+    assert table.num_rows == len(stopped)
+    for name, field in zip(table.column_names, table.schema):
+        known = [row.get(name) for row in stopped.facts["combinations"]]
+        got = table.column(name).to_pylist()
+        assert [value is None for value in got] == [value is None for value in known]
+        if name.startswith(("margin of", "design ")):
+            assert field.type == arrow.float64()
+    assert table.schema.field("verdict").type == arrow.string()
+
+
+def test_parquet_without_pyarrow_says_what_is_missing(sweep, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(cl.MissingPackage, match="Parquet needs pyarrow.*pip install pyarrow"):
+        sweep.parquet(tmp_path / "sweep.parquet")
+    assert list(tmp_path.iterdir()) == []

@@ -95,6 +95,8 @@ const Names& refusals_caught() {
       "fitting/constants/printed_constants.cpp", "problems/tolerance/varied_design.cpp",
       // A curve that was not asked for has no point somewhere: the others are looked at.
       "output/answers/cam_export.cpp",
+      // A design whose profile no follower can follow has all the rest of its page.
+      "output/report/problem_sections.cpp",
       // Of a combination of a sweep it is the outcome: why that combination has no design.
       "problems/sweeps/sweep_study.cpp",
       // Values whose units do not go together are words.

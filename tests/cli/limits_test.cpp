@@ -70,6 +70,18 @@ std::string limits(int count, bool front = false) {
   return text;
 }
 
+/// A cam that is made in series, with many limits that nearly all parts are to hold.
+std::string reliable(int count) {
+  std::string text = limits(0) + "[variation.base_radius]\nplus = 0.5\nminus = 0.5\n";
+  for (int i = 0; i < count; ++i) {
+    text += fmt::format(
+        "[[constraints]]\nresponse = \"pressure_angle\"\nupper = {}\nfrom = {}\nto = {}\n"
+        "reliability = 0.99\n",
+        30 + 1e-3 * i, 0.1 * i, 120 + 0.1 * i);
+  }
+  return text;
+}
+
 std::string written(const Folder& folder, const std::string& text) {
   const std::string path = folder / "large.toml";
   std::ofstream(path) << text;
@@ -101,6 +113,7 @@ TEST_CASE("large models keep a time limit, and leave no process behind", "[progr
       {"moving knots", free_law(200, true)},
       {"segments", segments(150)},
       {"limits", limits(2000)},
+      {"reliabilities", reliable(150)},
   }));
   INFO(name);
   const Folder folder;

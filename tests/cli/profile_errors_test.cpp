@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 'camlaw tolerance' of errors of the profile, and what a search says of a reliability.
+#include <fstream>
+
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
 
@@ -26,11 +28,17 @@ TEST_CASE("tolerance says what waves and chords do, and what must be held", "[pr
   CHECK(worst < 1.06 * drawn);
   CHECK(facts["form"].size() == 4);  // no stress of an error that is not a wave
   CHECK(facts["chords"].size() == 4);
-  REQUIRE(facts["shop"].size() == 1);
-  CHECK(facts["shop"][0]["waves"] == 40);
-  CHECK(double(facts["shop"][0]["amplitude"]) > 2);
+  REQUIRE(facts["shop"].size() == 3);
+  for (const ParsedJson& row : facts["shop"]) {
+    CHECK(row["waves"] == 40);
+    CHECK(double(row["amplitude"]) > 2);
+  }
+  CHECK(facts["shop"][0]["of"] == "peak acceleration");
+  CHECK(facts["shop"][1]["of"] == "peak follower force");
+  CHECK(facts["shop"][2]["of"] == "peak contact stress");
+  CHECK(facts["shop"][2]["form"].is_null());
   // Without a number of waves a table of several.
-  CHECK(facts_of({"tolerance", kFile, "--loss", "10 %"})["profile"]["shop"].size() == 6);
+  CHECK(facts_of({"tolerance", kFile, "--loss", "10 %"})["profile"]["shop"].size() == 18);
 }
 
 TEST_CASE("options for the profile take the place of the file's", "[program][profile]") {
@@ -39,6 +47,16 @@ TEST_CASE("options for the profile take the place of the file's", "[program][pro
       done({"tolerance", file, "--samples", "64", "--wavelength", "4 mm", "--workers", "1"});
   CHECK_THAT(text, Contains("waviness 2 um (4 mm each)"));
   CHECK_THAT(text, Contains("yield"));
+}
+
+TEST_CASE("options for the profile that exclude each other are refused", "[program][profile]") {
+  const auto both =
+      run({"tolerance", kFile, "--waviness", "2 um", "--waves", "40", "--wavelength", "4 mm"});
+  CHECK(both.status == 2);
+  CHECK_THAT(both.err, Contains("wavelength and waves are both stated; state one of them"));
+  const auto chords = run({"tolerance", kFile, "--chord", "5 um", "--chord-step", "0.5 deg"});
+  CHECK(chords.status == 2);
+  CHECK_THAT(chords.err, Contains("chord and chord_step are both stated; state one of them"));
 }
 
 TEST_CASE("tolerance says what it lacks to tell of a profile", "[program][profile]") {
@@ -62,6 +80,31 @@ TEST_CASE("optimize says which reliability is reached", "[program][variation]") 
   CHECK(double(own["upper"]) >= double(own["share"]));
   CHECK(facts["robust_objective"]["samples"] == 2048);
   CHECK(facts["verdict"] == "feasible");
+}
+
+TEST_CASE("fronts and sweeps refuse a reliability, which they do not judge",
+          "[program][variation]") {
+  const std::string file = testing::source("problems/cams/robust_force.toml");
+  const Outcome swept = run({"sweep", file, "--set", "mass=1,1.5 kg"});
+  CHECK(swept.status == 2);
+  CHECK_THAT(swept.err, Contains("follower_force has a reliability") && Contains("a sweep") &&
+                            Contains("camlaw tolerance"));
+  std::string text = testing::read(file);
+  const std::string one =
+      "[objective]\nminimize = \"peak contact_force\"\nrobust = \"mean + 3 sigma\"\n";
+  REQUIRE(text.find(one) != std::string::npos);
+  text.replace(text.find(one), one.size(),
+               "[[objectives]]\nminimize = \"peak contact_force\"\n"
+               "[[objectives]]\nminimize = \"spring_rate\"\n");
+  const Folder folder;
+  std::ofstream(folder / "front.toml") << text;
+  const Outcome front = run({"pareto", folder / "front.toml", "--points", "3"});
+  CHECK(front.status == 2);
+  CHECK_THAT(front.err, Contains("follower_force has a reliability") && Contains("a front"));
+  // Without the reliability both are done.
+  const std::string without = text.substr(0, text.find("reliability = 0.98"));
+  std::ofstream(folder / "front.toml") << without;
+  CHECK(run({"pareto", folder / "front.toml", "--points", "2", "--workers", "1"}).status == 0);
 }
 
 TEST_CASE("a reliability that was not worked out is not called met, nor verified",

@@ -26,7 +26,7 @@ TEST_CASE("a search says how far it is and how good its best design", "[program]
   CHECK(state_text({.done = 0.5}) == "50 % searched, no design within the limits yet");
   CHECK(state_text({.iteration = 12, .best = 0.123456789, .unit = "1"}) ==
         "iteration 12, best 0.12346");
-  CHECK(state_text({.iteration = 4, .best = 17.8, .unit = "mm", .round = 3}) ==
+  CHECK(state_text({.iteration = 4, .best = 17.8, .unit = "mm", .stage = "knots, round 3"}) ==
         "knots, round 3: iteration 4, best 17.8 mm");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // report and reproduce --report, as a user runs them. What a browser makes of the pages is looked
 // at by tests/report/open_reports.py.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -44,6 +46,25 @@ TEST_CASE("a report of a problem file says verdict, margins and how to search",
     highest = std::max(highest, y.get<double>());
   }
   CHECK(highest == Approx(30 - margin).epsilon(1e-4));
+}
+
+TEST_CASE("a report shows the errors of the profile that a file states", "[cli][report]") {
+  const Folder folder;
+  const std::string page = page_of(shipped("cams/tolerances.toml"), folder);
+  check_whole(page);
+  CHECK_THAT(page, Contains(">Errors of the profile</"));
+  // The numbers of 'camlaw tolerance'.
+  const ParsedJson facts = json_of(
+      {"tolerance", shipped("cams/tolerances.toml"), "--samples", "64", "--json"})["profile"];
+  for (const ParsedJson& effect : facts["waviness"]) {
+    const std::string name = effect["name"];
+    CHECK_THAT(page, Contains(">" + name + "</td>"));
+  }
+  const double amplitude = facts["shop"][0]["amplitude"];
+  CHECK_THAT(page, Contains(fmt::format(">{:.4g}</td>", amplitude)));
+  CHECK_THAT(page, Contains("what the shop must hold"));
+  CHECK_THAT(page_of(shipped("cams/roller_least_base.toml"), folder),
+             !Contains("Errors of the profile"));
 }
 
 TEST_CASE("a report of a result judges its design again", "[cli][report]") {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "machines/model/robust_number.h"
 #include "numerics/sampling/sobol_points.h"
+#include "optim/search/interruptible.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/tolerance/reliable_search.h"
@@ -241,14 +243,135 @@ TEST_CASE("A robust objective is told over parts that the search did not have", 
   CHECK(found.objective->samples >= 2048);
 }
 
+TEST_CASE("A number over many parts ends at the deadline of whoever asks for it", "[variation]") {
+  for (const char* robust : {"mean + 3 sigma", "quantile 0.9"}) {
+    const optim::Function f = objective_of("exp(0.3 * b) * c^2 + sin(b + c)", robust);
+    const std::vector<double> x{1, 2};
+    std::vector<double> g(2), h(3);
+    const double value = f.hessian(x, g, h);
+    const std::atomic<bool> stop = true;
+    const optim::Deadline passed({}, &stop);
+    {
+      const optim::DeadlineScope scope(passed);
+      CHECK_THROWS_AS(f.value(std::vector<double>{2, 1}), optim::Interrupted);
+      CHECK_THROWS_AS(f.gradient(x, g), optim::Interrupted);
+      CHECK_THROWS_AS(f.hessian(x, g, h), optim::Interrupted);
+    }
+    CHECK(f.gradient(x, g) == Approx(value).epsilon(1e-13));
+    // A problem that is to end by a deadline sets it.
+    optim::Problem problem;
+    problem.variables = {{.name = "b", .start = 1}, {.name = "c", .start = 2}};
+    problem.objectives = {{optim::Response{"f", "1", f}, optim::Sense::Minimize}};
+    std::atomic<bool> later = false;
+    const optim::Problem ending = optim::interruptible(problem, optim::Deadline({}, &later));
+    const optim::Function its = ending.objectives.front().response.function();
+    CHECK(its.value(x) == Approx(value).epsilon(1e-13));
+    later = true;
+    CHECK_THROWS_AS(its.value(x), optim::Interrupted);
+  }
+}
+
+namespace {
+
+/// The largest c such that 3 b + c <= 6 for a share of all parts: 6 - 0.6 * quantile, b at 0.
+BoundProblem most_within(double reliability) {
+  return BoundProblem(read(machine(
+      "3 * b + c", fmt::format("[responses.most]\nformula = 'c + 3 * b'\n"
+                               "[objective]\nmaximize = 'most'\nrobust = 'mean'\n"
+                               "[[constraints]]\nresponse = 'f'\nupper = 6\nreliability = {}\n",
+                               reliability))));
+}
+
+}  // namespace
+
+TEST_CASE("Further searches for a reliability are told, and end on a stop", "[variation]") {
+  const BoundProblem bound = most_within(0.9);
+  const optim::Optimum first = optim::optimise(bound.space(), {});
+  std::vector<std::string> stages;
+  std::size_t heard = 0;
+  optim::OptimiseOptions options;
+  options.progress = [&](const optim::Progress&) { ++heard; };
+  optim::Optimum optimum = first;
+  CHECK(search_until_reached(bound, options, optimum, [&](const auto& s) {
+          stages.push_back(s);
+        }).all());
+  REQUIRE(stages.size() >= 3);
+  CHECK_THAT(stages[0], Contains("judged"));
+  CHECK(stages[1] == "reliability, round 1");
+  CHECK_THAT(stages[2], Contains("reliability, round 1") && Contains("judged"));
+  CHECK(heard > 0);
+  // Stopped as the further search begins: what was found and judged before it stands.
+  std::atomic<bool> stop = false;
+  options.stop = &stop;
+  optimum = first;
+  const Reached found = search_until_reached(bound, options, optimum, [&](const auto& stage) {
+    stop = stop || stage == "reliability, round 1";
+  });
+  CHECK(found.cut_short.empty());
+  CHECK_FALSE(found.all());
+  CHECK(found.limits.front().reach != IsReached::Yes);
+  CHECK(optimum.found.x == first.found.x);
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Failed);
+  // Stopped before anything is judged: that is said, of the objective too.
+  optimum = first;
+  const Reached none = search_until_reached(bound, options, optimum);
+  CHECK(none.cut_short == "stopped");
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Failed);
+  CHECK_THAT(optimum.found.assessment.reason, Contains("was not worked out: stopped"));
+}
+
+TEST_CASE("A robust objective that was not worked out says why", "[variation]") {
+  const ProblemStatement design =
+      read(machine("3 * b + c", "[objective]\nminimize = 'f'\nrobust = 'mean'\n"));
+  const std::atomic<bool> stop = true;
+  const Reached found = reached_by(design, optim::Deadline({}, &stop));
+  REQUIRE(found.objective);
+  CHECK(found.objective->cut_short == "stopped");
+  CHECK(found.objective->name.starts_with("f"));
+  CHECK(found.all());  // no limit is open
+}
+
+TEST_CASE("Where few parts promise too much a search goes on until the reliability is reached",
+          "[variation]") {
+  // f = sum a_i b_i + c <= 20 in several b, of the deviation 0.2 each: c follows from the quantile.
+  // Of these three the parts of the search promised more than was reached, several times over.
+  struct Many {
+    double reliability;
+    std::vector<double> by;
+  };
+  for (const Many& many : {Many{0.7, {3, 2.7, 2.4, 2.1, 1.8, 1.5, 1.2, 0.9}},
+                           Many{0.998, {2.085, 1.583}}, Many{0.995, {2.5, -1.25, 0.5, 1, -3}}}) {
+    std::string parameters = "[machine.parameters.c]\ndefault = 2\nlower = -90\nupper = 90\n",
+                formula = "c", variations;
+    double squares = 0, sum = 0;
+    for (std::size_t i = 0; i < many.by.size(); ++i) {
+      parameters +=
+          fmt::format("[machine.parameters.b{}]\ndefault = 1\nlower = -20\nupper = 20\n", i);
+      formula += fmt::format(" + ({}) * b{}", many.by[i], i);
+      variations += fmt::format("[variation.b{}]\nstandard_deviation = 0.2\n", i);
+      squares += many.by[i] * many.by[i];
+      sum += many.by[i];
+    }
+    const BoundProblem bound(
+        read("[machine]\n" + parameters + "[responses.f]\nformula = '" + formula +
+             "'\n[responses.own]\nformula = 'c'\n" + variations +
+             "[variables.c]\nlower = -80\nupper = 80\n[objective]\nmaximize = 'own'\n" +
+             fmt::format("[[constraints]]\nresponse = 'f'\nupper = 20\nreliability = {}\n",
+                         many.reliability)));
+    optim::Optimum optimum = optim::optimise(bound.space(), {});
+    const Reached found = search_until_reached(bound, {}, optimum);
+    const double exact = normal_share((20 - sum - optimum.found.x[0]) / (0.2 * std::sqrt(squares)));
+    INFO(many.reliability << " asked for, " << exact << " exactly, at least "
+                          << found.limits.front().between.lower);
+    CHECK(found.all());
+    CHECK(exact >= many.reliability);
+    CHECK(1 - exact >= 0.5 * (1 - many.reliability));  // and gives not much away
+  }
+}
+
 TEST_CASE("A search goes on until its reliabilities are reached by other parts", "[variation]") {
-  // The largest c such that 3 b + c <= 6 for a share of all parts: 6 - 0.6 * quantile, b at 0.
   for (const double reliability : {0.9, 0.99}) {
-    const BoundProblem bound(read(machine(
-        "3 * b + c", fmt::format("[responses.most]\nformula = 'c + 3 * b'\n"
-                                 "[objective]\nmaximize = 'most'\nrobust = 'mean'\n"
-                                 "[[constraints]]\nresponse = 'f'\nupper = 6\nreliability = {}\n",
-                                 reliability))));
+    const BoundProblem bound = most_within(reliability);
     optim::Optimum optimum = optim::optimise(bound.space(), {});
     const auto reached_at = [](const optim::Optimum& o) {
       return normal_share((6 - 3 * o.found.x[0] - o.found.x[1]) / kDeviation);
