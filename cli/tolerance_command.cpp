@@ -165,8 +165,7 @@ Command tolerance_command() {
             "--chord"},
            {"--loss", &options->profile["loss"], "SHARE",
             "find what the shop must hold if the peaks of acceleration, force and contact stress "
-            "may grow by this share, "
-            "'10 %'"},
+            "may grow by this share, such as '10 %'"},
            {"--samples", &options->samples, takes::kNumber,
             "number of parts from which the yield is estimated (100000; fewer where a limit must "
             "be "

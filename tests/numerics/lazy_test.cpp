@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/lazy.h"
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 #include <stdexcept>
 
 namespace camlaw {
