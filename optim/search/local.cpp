@@ -208,6 +208,20 @@ void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& tr
   prove_best(watched, setting, trail);
 }
 
+/// An answer is never worse than the design that the problem states as its start: a search may run
+/// away from it, where functions have kinks, and come back to none as good.
+void keep_start(const Setting& setting, Trail& trail) {
+  const Problem& problem = setting.problem;
+  Found& found = trail.found;
+  const std::vector<double> start = problem.start();
+  if (found.x == start || setting.deadline.passed()) return;
+  const Sizes there = sizes(problem, start);
+  if (!better(problem, assess(problem, there, start, false), found.assessment)) return;
+  found.x = start;
+  found.assessment = assess(problem, there, start, setting.prove);
+  trail.sizes = there;
+}
+
 /// Counts the starts that ended at designs as good as the best.
 int agreed(const std::vector<double>& ends, double best, double size) {
   return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
@@ -280,6 +294,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   }
   prove_best(watched, setting, trail);
   search_elsewhere(watched, setting, trail);
+  keep_start(setting, trail);
   if (!trail.is_infeasible()) conclude_search(setting, ends, trail);
 }
 

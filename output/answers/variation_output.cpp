@@ -25,7 +25,7 @@ std::string digits(double value) { return in_digits(value, 6); }
 std::string limit_names(const VariedDesign& varied, const std::vector<std::size_t>& limits) {
   std::vector<std::string> parts;
   for (const std::size_t i : limits) parts.push_back(varied.problem.constraints[i].response.name);
-  return parts.empty() ? "none" : problems::listed(parts);
+  return parts.empty() ? "none found" : problems::listed(parts);
 }
 
 Table variations_table(const VariedDesign& varied, const ToleranceAnswer& answer) {

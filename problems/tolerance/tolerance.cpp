@@ -32,26 +32,6 @@ std::vector<LimitSlopes> slopes_of(const VariedDesign& varied) {
   return result;
 }
 
-std::vector<std::vector<std::size_t>> alone(const VariedDesign& varied) {
-  const optim::Problem problem = limits_alone(varied);
-  const optim::Sizes sizes = optim::sizes(problem, varied.meant);
-  const auto as_meant = optim::limit_reports(problem, sizes, varied.meant, false);
-  std::vector<std::vector<std::size_t>> result(varied.meant.size());
-  for (std::size_t i = 0; i < varied.meant.size(); ++i) {
-    for (const double off : {varied.variations[i].lower, varied.variations[i].upper}) {
-      std::vector<double> part = varied.meant;
-      part[i] += off;
-      const auto reports = optim::limit_reports(problem, sizes, part, false);
-      for (std::size_t k = 0; k < reports.size(); ++k) {
-        const bool is_known = std::find(result[i].begin(), result[i].end(), k) != result[i].end();
-        if (as_meant[k].met && !reports[k].met && !is_known) result[i].push_back(k);
-      }
-    }
-    std::sort(result[i].begin(), result[i].end());
-  }
-  return result;
-}
-
 /// So many that all searches together end in a minute or so, whatever the machine.
 std::size_t samples_for(const GridReport& grid) {
   constexpr std::size_t kSamples = 100000, kSearches = 30000;
@@ -93,7 +73,7 @@ ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions&
   ToleranceAnswer answer;
   try {
     answer.limits = slopes_of(varied);
-    answer.broken_alone = alone(varied);
+    answer.broken_alone = broken_alone(varied);
     answer.worst = worst_parts(varied);
     if (!varied.problem.constraints.empty()) {
       answer.yield = yield_of(varied, options, answer.grid);

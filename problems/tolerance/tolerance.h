@@ -23,8 +23,7 @@ struct LimitSlopes {
 
 struct ToleranceAnswer {
   std::vector<LimitSlopes> limits;
-  /// Of each number that varies the limits that hold as meant and that it breaks by itself, at one
-  /// of its ends.
+  /// Of each number that varies the limits that hold as meant and that it breaks by itself.
   std::vector<std::vector<std::size_t>> broken_alone;
   std::vector<WorstPart> worst;       ///< of each side of each limit
   std::vector<BreakFactor> factors;   ///< of each of these

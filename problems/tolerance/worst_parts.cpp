@@ -60,7 +60,7 @@ std::vector<ParameterRange> ranges_of(const VariedDesign& varied, double share) 
   for (std::size_t i = 0; i < varied.statements.size(); ++i) {
     const NamedParameter& p = varied.statements[i].parameter;
     const optim::Variation& v = varied.variations[i];
-    if (p.of_law) continue;
+    if (p.of_law || (v.lower == 0 && v.upper == 0)) continue;
     result.push_back(
         {p.parameter, varied.meant[i] + share * v.lower, varied.meant[i] + share * v.upper});
   }
@@ -318,6 +318,25 @@ std::string_view to_string(Holds holds) {
 std::vector<WorstPart> worst_parts(const VariedDesign& varied, double share) {
   std::vector<WorstPart> result;
   for (const LimitSide& side : sides_of(varied)) result.push_back(worst_part(varied, side, share));
+  return result;
+}
+
+std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied) {
+  const std::vector<LimitSide> sides = sides_of(varied);
+  std::vector<double> slopes;
+  std::vector<std::vector<std::size_t>> result(varied.meant.size());
+  for (std::size_t i = 0; i < varied.meant.size(); ++i) {
+    VariedDesign only = varied;
+    for (std::size_t k = 0; k < only.variations.size(); ++k) {
+      if (k != i) only.variations[k].lower = only.variations[k].upper = 0;
+    }
+    for (const LimitSide& side : sides) {
+      const bool is_known = !result[i].empty() && result[i].back() == side.limit;
+      const bool holds_as_meant = OnePart(varied, side).room(varied.meant, slopes) >= 0;
+      if (is_known || !holds_as_meant) continue;
+      if (!(searched_room(only, side, 1) >= 0)) result[i].push_back(side.limit);
+    }
+  }
   return result;
 }
 

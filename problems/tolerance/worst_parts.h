@@ -38,6 +38,10 @@ struct WorstPart {
 /// Of each limit and each of its sides, as large as `share` of the variations.
 std::vector<WorstPart> worst_parts(const VariedDesign& varied, double share = 1);
 
+/// Of each number that varies the limits, increasing, that hold at the nominal part and that it
+/// breaks by itself, at any of its values that a search finds.
+std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied);
+
 inline constexpr double kLargestFactor = 100;
 
 /// How far the variations may grow before a limit breaks.

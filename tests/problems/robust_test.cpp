@@ -317,7 +317,7 @@ TEST_CASE("Further searches for a reliability are told, and end on a stop", "[va
   const Reached none = search_until_reached(bound, options, optimum);
   CHECK(none.cut_short == "stopped");
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Failed);
-  CHECK_THAT(optimum.found.assessment.reason, Contains("was not worked out: stopped"));
+  CHECK_THAT(optimum.found.assessment.reason, Contains("was not calculated: stopped"));
 }
 
 TEST_CASE("A robust objective that was not worked out says why", "[variation]") {

@@ -196,6 +196,20 @@ TEST_CASE("Where a resonance lies inside, the worst part is found and proved the
   CHECK(broken[0].part[0] == Approx(std::sqrt(0.98)).epsilon(1e-5));
 }
 
+TEST_CASE("A number that breaks a limit between its ends is named", "[variation]") {
+  // b alone reaches 1 + 0.2 sin(10 b) = 1.2 inside and 1.19 at no end; c alone moves nothing there,
+  // and together they reach no more.
+  const std::string text =
+      "[responses.wave]\nformula = '1 + 0.2 * sin(10 * b) + 0 * c'\n"
+      "[variation.b]\nplus = 0.3\nminus = 0.3\n[variation.c]\nplus = 0.1\nminus = 0.1\n"
+      "[[constraints]]\nresponse = 'wave'\nupper = 1.19\n";
+  const VariedDesign design = varied(machine(text));
+  for (const double off : {-0.3, 0.3}) {
+    CHECK(1 + 0.2 * std::sin(10 * (design.meant[0] + off)) < 1.18);
+  }
+  CHECK(broken_alone(design) == std::vector<std::vector<std::size_t>>{{0}, {}});
+}
+
 TEST_CASE("The yield of linear limits with normal variation is the closed form", "[variation]") {
   // b + 2 c is normal about 5 with the deviation sqrt(0.3^2 + 0.2^2).
   const VariedDesign design = varied(
