@@ -216,7 +216,8 @@ void keep_start(const Setting& setting, Trail& trail) {
   const std::vector<double> start = problem.start();
   if (found.x == start || setting.deadline.passed()) return;
   const Sizes there = sizes(problem, start);
-  if (!better(problem, assess(problem, there, start, false), found.assessment)) return;
+  const Assessment own = assess(problem, there, start, false);
+  if (!is_feasible(own) || !better(problem, own, found.assessment)) return;
   found.x = start;
   found.assessment = assess(problem, there, start, setting.prove);
   trail.sizes = there;

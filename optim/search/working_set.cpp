@@ -9,13 +9,23 @@
 namespace camlaw::optim {
 namespace {
 
+/// What a curve is at a place of a design, and how far apart a row's value is that says something
+/// else: beside a place where the curve jumps, as friction does where a motion begins, a row of
+/// that place may not see the peak.
+struct SeenAt {
+  Design x;
+  double value, apart;
+};
+
 /// Whether a place is in the set but for rounding: asking again would not move the solver.
-bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
+bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks,
+              const SeenAt& seen) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
   return std::any_of(side.places.begin(), side.places.end(), [&](const HeldPlace& held) {
     const Place& other = held.place;
     return other.from_left == place.from_left && other.joint == place.joint &&
-           (place.joint >= 0 || std::abs(other.angle - place.angle) <= near);
+           (place.joint >= 0 || (std::abs(other.angle - place.angle) <= near &&
+                                 std::abs(held.function.value(seen.x) - seen.value) <= seen.apart));
   });
 }
 
@@ -217,7 +227,8 @@ std::size_t WorkingSet::add_violated_places(CurveSide& side, Design x, double li
   const std::size_t before = side.places.size();
   const auto add = [&](Place where, double above) {
     const Place place = curve.tied(where, x);
-    if (weights.is_rest(place) || is_known(side, place, breaks)) return false;
+    const SeenAt seen{x, trace->at(place)[0], 0.5 * above};
+    if (weights.is_rest(place) || is_known(side, place, breaks, seen)) return false;
     HeldPlace held{place, weights.at(place), curve.at(place)};
     if (tells_rows && !fresh.add(held.function, side.sign, kEqual * above)) return false;
     side.places.push_back(std::move(held));
