@@ -21,11 +21,14 @@ struct SeenAt {
 bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks,
               const SeenAt& seen) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
+  const auto says_so = [&](const HeldPlace& held) {
+    return std::abs(held.function.value(seen.x) - seen.value) <= seen.apart;
+  };
   return std::any_of(side.places.begin(), side.places.end(), [&](const HeldPlace& held) {
     const Place& other = held.place;
-    return other.from_left == place.from_left && other.joint == place.joint &&
-           (place.joint >= 0 || (std::abs(other.angle - place.angle) <= near &&
-                                 std::abs(held.function.value(seen.x) - seen.value) <= seen.apart));
+    if (other.from_left != place.from_left || other.joint != place.joint) return false;
+    if (place.joint >= 0 || other.angle == place.angle) return true;
+    return std::abs(other.angle - place.angle) <= near && says_so(held);
   });
 }
 
