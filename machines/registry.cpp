@@ -24,8 +24,8 @@ namespace camlaw::problems {
 namespace {
 
 /// Mechanisms by name, in the order of the listing: cams, what indexes, axes and followers,
-/// springs, published machines. Each is made when it is first asked for: to find out what their
-/// responses depend on takes time.
+/// springs, published machines. Each is made when it is first asked for, since all of them
+/// take milliseconds.
 struct Listed {
   const char* name;
   Mechanism (*make)();

@@ -205,7 +205,18 @@ class TurnTrace final : public optim::Trace {
   mutable Made<Interval> enclosing_, domains_;
 };
 
-/// `moving` has for each break the parameters that move it, where it matters.
+/// For each break the parameters that move it, where it matters.
+std::vector<ParameterSet> moving_breaks(const ShaftTurn& turn, std::size_t parameters) {
+  const Formula sided = whole_formula(turn.sided, parameters, 1 + turn.breaks.size());
+  std::vector<ParameterSet> moving;
+  for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
+    const bool matters = sided.depends_on(parameters + 1 + k);
+    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters, 0) : ParameterSet());
+  }
+  return moving;
+}
+
+/// `moving` is that of moving_breaks().
 TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossible& is_possible,
                      const std::vector<ParameterSet>& moving, const Binding& binding) {
   TurnParts parts;
@@ -242,17 +253,6 @@ Write in_section(const ShaftTurn& turn, std::size_t section, const Write& at) {
     for (std::size_t k = 0; k < breaks; ++k) place.emplace_back(k < section ? 1.0 : -1.0);
     return sided(parameters, place);
   };
-}
-
-/// For each break the parameters that move it, where it matters.
-std::vector<ParameterSet> moving_breaks(const ShaftTurn& turn, std::size_t parameters) {
-  const Formula sided = whole_formula(turn.sided, parameters, 1 + turn.breaks.size());
-  std::vector<ParameterSet> moving;
-  for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
-    const bool matters = sided.depends_on(parameters + 1 + k);
-    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters, 0) : ParameterSet());
-  }
-  return moving;
 }
 
 MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,

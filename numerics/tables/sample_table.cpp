@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -20,6 +19,7 @@
 #include "numerics/tables/cells.h"
 #include "numerics/tables/line_source.h"
 #include "numerics/tables/table_layout.h"
+#include "numerics/text/file_text.h"
 
 namespace camlaw::problems {
 namespace {
@@ -207,10 +207,7 @@ SampleTable read_samples(const std::string& path) {
     throw std::invalid_argument(path + ": it is a directory, not a table");
   errno = 0;
   std::ifstream file(path);
-  if (!file) {
-    throw std::invalid_argument(fmt::format("{}: it cannot be read: {}", path,
-                                            errno != 0 ? std::strerror(errno) : "unknown cause"));
-  }
+  if (!file) throw std::invalid_argument(path + ": " + problems::unreadable(errno));
   return read_from(file, path);
 }
 

@@ -60,11 +60,14 @@ std::string file_text(const std::string& path, const std::string& what) {
   std::ifstream file(path, std::ios::binary);
   std::string text = text_of(file);
   if (!file.is_open() || file.bad()) {
-    refuse_file(path, fmt::format("it cannot be read: {}",
-                                  errno != 0 ? std::strerror(errno) : "unknown cause"));
+    refuse_file(path, unreadable(errno));
   }
   check_size(text, path, what);
   return text;
+}
+
+std::string unreadable(int error) {
+  return fmt::format("it cannot be read: {}", error != 0 ? std::strerror(error) : "unknown cause");
 }
 
 }  // namespace camlaw::problems

@@ -10,4 +10,8 @@ namespace camlaw::problems {
 /// cannot be read.
 std::string file_text(const std::string& path, const std::string& what);
 
+/// "it cannot be read: No such file or directory", from errno after the attempt; 0 where it says
+/// nothing.
+std::string unreadable(int error);
+
 }  // namespace camlaw::problems

@@ -215,6 +215,10 @@ void keep_start(const Setting& setting, Trail& trail) {
   Found& found = trail.found;
   const std::vector<double> start = problem.start();
   if (found.x == start || setting.deadline.passed()) return;
+  const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
+  const double gain =
+      sign * (found.assessment.objective.value - objective_value(problem.objective(), start));
+  if (is_feasible(found.assessment) && !(gain > 0)) return;  // as nearly always
   const Sizes there = sizes(problem, start);
   const Assessment own = assess(problem, there, start, false);
   if (!is_feasible(own) || !better(problem, own, found.assessment)) return;

@@ -139,6 +139,11 @@ void Document::read_after(Document& other) {
   std::move(other.blocks_.begin(), other.blocks_.end(), std::back_inserter(blocks_));
 }
 
+/// Moved, but for a list, which copies of the document share.
+Json Document::facts_out_of(Document& other) {
+  return other.list_ ? other.facts() : std::move(other.facts_);
+}
+
 void Document::add(Document other) {
   read_after(other);
   take_facts(other.facts());
@@ -146,14 +151,14 @@ void Document::add(Document other) {
 
 void Document::add(const std::string& key, Document other) {
   read_after(other);
-  facts_[key] = other.facts();
+  facts_[key] = facts_out_of(other);
 }
 
 void Document::add(const std::string& key, std::vector<Document> others) {
   Json list = Json::array();
   for (Document& other : others) {
     read_after(other);
-    list.push_back(other.facts());
+    list.push_back(facts_out_of(other));
   }
   facts_[key] = std::move(list);
 }

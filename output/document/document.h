@@ -132,6 +132,7 @@ class Document {
 
  private:
   void read_after(Document& other);
+  static Json facts_out_of(Document& other);
 
   std::vector<Block> blocks_;
   Json facts_ = Json::object();

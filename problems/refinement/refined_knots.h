@@ -42,8 +42,7 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop);
 
 /// The same with optimise() in so many processes, within the search's time limit, of which so many
-/// seconds are spent. `begins` is called before each round,
-/// with "knots, round 3".
+/// seconds are spent. `begins` is called before each round, with "knots, round 3".
 RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOptions& search,
                         int workers, const std::function<double()>& spent,
                         const std::function<void(const std::string& stage)>& begins = {});

@@ -219,72 +219,73 @@ class Shop {
       : geometry_(geometry), loss_(loss), acceleration_(acceleration) {
     const double rough = forces_as_drawn(geometry, kInfinite).size().value;
     force_ = forces_as_drawn(geometry, 0.1 * kFine * loss * rough).size();
+    lift_ = highest(geometry, kInfinite, [](const auto& p) { return p.lift.value; }).value;
     if (geometry.stress() != nullptr) stress_ = stress_places(geometry);
     for (const StressPlace& p : stress_) drawn_stress_ = std::max(drawn_stress_, p.as_drawn);
   }
 
-  /// The amplitudes, m, at which the peaks are proved not to exceed what is allowed.
-  double for_acceleration(const Waves& waves, bool any) const {
-    const double spare = loss_ * acceleration_.value;
-    return largest(waves, spare / by_amplitude(waves, any), [&](double amplitude) {
-      return peak_with(geometry_, waves, any, amplitude, kFine * spare).at_most <=
-             acceleration_.value + spare;
-    });
-  }
-  double for_force(const Waves& waves, bool any) const {
-    const double spare = loss_ * force_.value;
-    const auto lift = highest(geometry_, kInfinite, [](const auto& p) { return p.lift.value; });
-    const double steep =
-        geometry_.mass() * by_amplitude(waves, any) + geometry_.spring() * lift.value;
-    return largest(waves, spare / steep, [&](double amplitude) {
-      return forces_with(geometry_, waves, any, amplitude, kFine * spare).size().at_most <=
-             force_.value + spare;
-    });
-  }
-  /// Looked for, not proved.
-  double for_stress(const Waves& waves, double from) const {
-    return largest(waves, from, [&](double amplitude) {
-      return stress_effect(geometry_, stress_, waves, amplitude).worst <=
-             (1 + loss_) * drawn_stress_;
-    });
-  }
-
   std::vector<ShopLimit> limits(const Waves& waves) const {
     constexpr double kMicro = 1e6;
-    const double force = for_force(waves, false);
+    const double most = bridged_from(geometry_, waves).value_or(1);
+    const Amplitudes own = proved_amplitudes(waves, false, most);
+    const Amplitudes form = proved_amplitudes(waves, true, most);
     std::vector<ShopLimit> result;
     result.push_back({.of = "peak acceleration",
-                      .amplitude = kMicro * for_acceleration(waves, false),
-                      .form = 2 * kMicro * for_acceleration(waves, true),
+                      .amplitude = kMicro * own.for_acceleration,
+                      .form = 2 * kMicro * form.for_acceleration,
                       .proved = acceleration_.proved});
     result.push_back({.of = "peak " + force_name(geometry_),
-                      .amplitude = kMicro * force,
-                      .form = 2 * kMicro * for_force(waves, true),
+                      .amplitude = kMicro * own.for_force,
+                      .form = 2 * kMicro * form.for_force,
                       .proved = force_.proved});
     if (!stress_.empty()) {
-      const double tried = force > 0 ? 0.1 * force : 1e-9;
+      const double tried = own.for_force > 0 ? 0.1 * own.for_force : 1e-9;
       result.push_back(
-          {.of = kStress, .amplitude = kMicro * for_stress(waves, tried), .proved = false});
+          {.of = kStress, .amplitude = kMicro * for_stress(waves, tried, most), .proved = false});
     }
     return result;
   }
 
  private:
-  /// By how much the acceleration grows at most, by the amplitude, as long as chi is small.
-  double by_amplitude(const Waves& waves, bool any) const {
+  /// In m.
+  struct Amplitudes {
+    double for_acceleration, for_force;
+  };
+
+  /// At which the peaks are proved not to exceed what is allowed.
+  Amplitudes proved_amplitudes(const Waves& waves, bool any, double most) const {
+    // By how much the acceleration grows at most, by the amplitude, as long as chi is small.
     const auto steep = highest(geometry_, kInfinite, [&](const auto& p) {
       return wave_acceleration(p, waves, any).either;
     });
-    return geometry_.speed() * geometry_.speed() * steep.value;
+    const double growth = geometry_.speed() * geometry_.speed() * steep.value;
+    const double spare = loss_ * acceleration_.value, spare_force = loss_ * force_.value;
+    const double force_growth = geometry_.mass() * growth + geometry_.spring() * lift_;
+    return {largest_that_holds(
+                spare / growth, most,
+                [&](double amplitude) {
+                  return peak_with(geometry_, waves, any, amplitude, kFine * spare).at_most <=
+                         acceleration_.value + spare;
+                }),
+            largest_that_holds(spare_force / force_growth, most, [&](double amplitude) {
+              return forces_with(geometry_, waves, any, amplitude, kFine * spare_force)
+                         .size()
+                         .at_most <= force_.value + spare_force;
+            })};
   }
-  double largest(const Waves& waves, double step, const std::function<bool(double)>& holds) const {
-    return largest_that_holds(step, bridged_from(geometry_, waves).value_or(1), holds);
+  /// Looked for, not proved.
+  double for_stress(const Waves& waves, double from, double most) const {
+    return largest_that_holds(from, most, [&](double amplitude) {
+      return stress_effect(geometry_, stress_, waves, amplitude).worst <=
+             (1 + loss_) * drawn_stress_;
+    });
   }
 
   const ProfileGeometry& geometry_;
   double loss_;
   CyclePeak acceleration_, force_;
   std::vector<StressPlace> stress_;
+  double lift_ = 0;
   double drawn_stress_ = 0;
 };
 

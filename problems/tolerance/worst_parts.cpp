@@ -322,8 +322,10 @@ std::vector<WorstPart> worst_parts(const VariedDesign& varied, double share) {
 }
 
 std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied) {
-  const std::vector<LimitSide> sides = sides_of(varied);
-  std::vector<double> slopes;
+  std::vector<LimitSide> sides = sides_of(varied);
+  std::erase_if(sides, [&, slopes = std::vector<double>()](const LimitSide& side) mutable {
+    return !(OnePart(varied, side).room(varied.meant, slopes) >= 0);
+  });
   std::vector<std::vector<std::size_t>> result(varied.meant.size());
   for (std::size_t i = 0; i < varied.meant.size(); ++i) {
     VariedDesign only = varied;
@@ -332,9 +334,7 @@ std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied) {
     }
     for (const LimitSide& side : sides) {
       const bool is_known = !result[i].empty() && result[i].back() == side.limit;
-      const bool holds_as_meant = OnePart(varied, side).room(varied.meant, slopes) >= 0;
-      if (is_known || !holds_as_meant) continue;
-      if (!(searched_room(only, side, 1) >= 0)) result[i].push_back(side.limit);
+      if (!is_known && !(searched_room(only, side, 1) >= 0)) result[i].push_back(side.limit);
     }
   }
   return result;
