@@ -5,6 +5,7 @@
 
 #include "machines/cams/elastic_end.h"
 #include "machines/cams/follower_words.h"
+#include "machines/follower_train/loss_speed.h"
 #include "machines/follower_train/train_curve.h"
 
 /// What the end of a follower's train does behind a cam, in the steady state of turn after turn.
@@ -36,6 +37,17 @@ struct TrainPartsOf {
     return parts;
   }
 };
+
+/// What decides at which speed contact is lost: kLossParts.
+template <class Cam>
+auto loss_parts(const Cam& cam) {
+  const auto end = elastic_end(cam);
+  const auto load = cam.follower();
+  const auto stroke = stroke_of(cam);
+  return std::array{end.natural_frequency(),         end.damping_ratio,
+                    load.spring_preload + load.load, load.spring_rate * stroke,
+                    (load.mass - end.mass) * stroke, end.mass * stroke};
+}
 
 template <template <class> class M>
 MechanismResponse end_curve(TrainQuantity which, ResponseAbout about) {
@@ -73,6 +85,12 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
       law_number<M>({"residual_amplitude", w.place, w.place_stored,
                      "greatest amplitude of the vibration of the train's end in a dwell", convex},
                     TrainPartsOf{Q::Deviation}, swing_at_rest()),
+      law_number<M>(
+          {"elastic_loss_speed", "rpm", "rad/s",
+           "lowest speed at which a spring-loaded follower with the elastic train leaves "
+           "the cam; undefined without damping, if nothing holds it down, or if it stays "
+           "on the cam up to ten turns in a natural period"},
+          [](const auto& cam) { return loss_parts(cam); }, contact_loss()),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
       end_curve<M>(Q::Deviation,

@@ -48,9 +48,24 @@ Complex<T> exponential(const Complex<T>& z) {
   return {length * cos(z.im), length * sin(z.im)};
 }
 
+/// exp(i angle).
+template <class T>
+Complex<T> rotation(const T& angle) {
+  using std::cos;
+  using std::sin;
+  return {cos(angle), sin(angle)};
+}
+
 template <class T>
 double size_of(const Complex<T>& z) {
   return std::hypot(value_of(z.re), value_of(z.im));
+}
+
+/// The square of the size, for where that is not too small: much quicker.
+template <class T>
+double square_of(const Complex<T>& z) {
+  const double re = value_of(z.re), im = value_of(z.im);
+  return re * re + im * im;
 }
 
 /// A sum with what is left out of it, no more than twice the last term: nothing in plain numbers.
@@ -66,11 +81,12 @@ Complex<T> with_remainder(const Complex<T>& sum, const Complex<T>& last) {
   }
 }
 
+constexpr double kSeries = 8;
+
 /// phi_k(z) = integral of exp(z (1 - u)) u^(k-1) / (k-1)! du over [0, 1], phi_0 = exp; k from 0 to
 /// `count` - 1. By recurrence where z is large beside k, else by the series sum z^j / (j + k)!.
 template <class T>
 std::vector<Complex<T>> phi(const Complex<T>& z, std::size_t count) {
-  constexpr double kSeries = 8;
   const double size = size_of(z);
   std::vector<Complex<T>> result{exponential(z)};
   double factorial = 1;  // k!
@@ -88,7 +104,7 @@ std::vector<Complex<T>> phi(const Complex<T>& z, std::size_t count) {
       term = ratio<T>(1, n + j) * (term * z);
       sum = sum + term;
       // The terms behind fall at least by half each from there on.
-      if (n + j > 2 * size && size_of(term) <= 1e-18 * size_of(sum)) break;
+      if (n + j > 2 * size && square_of(term) <= 1e-36 * square_of(sum)) break;
     }
     result.push_back(with_remainder(sum, term));
   }
@@ -132,7 +148,11 @@ Complex<T> driven(const Piece<T>& piece, const T& begin, const T& d, const Compl
     const Complex<T> carrier = exponential(d * lambda);
     for (const auto& [amplitude, frequency] : {std::pair{up, w}, std::pair{down, -w}}) {
       const Complex<T> mu{-lambda.re, frequency - lambda.im};
-      sum = sum + (number<T>(0.5) * d) * (carrier * (amplitude * phi(d * mu, 2)[1]));
+      // Far from resonance the integral as it stands: exp(-lambda d) may be too large a number.
+      const Complex<T> share = size_of(d * mu) > kSeries
+                                   ? (rotation(T(frequency * d)) - carrier) / mu
+                                   : d * (carrier * phi(d * mu, 2)[1]);
+      sum = sum + number<T>(0.5) * (amplitude * share);
     }
   }
   return sum;
@@ -170,14 +190,6 @@ std::optional<Impossible> fault_of(const FollowerTrain<T>& train, const Law<T>& 
 }
 
 Impossible jump() { return {"elastic train: the velocity of the law jumps"}; }
-
-/// exp(i angle).
-template <class T>
-Complex<T> rotation(const T& angle) {
-  using std::cos;
-  using std::sin;
-  return {cos(angle), sin(angle)};
-}
 
 /// Whether a piece is a dwell at all values: one that a program rests in has its level alone, and a
 /// move that happens to stay where it is has coefficients of 0.

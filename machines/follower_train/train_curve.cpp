@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
@@ -53,96 +54,105 @@ std::array<T, 5> joint_motion(const Law<T>& law, std::size_t joint, bool from_le
   return none;
 }
 
-/// The quantity at a place, with the derivatives by what moves it where it is tied to a joint: the
-/// state at the end of a piece is that of the end itself (TrainMotion::at).
-template <class T>
-Possible<std::array<T, 3>> quantity_at(TrainQuantity which, TrainRun run, std::span<const T> parts,
-                                       const Law<T>& law, optim::Place place) {
-  const auto joint = static_cast<std::size_t>(place.joint);
-  const bool is_tied = place.joint >= 0;
-  double x = at_break(law, place.angle / length_of(run));
-  if (is_tied) x = joint < law.pieces().size() ? value_of(law.pieces()[joint].end) : 1;
-  const FollowerTrain<T> train{parts[0], parts[1]};
-  const auto motion = motion_of(run, train, law, x);
-  if (!motion) return motion.reason();
-  const auto of_law =
-      is_tied ? joint_motion(law, joint, place.from_left) : motion_at(law, x, place.from_left);
-  return train_quantity(which, train, of_law, motion->at(x), load_of(parts));
-}
+/// The same train and law in intervals.
+class EnclosedTrain {
+ public:
+  EnclosedTrain(TrainQuantity which, TrainRun run, std::span<const Interval> parts, double factor,
+                const Law<Interval>& law)
+      : which_(which),
+        length_(length_of(run)),
+        law_(law),
+        motion_(motion_of(run, FollowerTrain<Interval>{parts[0], parts[1]}, law)),
+        load_(load_of(parts)) {
+    if (!motion_) return;
+    scale_ = Interval(factor) * scale_of(which, parts[2], law);
+    for (const auto& piece : law.pieces()) expanders_.emplace_back(piece);
+  }
 
-/// The train for one design.
+  /// f(c) + f'(c) h + f'' h^2 / 2, f'' within what holds over the stretch.
+  optim::Bounds over(double from, double to) const {
+    if (!motion_) return {};
+    const Interval length(length_);
+    const Interval x = boost::numeric::hull(Interval(from) / length, Interval(to) / length);
+    const double middle = std::clamp(boost::numeric::median(x), 0.0, 1.0);
+    const double radius = std::max(step_up(x.upper() - middle), step_up(middle - x.lower()));
+    const auto& over = expanders_[law_.piece_at(middle, Side::Left)](x).over;
+    const FollowerTrain<Interval>& train = motion_->train();
+    const auto f =
+        train_quantity(which_, train, motion_at(law_, middle, true), motion_->at(middle), load_);
+    const Interval second =
+        train_quantity(which_, train, {over[0], over[1], over[2], over[3], over[4]},
+                       motion_->around(middle, radius, magnitude(over[2])), load_)[2];
+    const Interval h(-radius, radius), square(0, step_up(radius * radius));
+    const Interval range = scale_ * (f[0] + f[1] * h + Interval(0.5) * square * second);
+    return {range.lower(), range.upper()};
+  }
+
+ private:
+  TrainQuantity which_;
+  double length_;  ///< of the cycle
+  const Law<Interval>& law_;
+  Possible<TrainMotion<Interval>> motion_;
+  TrainLoad<Interval> load_;
+  Interval scale_ = Interval(0.0);
+  std::vector<PieceExpander> expanders_;
+};
+
+/// The train for one design. Intervals are worked out where they are first asked for.
 class TrainTrace final : public optim::Trace {
  public:
   TrainTrace(TrainQuantity which, TrainRun run, std::span<const double> parts,
              std::span<const Interval> enclosing, double factor, Law<double> law,
              Law<Interval> enclosing_law)
       : which_(which),
-        length_(length_of(run)),
+        run_(run),
         law_(std::move(law)),
         enclosing_law_(std::move(enclosing_law)),
+        enclosing_parts_(enclosing.begin(), enclosing.end()),
+        factor_(factor),
         motion_(motion_of(run, FollowerTrain<double>{parts[0], parts[1]}, law_)),
-        enclosing_(
-            motion_of(run, FollowerTrain<Interval>{enclosing[0], enclosing[1]}, enclosing_law_)),
-        load_(load_of(parts)),
-        enclosing_load_(load_of(enclosing)) {
-    if (!motion_ || !enclosing_) return;
-    scale_ = factor * scale_of(which, parts[2], law_);
-    enclosing_scale_ = Interval(factor) * scale_of(which, enclosing[2], enclosing_law_);
-    for (const auto& piece : enclosing_law_.pieces()) expanders_.emplace_back(piece);
+        load_(load_of(parts)) {
+    if (motion_) scale_ = factor * scale_of(which, parts[2], law_);
   }
 
   std::vector<double> breaks() const override {
     std::vector<double> result{0};
-    for (const auto& piece : law_.pieces()) result.push_back(length_ * piece.end);
+    for (const auto& piece : law_.pieces()) result.push_back(length_of(run_) * piece.end);
     return result;
   }
 
   std::array<double, 3> at(optim::Place place) const override {
-    if (expanders_.empty()) return {kNaN, kNaN, kNaN};
-    const double x = at_break(law_, place.angle / length_);
+    if (!motion_) return {kNaN, kNaN, kNaN};
+    const double length = length_of(run_), x = at_break(law_, place.angle / length);
     auto f = train_quantity(which_, motion_->train(), motion_at(law_, x, place.from_left),
                             motion_->at(x), load_);
     double scale = scale_;
     for (double& derivative : f) {
       derivative *= scale;
-      scale /= length_;
+      scale /= length;
     }
     return f;
   }
 
-  /// f(c) + f'(c) h + f'' h^2 / 2, f'' within what holds over the stretch.
   optim::Bounds enclose(double from, double to) const override {
-    if (expanders_.empty()) return {};
-    const Interval length(length_);
-    const Interval x = boost::numeric::hull(Interval(from) / length, Interval(to) / length);
-    const double middle = std::clamp(boost::numeric::median(x), 0.0, 1.0);
-    const double radius = std::max(step_up(x.upper() - middle), step_up(middle - x.lower()));
-    const auto& over = expanders_[enclosing_law_.piece_at(middle, Side::Left)](x).over;
-    const FollowerTrain<Interval>& train = enclosing_->train();
-    const auto f = train_quantity(which_, train, motion_at(enclosing_law_, middle, true),
-                                  enclosing_->at(middle), enclosing_load_);
-    const Interval second =
-        train_quantity(which_, train, {over[0], over[1], over[2], over[3], over[4]},
-                       enclosing_->around(middle, radius, magnitude(over[2])), enclosing_load_)[2];
-    const Interval h(-radius, radius), square(0, step_up(radius * radius));
-    const Interval range = enclosing_scale_ * (f[0] + f[1] * h + Interval(0.5) * square * second);
-    return {range.lower(), range.upper()};
+    if (!motion_) return {};
+    if (!enclosed_) enclosed_.emplace(which_, run_, enclosing_parts_, factor_, enclosing_law_);
+    return enclosed_->over(from, to);
   }
 
   std::string why_unbounded() const override { return motion_ ? "" : motion_.why(); }
 
  private:
   TrainQuantity which_;
-  double length_;  ///< of the cycle
+  TrainRun run_;
   Law<double> law_;
   Law<Interval> enclosing_law_;
+  std::vector<Interval> enclosing_parts_;
+  double factor_;
   Possible<TrainMotion<double>> motion_;
-  Possible<TrainMotion<Interval>> enclosing_;
   TrainLoad<double> load_;
-  TrainLoad<Interval> enclosing_load_;
   double scale_ = 0;
-  Interval enclosing_scale_ = Interval(0.0);
-  std::vector<PieceExpander> expanders_;  ///< none where the train has no motion
+  mutable std::optional<EnclosedTrain> enclosed_;
 };
 
 /// Where there is no machine, or no law.
@@ -158,6 +168,44 @@ class NoTrace final : public optim::Trace {
 };
 
 }  // namespace
+
+/// The state at the end of a piece is that of the end itself (TrainMotion::at).
+template <class T>
+Possible<std::array<T, 3>> train_quantity_at(TrainQuantity which, TrainRun run,
+                                             std::span<const T> parts, const Law<T>& law,
+                                             optim::Place place) {
+  const auto joint = static_cast<std::size_t>(place.joint);
+  const bool is_tied = place.joint >= 0;
+  double x = at_break(law, place.angle / length_of(run));
+  if (is_tied) x = joint < law.pieces().size() ? value_of(law.pieces()[joint].end) : 1;
+  const FollowerTrain<T> train{parts[0], parts[1]};
+  const auto motion = motion_of(run, train, law, x);
+  if (!motion) return motion.reason();
+  const auto of_law =
+      is_tied ? joint_motion(law, joint, place.from_left) : motion_at(law, x, place.from_left);
+  return train_quantity(which, train, of_law, motion->at(x), load_of(parts));
+}
+
+template Possible<std::array<double, 3>> train_quantity_at(TrainQuantity, TrainRun,
+                                                           std::span<const double>,
+                                                           const Law<double>&, optim::Place);
+template Possible<std::array<Dual, 3>> train_quantity_at(TrainQuantity, TrainRun,
+                                                         std::span<const Dual>, const Law<Dual>&,
+                                                         optim::Place);
+template Possible<std::array<Dual2, 3>> train_quantity_at(TrainQuantity, TrainRun,
+                                                          std::span<const Dual2>, const Law<Dual2>&,
+                                                          optim::Place);
+template Possible<std::array<Interval, 3>> train_quantity_at(TrainQuantity, TrainRun,
+                                                             std::span<const Interval>,
+                                                             const Law<Interval>&, optim::Place);
+
+std::unique_ptr<optim::Trace> train_trace(TrainQuantity which, TrainRun run,
+                                          std::span<const double> parts,
+                                          std::span<const Interval> enclosing, double factor,
+                                          Law<double> law, Law<Interval> enclosing_law) {
+  return std::make_unique<TrainTrace>(which, run, parts, enclosing, factor, std::move(law),
+                                      std::move(enclosing_law));
+}
 
 TrainCurve::TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> parts,
                        const UnitFactor& factor, const Binding& binding, optim::Shape shape)
@@ -191,7 +239,7 @@ std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design
 optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order) const {
   const auto formula = [which = which_, run = run_, place, order]<class T>(
                            std::span<const T> part, const Law<T>& law) -> Possible<T> {
-    const auto quantity = quantity_at(which, run, part, law, place);
+    const auto quantity = train_quantity_at(which, run, part, law, place);
     if (!quantity) return quantity.reason();
     const T scale = scale_of(which, part[2], law);
     return T((order == 0 ? scale : scale / number<T>(length_of(run))) * (*quantity)[order]);
@@ -207,9 +255,8 @@ std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
   auto law = member.possible_law();
   auto enclosing_law = member.possible_law<Interval>();
   if (!parts.possible || !law || !enclosing_law) return std::make_unique<NoTrace>(length_of(run_));
-  return std::make_unique<TrainTrace>(which_, run_, std::move(parts.plain),
-                                      std::move(parts.enclosing), factor_.as<double>(),
-                                      std::move(*law), std::move(*enclosing_law));
+  return train_trace(which_, run_, parts.plain, parts.enclosing, factor_.as<double>(),
+                     std::move(*law), std::move(*enclosing_law));
 }
 
 LawKernel swing_at_rest() {

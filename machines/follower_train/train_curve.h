@@ -49,6 +49,19 @@ inline constexpr std::size_t kTrainParts = 7;
 /// state, in degrees.
 enum class TrainRun { Rise, Turn };
 
+/// The quantity at a place and two derivatives by x, with the derivatives by what moves it where
+/// the place is tied to a joint. `parts` are kTrainParts.
+template <class T>
+Possible<std::array<T, 3>> train_quantity_at(TrainQuantity which, TrainRun run,
+                                             std::span<const T> parts, const Law<T>& law,
+                                             optim::Place place);
+
+/// The quantity over the run for one train, times `factor`.
+std::unique_ptr<optim::Trace> train_trace(TrainQuantity which, TrainRun run,
+                                          std::span<const double> parts,
+                                          std::span<const Interval> enclosing, double factor,
+                                          Law<double> law, Law<Interval> enclosing_law);
+
 /// A curve of the train.
 class TrainCurve final : public optim::Curve {
  public:
