@@ -207,7 +207,7 @@ optim::Response make_response(const Mechanism& mechanism, const ResponseName& na
   const Shape shape = shape_in(mechanism, response, used).best();
   if (response.curve) {
     auto curve = response.curve(used, shape);
-    if (name.window) curve = windowed(std::move(curve), *name.window, response, used);
+    if (name.window) curve = windowed(std::move(curve), *name.window, mechanism, response, used);
     return {name.name, name.unit, std::move(curve)};
   }
   return {name.name, name.unit, response.number(used, shape)};

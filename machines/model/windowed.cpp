@@ -2,8 +2,10 @@
 #include "machines/model/windowed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "kinematics/laws/side_by_side.h"
 #include "machines/model/cycle.h"
 #include "machines/model/law_binding.h"
 #include "numerics/text/names.h"
@@ -27,18 +29,67 @@ std::pair<double, double> window_at(const CycleWindow& window, const Cycle& cycl
   return {begin + (end - begin) * span->begin, begin + (end - begin) * span->end};
 }
 
+CamSegment cam_segment(const std::string& name, const Mechanism& shaft) {
+  const std::size_t dot = name.find('.');
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < shaft.cams.size(); ++i) {
+    if (shaft.cams[i].mechanism->moved_by != MovedBy::Program) continue;
+    if (dot != std::string::npos && name.substr(0, dot) == shaft.cams[i].name) {
+      return {i, name.substr(dot + 1)};
+    }
+    names.push_back(shaft.cams[i].name);
+  }
+  if (dot == std::string::npos) {
+    throw std::invalid_argument("on a shaft a segment has its cam's name and a dot before it: '" +
+                                (names.empty() ? "CAM" : names.front()) + "." + name + "'");
+  }
+  refuse_name("no cam with segments is called", name.substr(0, dot), names);
+}
+
+namespace {
+
+/// A parameter at a design.
+double parameter_at(std::size_t parameter, const Binding& binding, optim::Design x) {
+  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
+    if (binding.parameters[k] == parameter) return x[binding.variables[k]];
+  }
+  return binding.constants[parameter];
+}
+
+/// A window from one angle on, that angle within the turn.
+optim::Window within_turn(double from, double length, double turn) {
+  constexpr double kBeside = 1e-12;  // of a turn: rounding has left it there before the end
+  from -= turn * std::floor(from / turn + kBeside);
+  return {from, from + length};
+}
+
+}  // namespace
+
 std::shared_ptr<const optim::Curve> windowed(std::shared_ptr<const optim::Curve> curve,
-                                             const CycleWindow& window,
+                                             const CycleWindow& window, const Mechanism& mechanism,
                                              const MechanismResponse& response,
                                              const Binding& binding) {
   if (window.segment.empty()) {
     return std::make_shared<optim::WindowCurve>(std::move(curve),
                                                 optim::Window{window.from, window.to});
   }
+  if (mechanism.cams.empty() || response.cam) {
+    return std::make_shared<optim::WindowCurve>(
+        std::move(curve), [window, cycle = response.cycle, law = binding.law](optim::Design x) {
+          return window_at(window, *cycle, law->member_at(x));
+        });
+  }
+  constexpr double kTurn = 360;
+  const CamSegment named = cam_segment(window.segment, mechanism);
   return std::make_shared<optim::WindowCurve>(
-      std::move(curve), [window, cycle = response.cycle, law = binding.law](optim::Design x) {
-        return window_at(window, *cycle, law->member_at(x));
-      });
+      std::move(curve),
+      [named, phase = mechanism.cams[named.cam].phase, binding](optim::Design x) {
+        const Cycle turn{"deg", {{0, kTurn}}};
+        const Member cam = laws_side_by_side(binding.law->member_at(x)).at(named.cam);
+        const auto [from, to] = window_at({named.segment}, turn, cam);
+        return within_turn(from + parameter_at(phase, binding, x), to - from, kTurn);
+      },
+      kTurn);
 }
 
 }  // namespace camlaw::problems

@@ -7,23 +7,46 @@
 namespace camlaw::optim {
 namespace {
 
+/// A place of a window that counts on past the end of the turn, as the turn has it.
+Place in_turn(Place place, const std::optional<double>& turn) {
+  const bool beyond = turn && (place.angle > *turn || (place.angle == *turn && !place.from_left));
+  if (beyond) place.angle -= *turn;
+  return place;
+}
+
 class WindowTrace final : public Trace {
  public:
-  WindowTrace(std::unique_ptr<Trace> whole, Window window)
-      : whole_(std::move(whole)), breaks_(breaks_within(whole_->breaks(), window)) {}
+  WindowTrace(std::unique_ptr<Trace> whole, Window window, std::optional<double> turn)
+      : whole_(std::move(whole)), turn_(turn), breaks_(breaks_within(all_breaks(), window)) {}
 
   std::vector<double> breaks() const override { return breaks_; }
-  std::array<double, 3> at(Place place) const override { return whole_->at(place); }
+  std::array<double, 3> at(Place place) const override { return whole_->at(in_turn(place, turn_)); }
   std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
-    return whole_->even(from, to, count);
+    const double beyond = turns_before(from);
+    return whole_->even(from - beyond, to - beyond, count);
   }
   std::vector<double> values(std::span<const Place> places) const override {
-    return whole_->values(places);
+    std::vector<Place> own(places.begin(), places.end());
+    for (Place& place : own) place = in_turn(place, turn_);
+    return whole_->values(own);
   }
-  Bounds enclose(double from, double to) const override { return whole_->enclose(from, to); }
+  Bounds enclose(double from, double to) const override {
+    const double beyond = turns_before(from);
+    return whole_->enclose(from - beyond, to - beyond);
+  }
   std::string why_unbounded() const override { return whole_->why_unbounded(); }
 
  private:
+  /// What a stretch that begins there counts on from: the turn's end is a break.
+  double turns_before(double from) const { return turn_ && from >= *turn_ ? *turn_ : 0; }
+  /// Those of the whole, and of the next turn.
+  std::vector<double> all_breaks() const {
+    std::vector<double> all = whole_->breaks();
+    if (!turn_) return all;
+    const std::size_t own = all.size();
+    for (std::size_t i = 1; i < own; ++i) all.push_back(all[i] + *turn_);
+    return all;
+  }
   /// The window's ends and the breaks between them. An end that rounding has left beside a break is
   /// that break, so that nothing of the curve beyond it is seen.
   static std::vector<double> breaks_within(const std::vector<double>& all, const Window& window) {
@@ -43,10 +66,17 @@ class WindowTrace final : public Trace {
   }
 
   std::unique_ptr<Trace> whole_;
+  std::optional<double> turn_;
   std::vector<double> breaks_;
 };
 
 }  // namespace
+
+Function WindowCurve::at(Place place) const { return curve().at(in_turn(place, turn_)); }
+
+std::vector<double> WindowCurve::slope_gradient(Place place, Design x) const {
+  return curve().slope_gradient(in_turn(place, turn_), x);
+}
 
 Place WindowCurve::tied(Place place, Design x) const {
   if (is_fixed_) {
@@ -55,13 +85,15 @@ Place WindowCurve::tied(Place place, Design x) const {
     const double near = kBeside * std::max(std::abs(from), std::abs(to));
     if (std::abs(place.angle - from) <= near || std::abs(place.angle - to) <= near) return place;
   }
-  return curve().tied(place, x);
+  place.joint = curve().tied(in_turn(place, turn_), x).joint;
+  return place;
 }
 
 std::vector<Rest> WindowCurve::rests(double bound, Design x) const {
   const auto [from, to] = window_(x);
   std::vector<Rest> result;
   for (Rest rest : curve().rests(bound, x)) {
+    if (turn_ && (rest.angle < from || (rest.angle == from && rest.is_end))) rest.angle += *turn_;
     const double room = rest.is_end ? rest.angle - from : to - rest.angle;
     const bool within = rest.angle >= from && rest.angle <= to && room > 0;
     if (!within) continue;
@@ -72,7 +104,7 @@ std::vector<Rest> WindowCurve::rests(double bound, Design x) const {
 }
 
 std::unique_ptr<Trace> WindowCurve::trace(Design x) const {
-  return std::make_unique<WindowTrace>(curve().trace(x), window_(x));
+  return std::make_unique<WindowTrace>(curve().trace(x), window_(x), turn_);
 }
 
 }  // namespace camlaw::optim

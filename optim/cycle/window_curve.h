@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "optim/cycle/forwarding_curve.h"
@@ -19,10 +20,17 @@ class WindowCurve final : public ForwardingCurve {
       : ForwardingCurve(std::move(whole)),
         is_fixed_(true),
         window_([fixed](Design) { return fixed; }) {}
-  /// Of a window whose ends are breaks of the curve.
-  WindowCurve(std::shared_ptr<const Curve> whole, std::function<Window(Design)> moving)
-      : ForwardingCurve(std::move(whole)), is_fixed_(false), window_(std::move(moving)) {}
+  /// Of a window whose ends are breaks of the curve. With a `turn` it may reach past the end of
+  /// the turn, into the next one: angles count on there.
+  WindowCurve(std::shared_ptr<const Curve> whole, std::function<Window(Design)> moving,
+              std::optional<double> turn = {})
+      : ForwardingCurve(std::move(whole)),
+        is_fixed_(false),
+        window_(std::move(moving)),
+        turn_(turn) {}
 
+  Function at(Place place) const override;
+  std::vector<double> slope_gradient(Place place, Design x) const override;
   Place tied(Place place, Design x) const override;
   std::vector<Rest> rests(double bound, Design x) const override;
   std::unique_ptr<Trace> trace(Design x) const override;
@@ -30,6 +38,7 @@ class WindowCurve final : public ForwardingCurve {
  private:
   bool is_fixed_;
   std::function<Window(Design)> window_;
+  std::optional<double> turn_;
 };
 
 }  // namespace camlaw::optim

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "kinematics/laws/side_by_side.h"
 #include "machines/model/cycle.h"
+#include "machines/model/shaft.h"
 #include "machines/model/windowed.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
@@ -14,15 +16,36 @@
 namespace camlaw::problems {
 namespace {
 
+/// The segment of a cam that `over` names for a curve over its shaft's turn.
+CycleWindow read_over_on_shaft(const Entry& over, const ProblemStatement& problem,
+                               const MechanismResponse& response) {
+  const Mechanism& shaft = *problem.mechanism;
+  CycleWindow window{text_of(over)};
+  located(over, [&] {
+    const CamSegment named = cam_segment(window.segment, shaft);
+    for (const Member& law : problem.laws) {
+      window_at({named.segment}, Cycle{"deg", {{0, 360}}}, laws_side_by_side(law).at(named.cam));
+    }
+    const ShaftCam& cam = shaft.cams[named.cam];
+    if (response.uses.holds(cam.phase)) return;
+    throw std::invalid_argument(
+        fmt::format("{} has nothing of {}, whose segment moves as that cam does; write from and to",
+                    response.name, cam.name));
+  });
+  return window;
+}
+
 /// The segment that `over` names, which every law must have.
 CycleWindow read_over(const Entry& over, const ProblemStatement& problem,
                       const MechanismResponse& response) {
+  if (!problem.cams.empty() && !response.cam && runs_over_turn(response)) {
+    return read_over_on_shaft(over, problem, response);
+  }
   CycleWindow window{text_of(over)};
   const bool is_of_cam = response.cam && !problem.cams.empty();
   const Mechanism& mechanism =
       is_of_cam ? *problem.mechanism->cams[*response.cam].mechanism : *problem.mechanism;
-  const bool is_of_shaft = !problem.cams.empty() && !response.cam;
-  if (mechanism.moved_by != MovedBy::Program || is_of_shaft) {
+  if (mechanism.moved_by != MovedBy::Program || !response.cycle) {
     refuse(over, fmt::format("{} has no motion program, whose segments have names; write from and "
                              "to",
                              mechanism.name));

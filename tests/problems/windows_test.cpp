@@ -158,6 +158,126 @@ TEST_CASE("a curve over a turn that no motion makes has windows by places", "[wi
              Contains("geneva has no motion program") && Contains("write from and to"));
 }
 
+namespace {
+
+/// Two cams on a shaft, and a curve over its turn that holds a displacement of each.
+std::string on_shaft(const std::string& phase, const std::string& rest) {
+  const auto one = [](const std::string& name, const char* law, int rise,
+                      const std::string& constants) {
+    return fmt::format(
+        "[cams.{0}]\nmechanism = 'disc-cam-roller'\n[cams.{0}.constants]\n"
+        "base_radius = 60\nroller_radius = 8\nspring_rate = 4\nspring_preload = 80\n"
+        "{3}[[cams.{0}.program.segments]]\nname = 'rise'\nangle = {2}\nlaw = '{1}'\n"
+        "[[cams.{0}.program.segments]]\nname = 'high'\nangle = 40\n"
+        "[[cams.{0}.program.segments]]\nname = 'return'\nangle = 110\nlaw = '{1}'\n"
+        "[[cams.{0}.program.segments]]\nname = 'low'\n",
+        name, law, rise, constants);
+  };
+  return "[constants]\nspeed = 200\n" + one("a", "cycloidal", 90, "") +
+         one("b", "modified-sine", 70, phase) +
+         "[responses.lead]\nunit = 'mm'\nformula = 'a.displacement - 0.5 * b.displacement'\n" +
+         rest;
+}
+
+}  // namespace
+
+TEST_CASE("a segment of a cam is a window on the turn of its shaft, also across the turn's end",
+          "[windows][shaft]") {
+  for (const char* curve : {"lead", "shaft_torque"}) {
+    for (const double phase : {0.0, 77.0, -30.0, 250.0, 300.0, 330.0, -360.0}) {
+      const auto whole_and = [&](const std::string& window) {
+        const BoundProblem bound(read_problem(
+            on_shaft(fmt::format("phase = {}\n", phase),
+                     fmt::format("[cams.a.variables.mass]\nlower = 1\nupper = 9\nstart = 2\n"
+                                 "[objective]\nminimize = 'highest {}'\n{}",
+                                 curve, window)),
+            "f.toml"));
+        return bound.problem({}).objective().response.curve().trace(std::vector{2.0});
+      };
+      const auto all = whole_and("");
+      for (const auto& [segment, begin, length] :
+           {std::tuple("rise", 0.0, 70.0), std::tuple("high", 70.0, 40.0),
+            std::tuple("return", 110.0, 110.0), std::tuple("low", 220.0, 140.0)}) {
+        INFO(curve << " at " << phase << " over " << segment);
+        const auto trace = whole_and(fmt::format("over = 'b.{}'\n", segment));
+        const double from = std::fmod(phase + begin + 720, 360);
+        CHECK(trace->breaks().front() == Approx(from).margin(1e-9));
+        CHECK(trace->breaks().back() == Approx(from + length).margin(1e-9));
+        double highest = -1e300, lowest = 1e300;
+        for (int i = 0; i <= 20000; ++i) {
+          const double angle = std::fmod(from + length * i / 20000, 360);
+          const double value = all->at({angle, i == 20000 && angle > 0})[0];
+          highest = std::max(highest, value), lowest = std::min(lowest, value);
+        }
+        const double size = std::abs(highest) + std::abs(lowest);
+        CHECK(optim::extreme_of(*trace, optim::Part::Highest).value ==
+              Approx(highest).margin(1e-5 * size));
+        CHECK(optim::extreme_of(*trace, optim::Part::Lowest).value ==
+              Approx(lowest).margin(1e-5 * size));
+        const auto proved = optim::proved_highest(*trace, 1, std::max(size, 1.0));
+        CHECK(proved.proved);
+        CHECK(proved.peak.value >= highest - 1e-9 * size);
+      }
+    }
+  }
+}
+
+TEST_CASE("a limit over a cam's segment is that over its angles on the shaft",
+          "[windows][shaft][optimise]") {
+  const auto limit = [](const std::string& window) {
+    return "[[constraints]]\nresponse = 'lead'\n" + window + "lower = -8\n";
+  };
+  const std::string varies =
+      "[cams.a.variables.stroke]\nlower = 2\nupper = 60\nstart = 40\n"
+      "[objective]\nminimize = 'a.stroke'\n";
+  // b rises from 320 deg to 30 deg of the next turn.
+  const auto named = best(on_shaft("phase = 320\n", varies + limit("over = 'b.rise'\n")));
+  const auto by_hand =
+      best(on_shaft("phase = 320\n", varies + limit("from = 320\n") + limit("to = 30\n")));
+  CHECK(named.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(by_hand.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(named.found.x[0] == Approx(by_hand.found.x[0]).epsilon(1e-9));
+  CHECK(named.found.assessment.limits[0].name == "lead over b.rise");
+  // Its phase may vary: as late as the limit lets b rise, which is past the end of the turn.
+  const std::string late =
+      "[cams.b.variables.phase]\nlower = 200\nupper = 340\nstart = 300\n"
+      "[objective]\nmaximize = 'b.phase'\n[[constraints]]\nresponse = 'shaft_torque'\n"
+      "over = 'b.rise'\nupper = ";
+  const auto latest = best(on_shaft("", late + "4\n"));
+  CHECK(latest.found.assessment.verdict == optim::Verdict::Certified);
+  const double phase = latest.found.x[0];
+  INFO(phase);
+  CHECK(phase > 291);
+  const BoundProblem bound(read_problem(on_shaft("", late + "4\n"), "f.toml"));
+  const auto problem = bound.problem({});
+  const auto& curve = problem.constraints[0].response.curve();
+  for (double earlier = phase - 5; earlier < phase; earlier += 1) {
+    CHECK(optim::extreme_of(*curve.trace(std::vector{earlier}), optim::Part::Highest).value <
+          4 + 1e-6);
+  }
+  CHECK(optim::extreme_of(*curve.trace(std::vector{phase}), optim::Part::Highest).value ==
+        Approx(4).epsilon(1e-7));
+  CHECK(optim::check_derivatives(problem, std::vector{phase}).agrees);
+}
+
+TEST_CASE("a window over a segment on a shaft that cannot be is refused in words",
+          "[windows][shaft]") {
+  const auto refusal = [](const std::string& window, const char* response = "lead") {
+    return complaint([&] {
+      read_problem(on_shaft("", fmt::format("[responses.half]\nunit = 'mm'\nformula = '0.5 * "
+                                            "a.displacement'\n[[constraints]]\nresponse = '{}'\n"
+                                            "upper = 30\n{}\n",
+                                            response, window)),
+                   "f.toml");
+    });
+  };
+  CHECK_THAT(refusal("over = 'rise'"),
+             Contains("a segment has its cam's name and a dot before it") && Contains("'a.rise'"));
+  CHECK_THAT(refusal("over = 'c.rise'"), Contains("no cam with segments is called 'c'"));
+  CHECK_THAT(refusal("over = 'b.rize'"), Contains("no segment is called 'rize'"));
+  CHECK_THAT(refusal("over = 'b.rise'", "half"), Contains("half has nothing of b"));
+}
+
 TEST_CASE("windows that cannot be are refused in words", "[windows]") {
   const auto refusal = [](const std::string& window, const char* response = "peak pressure_angle") {
     return complaint([&] {
