@@ -112,6 +112,25 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
              Contains("dxf with --drawing"));
 }
 
+TEST_CASE("the keyway that the shipped cam is drawn with is the one that its wall is counted from",
+          "[export][shop]") {
+  const Folder folder;
+  const std::string file = testing::source("problems/cams/smallest_buildable.toml");
+  done({"export", file, "--drawing", "--keyway", "12 x 3.3 mm", "--out", folder / "cam.dxf"});
+  const auto key = entities(read_by_ezdxf(folder / "cam.dxf"), "LINE SHAFT");
+  REQUIRE(key.size() == 3);
+  const auto statement = problems::read_problem_file(file);
+  const auto parameter = statement.mechanism->parameter("bore_radius");
+  const double bore = statement.constants[parameter];
+  const double corner = std::hypot(key[1][0], key[1][1]);
+  CHECK(corner - bore == Approx(std::hypot(20 + 3.3, 6.0) - 20).margin(1e-4));
+  // Which the file states to the hundredth, rounded up.
+  const std::string stated = "keyway_depth = \"", text = read(file);
+  const double depth = std::stod(text.substr(text.find(stated) + stated.size()));
+  CHECK(depth >= corner - bore);
+  CHECK(depth < corner - bore + 0.01);
+}
+
 TEST_CASE("a keyway points to the zero mark, also where that is not on the y axis",
           "[export][shop]") {
   const Folder folder;

@@ -533,9 +533,9 @@ TEST_CASE("the smallest cam that can be built is held by its wall", "[buildable]
   const optim::Optimum found = optim::optimise(
       BoundProblem(read_problem_file(testing::source("problems/cams/smallest_buildable.toml")))
           .space());
-  // The base circle leaves a quarter of the bore's 20 mm, and the largest roller turns in the
-  // least.
-  const double l = 80, d = 95, prime = 25 + 20;
+  // The base circle leaves a quarter of the bore's 20 mm beyond the keyway, and the largest roller
+  // turns in the least.
+  const double l = 80, d = 95, prime = 25 + 4.07 + 20;
   const double psi = std::acos((l * l + d * d - prime * prime) / (2 * l * d)) + 22 * pi / 180;
   CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
   CHECK(found.found.assessment.objective.value ==
