@@ -183,6 +183,28 @@ TEST_CASE("the film of Dowson and Higginson has its dimensional form", "[contact
   CHECK(oil.film(load, 1 / radius, speed, modulus) == Approx(expected).epsilon(1e-12));
 }
 
+TEST_CASE("the greatest shear is that of a textbook's formula along the depth", "[contact]") {
+  // S. S. Rao, Engineering Optimization, problem 5.5: the shear stress over the greatest pressure
+  // between two cylinders, at the depth z = lambda b below the contact's middle.
+  const auto share = [](double lambda) {
+    const double root = std::sqrt(1 + lambda * lambda);
+    return -0.5 * (-1 / root + (2 - 1 / (root * root)) * root - 2 * lambda);
+  };
+  double deepest = 0;
+  for (double lambda = 0; lambda < 3; lambda += 1e-5) {
+    if (share(lambda) > share(deepest)) deepest = lambda;
+  }
+  CHECK(max_shear(1.0) == Approx(share(deepest)).epsilon(1e-9));
+  CHECK(shear_depth(1.0) == Approx(deepest).epsilon(1e-4));
+}
+
+TEST_CASE("the life of a printed example is that of the formula", "[cams]") {
+  // machinecalcs.com, bearing selection: C = 30 kN, P = 5 kN, of a roller bearing "392 million".
+  RollerDuty<double> roller;
+  roller.dynamic_rating = 30000;
+  CHECK(std::floor(roller.revolutions(5000) / 1e6) == 392);
+}
+
 TEST_CASE("a roller lives a million revolutions under its dynamic rating", "[cams]") {
   RollerDuty<double> roller;
   roller.dynamic_rating = 8000;
