@@ -236,7 +236,7 @@ double HighestKernel::settled(std::span<const double> u, const Point& p, double 
   Point corner;
   for (const Bounds& b : box_at(u)) corner.push_back(b.lower);
   const double other = std::abs(f_.value(design(u, corner)));
-  if (std::abs(value) <= kSteep * other) return value;
+  if (std::abs(value) <= kSteep * other || !f_.is_enclosed()) return value;
   return is_beside_pole(u, p) ? kNaN : value;
 }
 

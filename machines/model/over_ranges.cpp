@@ -5,6 +5,7 @@
 
 #include "machines/model/kept_parameters.h"
 #include "machines/model/range_curve.h"
+#include "optim/cycle/peak_function.h"
 
 namespace camlaw::problems {
 
@@ -22,6 +23,18 @@ Binding without_ranges(const Binding& binding, const std::vector<TakenRange>& ra
 }
 
 }  // namespace
+
+void make_plain_number(MechanismResponse& response) {
+  response.write = {};
+  response.turn = {};
+  response.inner = {};
+  response.shapes = {};
+  response.curve = {};
+  response.cycle = {};
+  response.along = {};
+  response.over_cases = {};
+  response.over_ranges = {};
+}
 
 bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>& ranges) {
   return std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
@@ -67,6 +80,25 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
     };
   }
   result->over_ranges = std::move(over);
+  return result;
+}
+
+std::shared_ptr<const MechanismResponse> number_over_ranges(
+    std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
+    std::vector<TakenRange> ranges, bool highest) {
+  if (!name.response->curve) return over_ranges(*name.response, std::move(ranges), highest);
+  auto result = std::make_shared<MechanismResponse>(*name.response);
+  make_plain_number(*result);
+  result->number = [mechanism = std::move(mechanism), name, ranges = std::move(ranges),
+                    of = std::make_shared<const MechanismResponse>(*name.response),
+                    sign = highest ? 1.0 : -1.0](const Binding& binding, optim::Shape) {
+    ResponseName own = name;
+    own.response = of.get();
+    const Widened wide = widened(without_ranges(binding, ranges), ranges);
+    const optim::Response curve = make_response(*mechanism, own, wide.binding);
+    return highest_of(optim::peak_function(curve, own.part, wide.first + ranges.size()), wide,
+                      sign);
+  };
   return result;
 }
 

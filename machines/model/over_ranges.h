@@ -22,6 +22,10 @@ struct OverRanges {
   std::function<std::vector<double>(const Binding&, optim::Design, const optim::Place*)> worst;
 };
 
+/// Takes from a response what only a formula or a curve of the mechanism has, for a number that is
+/// taken of many of its values.
+void make_plain_number(MechanismResponse& response);
+
 /// Whether any of the ranges matters to a response.
 bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>& ranges);
 
@@ -29,5 +33,12 @@ bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>
 /// lowest. Its name is that of the response.
 std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& response,
                                                      std::vector<TakenRange> ranges, bool highest);
+
+/// The same of a number, or of the named part of a curve over the whole cycle or its window, as a
+/// number: its place in the ranges is searched for among the parts' values, many times faster than
+/// at each angle, and nothing is proved of it. Of the largest size of a curve `highest` is true.
+std::shared_ptr<const MechanismResponse> number_over_ranges(
+    std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
+    std::vector<TakenRange> ranges, bool highest);
 
 }  // namespace camlaw::problems

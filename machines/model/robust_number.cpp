@@ -266,13 +266,7 @@ std::shared_ptr<const MechanismResponse> robust_number(std::shared_ptr<const Mec
                                                        const std::vector<VaryingParameter>& varying,
                                                        const Robust& robust) {
   auto result = std::make_shared<MechanismResponse>(*of.response);
-  result->write = {};
-  result->turn = {};
-  result->inner = {};
-  result->shapes = {};
-  result->curve = {};
-  result->cycle = {};
-  result->along = {};
+  make_plain_number(*result);
   result->meaning = robust.text() + " over the parts as manufactured: " + of.response->meaning;
   std::vector<TakenRange> ranges;
   for (const VaryingParameter& v : varying) ranges.push_back({{v.parameter, 0, 0}, true});

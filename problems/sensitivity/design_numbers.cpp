@@ -11,6 +11,7 @@
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/peak_function.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
 namespace {
@@ -33,6 +34,10 @@ ResponseName at_one_value(const ProblemStatement& design, const ResponseName& na
 
 void add_limit(const ProblemStatement& design, const ConstraintStatement& limit,
                std::vector<AskedNumber>& all) {
+  if (is_quantile(limit)) {
+    for (const ConstraintStatement& own : of_one_value(design, limit)) add_limit(design, own, all);
+    return;
+  }
   if (limit.of_law || limit.response.response == nullptr) return;
   const ResponseName name = limit.of_range ? at_one_value(design, limit.response) : limit.response;
   if (!name.response->curve) {

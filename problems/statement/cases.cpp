@@ -54,12 +54,22 @@ void spread_over_ranges(const ProblemStatement& problem, bool highest, bool is_m
   parts = std::move(spread);
 }
 
-/// "worst torque_rms".
-std::string over_name(OverCases over, const std::string& name) {
-  return (over == OverCases::Mean ? "mean " : "worst ") + name;
+/// The same as a part that is made has it, in numbers.
+void spread_each_part(const ProblemStatement& problem, bool highest,
+                      std::vector<ResponseName>& parts, Owned& owned) {
+  for (ResponseName& part : parts) {
+    auto over = of_part_over_ranges(problem, part, highest);
+    if (!over) continue;
+    part.response = over.get();
+    owned.push_back(std::move(over));
+  }
 }
 
 }  // namespace
+
+std::string over_name(OverCases over, const std::string& name) {
+  return (over == OverCases::Mean ? "mean " : "worst ") + name;
+}
 
 ResponseName in_case(const Mechanism& mechanism, const ResponseName& name, const LoadCase& load) {
   if (name.response == nullptr) return name;
@@ -83,6 +93,10 @@ std::vector<ConstraintStatement> in_cases(const ProblemStatement& problem,
     result.push_back(std::move(own));
   }
   if (result.empty()) result.push_back(limit);
+  if (limit.reliability && result.size() > 1) {
+    result = {limit};  // a part must hold it in all of them
+    result.front().in_cases = cases;
+  }
   return result;
 }
 
@@ -97,7 +111,11 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
   const std::string name = over_name(over, objective.response.name);
   const bool is_upper = objective.sense == optim::Sense::Minimize;
   Owned owned;
-  spread_over_ranges(problem, is_upper, over == OverCases::Mean, parts, owned);
+  if (objective.robust) {
+    spread_each_part(problem, is_upper, parts, owned);
+  } else {
+    spread_over_ranges(problem, is_upper, over == OverCases::Mean, parts, owned);
+  }
   WorstCase wanted = over == OverCases::Mean
                          ? mean_over_cases(problem.mechanism, std::move(parts), problem.cases, name)
                          : worst_case(problem.mechanism, std::move(parts), name, is_upper);
@@ -107,7 +125,7 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
   objective.one_case = objective.response;
   objective.over = over;
   objective.response = std::move(wanted.name);
-  return objective;
+  return objective.robust ? over_parts(problem, std::move(objective)) : objective;
 }
 
 const LoadCase* find_case(const ProblemStatement& problem, std::string_view name) {
@@ -125,6 +143,10 @@ void renew(ProblemStatement& problem) {
   for (ConstraintStatement& limit : problem.constraints) {
     const bool is_own = limit.of_law || limit.response.response == nullptr;
     if (is_own) continue;
+    if (is_quantile(limit)) {
+      limit = over_ranges(problem, as_stated(problem, limit)).front();
+      continue;
+    }
     limit.response.response = renewed(*problem.mechanism, limit.response);
     if (!limit.of_range) continue;
     limit = over_ranges(problem, limit).front();  // it has one side

@@ -13,7 +13,11 @@ namespace camlaw::problems {
 /// where it does not differ.
 ResponseName in_case(const Mechanism& mechanism, const ResponseName& name, const LoadCase& load);
 
-/// A limit in each of these cases; once where its response does not differ.
+/// "worst torque_rms".
+std::string over_name(OverCases over, const std::string& name);
+
+/// A limit in each of these cases; once where its response does not differ, and where it has a
+/// reliability: a part must hold it in all of them.
 std::vector<ConstraintStatement> in_cases(const ProblemStatement& problem,
                                           const ConstraintStatement& limit,
                                           const std::vector<std::string>& cases);

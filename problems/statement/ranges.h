@@ -24,15 +24,25 @@ bool is_quantile(const ConstraintStatement& limit);
 /// Throws std::invalid_argument for a problem with such a limit, where designs are not judged by
 /// parts of their own; `what` is made of them: "a front".
 void refuse_reliabilities(const ProblemStatement& problem, const std::string& what);
-/// Of such a limit the same on the response itself; another as it is.
-ConstraintStatement of_one_value(const ProblemStatement& problem, ConstraintStatement limit);
+/// Such a limit as it was before it became one on a quantile; another as it is.
+ConstraintStatement as_stated(const ProblemStatement& problem, ConstraintStatement limit);
+/// Of such a limit the same on the response itself, in each of its cases; another as it is.
+std::vector<ConstraintStatement> of_one_value(const ProblemStatement& problem,
+                                              const ConstraintStatement& limit);
+/// The same as every part must hold it, over the problem's ranges: there on numbers.
+std::vector<ConstraintStatement> of_each_part(const ProblemStatement& problem,
+                                              const ConstraintStatement& limit);
 /// Of such a limit the same on another quantile of its parts.
 ConstraintStatement searched_at(const ProblemStatement& problem, const ConstraintStatement& limit,
                                 double share);
 
 /// What is sought over all values of the ranges: the least highest value, the greatest lowest one;
-/// of the largest size of a curve the least of both.
+/// of the largest size of a curve the least of both. A robust one is over parts too; one over load
+/// cases is over ranges already.
 ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective);
+/// What is taken of the values that manufacture makes of a robust objective; as it is where they
+/// are all the same.
+ObjectiveStatement over_parts(const ProblemStatement& problem, ObjectiveStatement objective);
 
 /// Whether a response, or a parameter that is limited itself, changes over what is taken; and by
 /// what manufacture does to parameters of the machine.
@@ -41,6 +51,12 @@ bool changes_by_manufacture(const ProblemStatement& problem, const ResponseName&
 
 /// The highest, or lowest, value of a response over the ranges; none where they do not matter.
 std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
+                                                             const ResponseName& name,
+                                                             bool highest);
+
+/// What a part that is made has of a response over the problem's ranges, as a number, of a curve
+/// that of its named part; none where they do not matter.
+std::shared_ptr<const MechanismResponse> of_part_over_ranges(const ProblemStatement& problem,
                                                              const ResponseName& name,
                                                              bool highest);
 

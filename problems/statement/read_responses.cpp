@@ -177,11 +177,6 @@ std::optional<double> read_reliability(const Entry& table, const ProblemStatemen
   if (variations_of(problem).empty()) {
     refuse(*entry, "no variation is stated; give [variation.NAME]");
   }
-  if (!problem.ranges.empty()) {
-    refuse(*entry,
-           "a limit over ranges holds for every value of them; drop the ranges, or the "
-           "reliability");
-  }
   return share;
 }
 
@@ -192,9 +187,6 @@ std::shared_ptr<const Robust> read_robust(const Entry& table, const ProblemState
   const Robust robust = located(*entry, [&] { return parse_robust(text_of(*entry)); });
   if (variations_of(problem).empty()) {
     refuse(*entry, "no variation is stated; give [variation.NAME]");
-  }
-  if (!problem.ranges.empty() || !problem.cases.empty()) {
-    refuse(*entry, "a robust objective is of one machine; drop the ranges and the cases, or it");
   }
   return std::make_shared<const Robust>(robust);
 }

@@ -72,7 +72,8 @@ bool is_limited(const ProblemStatement& problem, std::string_view name, bool fro
                        if (limit.of_law || limit.of_check) return false;
                        if (!(from_above ? limit.upper : limit.lower)) return false;
                        const std::string& own = limit.response.name;
-                       return own == name || own.ends_with("." + std::string(name));
+                       return own == name || limit.one_value.name == name ||
+                              own.ends_with("." + std::string(name));
                      });
 }
 

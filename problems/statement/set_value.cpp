@@ -168,7 +168,7 @@ bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view n
 bool is_on(const ConstraintStatement& limit, std::string_view response) {
   if (limit.of_law || limit.of_check) return false;
   const std::string& name = limit.response.name;
-  if (name == response) return true;
+  if (name == response || limit.one_value.name == response) return true;
   const MechanismResponse* declared = limit.response.response;
   if (declared == nullptr || !declared->in_case) return false;
   const std::string prefix = declared->in_case->name + ".";

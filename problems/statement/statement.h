@@ -93,6 +93,10 @@ struct ConstraintStatement {
   bool is_size = false;  ///< of one over ranges: a side of a limit on the largest size of a curve
   /// The probability with which it must hold, whatever manufacture does; none: always.
   std::optional<double> reliability = {};
+  /// Of one with a reliability: the load cases in which a part must hold it at once; none where its
+  /// response is the same in all.
+  std::vector<std::string> in_cases = {};
+  ResponseName one_value = {};  ///< of a quantile over parts: what each part must hold
   /// The share that a search asks of its few parts in place of the reliability, so that enough of
   /// all parts hold it (tolerance/reliable_search.h).
   std::optional<double> searched_share = {};

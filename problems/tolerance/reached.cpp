@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "machines/model/robust_number.h"
@@ -56,41 +57,90 @@ IsReached reach_of(const optim::Bounds& between, double wanted) {
   return between.upper < wanted ? IsReached::No : IsReached::NotDecided;
 }
 
-void judge_limits(const ProblemStatement& design, const optim::Deadline& deadline,
-                  std::uint64_t seed, Reached& reached) {
-  const std::vector<std::size_t> numbers = with_a_reliability(design);
-  if (numbers.empty()) return;
-  ProblemStatement only = design;
-  only.objectives.clear();
-  only.constraints.clear();
-  for (const std::size_t i : numbers) {
-    const ConstraintStatement& limit = design.constraints[i];
-    only.constraints.push_back(limit);
-    // What is known until it is worked out.
-    reached.limits.push_back({i, limit.response.name, *limit.reliability, std::nan(""), {0, 1}});
+/// The share of parts that break a limit, and between which shares that lies.
+struct Failing {
+  double share;
+  optim::Bounds between;
+};
+
+ReachedShare reached_share(std::size_t limit, double wanted, const Failing& failing,
+                           const optim::Yield& yield) {
+  const double most = std::min(1.0, failing.between.upper + yield.unseen_at_most);
+  const optim::Bounds between{1 - most, 1 - failing.between.lower};
+  return {limit, {}, wanted, 1 - failing.share, between, reach_of(between, wanted)};
+}
+
+/// Limits that are judged by the same parts: those of one response each, by their numbers; or one
+/// that a part must hold in several cases at once.
+using JudgedTogether = std::vector<std::size_t>;
+
+std::vector<JudgedTogether> judged_together(const ProblemStatement& design) {
+  std::vector<JudgedTogether> all(1);
+  for (const std::size_t i : with_a_reliability(design)) {
+    if (design.constraints[i].in_cases.empty()) {
+      all.front().push_back(i);
+    } else {
+      all.push_back({i});
+    }
   }
-  const VariedDesign varied = varied_design(only, of_the_machine(design), deadline);
+  if (all.front().empty()) all.erase(all.begin());
+  return all;
+}
+
+optim::Yield yield_of_limits(const VariedDesign& varied, const std::vector<ReachedShare>& limits,
+                             std::uint64_t seed) {
   ToleranceOptions options;
   options.seed = seed;
   constexpr std::size_t kCheap = 100000;
   if (are_formulas(varied.design.constraints)) {
     options.samples = kCheap;
   } else {
-    options.least = least_parts(reached.limits);
+    options.least = least_parts(limits);
   }
   GridReport grid;
-  const optim::Yield yield = yield_of(varied, options, grid);
+  optim::Yield yield = yield_of(varied, options, grid);
   if (yield.stopped) throw optim::Interrupted();
-  reached.samples = yield.samples;
-  reached.limits.clear();
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const optim::Bounds failing = yield.by_limit_between[k];
-    const double wanted = *design.constraints[numbers[k]].reliability;
-    const double most = std::min(1.0, failing.upper + yield.unseen_at_most);
-    const optim::Bounds between{1 - most, 1 - failing.lower};
-    reached.limits.push_back({numbers[k], varied.problem.constraints[k].response.name, wanted,
-                              1 - yield.by_limit[k], between, reach_of(between, wanted)});
+  return yield;
+}
+
+void judge_limits(const ProblemStatement& design, const optim::Deadline& deadline,
+                  std::uint64_t seed, Reached& reached) {
+  std::map<std::string, int> seen;
+  for (const std::size_t i : with_a_reliability(design)) {
+    const ConstraintStatement& limit = design.constraints[i];
+    std::string name = limit.response.name;
+    const int number = ++seen[name];
+    if (number > 1) name += fmt::format(" ({})", number);
+    // What is known until it is worked out.
+    reached.limits.push_back({i, std::move(name), *limit.reliability, std::nan(""), {0, 1}});
   }
+  std::vector<ReachedShare> found;
+  std::size_t samples = 0;
+  for (const JudgedTogether& numbers : judged_together(design)) {
+    ProblemStatement only = design;
+    only.objectives.clear();
+    only.constraints.clear();
+    for (const std::size_t i : numbers) {
+      for (ConstraintStatement& own : of_each_part(design, design.constraints[i])) {
+        only.constraints.push_back(std::move(own));
+      }
+    }
+    const VariedDesign varied = varied_design(only, of_the_machine(design), deadline);
+    const optim::Yield yield = yield_of_limits(varied, reached.limits, seed);
+    samples = samples == 0 ? yield.samples : std::min(samples, yield.samples);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const ConstraintStatement& limit = design.constraints[numbers[k]];
+      const bool at_once = !limit.in_cases.empty();
+      const Failing failing = at_once ? Failing{yield.failing, yield.failing_between}
+                                      : Failing{yield.by_limit[k], yield.by_limit_between[k]};
+      found.push_back(reached_share(numbers[k], *limit.reliability, failing, yield));
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const ReachedShare& a, const ReachedShare& b) { return a.limit < b.limit; });
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].name = reached.limits[i].name;
+  reached.limits = std::move(found);
+  reached.samples = samples;
 }
 
 /// Repetitions of parts that are drawn, with the values of a response.
@@ -105,10 +155,9 @@ std::vector<std::vector<double>> values_of(const optim::Function& f, const Varie
     all.emplace_back();
     for (std::size_t k = 0; k < each; ++k) {
       points.next(shares);
-      std::vector<double> part = varied.meant, own;
+      std::vector<double> part = varied.meant;
       for (std::size_t i = 0; i < n; ++i) part[i] += varied.variations[i].at_share(shares[i]);
-      for (const std::size_t i : f.inputs()) own.push_back(part[i]);
-      all.back().push_back(f.value(own));
+      all.back().push_back(f.value(part));
     }
   }
   return all;

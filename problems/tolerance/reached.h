@@ -46,7 +46,7 @@ struct ReachedObjective {
 struct Reached {
   std::vector<ReachedShare> limits = {};
   std::optional<ReachedObjective> objective = {};
-  std::size_t samples = 0;     ///< of the limits
+  std::size_t samples = 0;     ///< of each limit, no fewer
   std::string cut_short = {};  ///< why nothing is known of the limits; empty: it is
 
   /// Whether all limits are reached; true where there are none.

@@ -50,12 +50,18 @@ Binding varied_binding(const ProblemStatement& design,
 ProblemStatement of_one_part(const ProblemStatement& problem) {
   ProblemStatement result = problem;
   result.variation = nullptr;
-  for (ConstraintStatement& limit : result.constraints) {
-    limit = of_one_value(result, std::move(limit));
-    if (limit.response.response == nullptr || !limit.response.response->over_ranges) continue;
-    limit.of_range = limit.response.response->over_ranges->of;
-    limit.response.response = limit.of_range.get();
-    limit = over_ranges(result, limit).front();  // it has one side
+  result.constraints.clear();
+  for (const ConstraintStatement& whole : problem.constraints) {
+    for (ConstraintStatement& limit : of_one_value(result, whole)) {
+      const MechanismResponse* response = limit.response.response;
+      if (response != nullptr && response->over_ranges) {
+        limit.of_range = response->over_ranges->of;
+        limit.response.response = limit.of_range.get();
+      }
+      const bool is_over = is_quantile(whole) || (response != nullptr && response->over_ranges);
+      if (is_over) limit = over_ranges(result, limit).front();  // it has one side
+      result.constraints.push_back(std::move(limit));
+    }
   }
   for (ObjectiveStatement& objective : result.objectives) {
     if (objective.over) {

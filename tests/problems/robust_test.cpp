@@ -113,21 +113,6 @@ TEST_CASE("What manufacture does not change has no reliability", "[variation]") 
              Contains("robust") && Contains("no variation"));
 }
 
-TEST_CASE("A reliability over ranges, and a robust objective of ranges or cases, are refused",
-          "[variation]") {
-  const std::string range = "[machine.parameters.d]\ndefault = 1\nlower = 0\nupper = 9\n";
-  std::string whole = machine("b + c + d",
-                              "[ranges.d]\nlower = 1\nupper = 2\n"
-                              "[objective]\nminimize = 'f'\nrobust = 'mean'\n");
-  whole.insert(whole.find("[responses.f]"), range);
-  CHECK_THAT(testing::complaint(whole), Contains("drop the ranges and the cases"));
-  whole = machine("b + c + d",
-                  "[ranges.d]\nlower = 1\nupper = 2\n[objective]\nminimize = 'f'\n"
-                  "[[constraints]]\nresponse = 'f'\nupper = 9\nreliability = 0.9\n");
-  whole.insert(whole.find("[responses.f]"), range);
-  CHECK_THAT(testing::complaint(whole), Contains("reliability") && Contains("drop the ranges"));
-}
-
 TEST_CASE("A limit on a parameter may have a reliability", "[variation]") {
   // b >= 1 for 90 % of all parts: b = 1 + 0.2 * 1.2816.
   const BoundProblem bound(
@@ -241,6 +226,17 @@ TEST_CASE("A robust objective is told over parts that the search did not have", 
   CHECK(found.objective->between.lower <= exact);
   CHECK(found.objective->between.upper >= exact);
   CHECK(found.objective->samples >= 2048);
+}
+
+TEST_CASE("A robust objective is told where the second variation alone changes it", "[variation]") {
+  const ProblemStatement design =
+      read(machine("c^2 + 0 * b",
+                   "[variation.c]\nstandard_deviation = 0.1\n"
+                   "[responses.g]\nformula = 'c'\n"
+                   "[objective]\nminimize = 'g'\nrobust = 'mean + sigma'\n"));
+  const Reached found = reached_by(design);
+  REQUIRE(found.objective);
+  CHECK(found.objective->value == Approx(2.1).margin(0.005));
 }
 
 TEST_CASE("A number over many parts ends at the deadline of whoever asks for it", "[variation]") {
