@@ -21,7 +21,8 @@ enum LossPart : std::size_t { Natural, LossDamping, Preload, SpringRise, AtCam, 
 
 constexpr double kTopTurns = 10;       // of the cam in a natural period
 constexpr double kMostPeriods = 2500;  // in a turn, of which each needs its samples
-constexpr double kSamples = 16;        // in a period
+constexpr double kLeastDamping = 0.002;
+constexpr double kSamples = 16;  // in a period
 constexpr int kMostSteps = 20000;
 constexpr double kBracket =
     1e-5;                         // of the speed: so close together the first crossing is bracketed
@@ -183,8 +184,8 @@ Possible<Crossing> crossing_of(const LossTrain& train) {
   if (!(train[Natural] > 0)) {
     return none("train_stiffness is not stated, a rigid follower has contact_loss_speed");
   }
-  if (!(train[LossDamping] > 0)) {
-    return none("train_damping must be above 0, else there is a resonance at every low speed");
+  if (!(train[LossDamping] >= kLeastDamping)) {
+    return none("train_damping must be at least 0.002, else there are too many sharp resonances");
   }
   const auto hold = train.hold();
   const optim::Extreme least = optim::extreme_of(*hold, optim::Part::Lowest);
