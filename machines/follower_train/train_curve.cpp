@@ -8,6 +8,7 @@
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "machines/follower_train/parts_at.h"
+#include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/law_looks.h"
 
@@ -226,6 +227,10 @@ optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
     if (std::abs(at - law->pieces()[i].end) <= kBeside) place.joint = static_cast<int>(i);
   }
   return place;
+}
+
+std::optional<optim::Function> TrainCurve::joint_angle(int joint) const {
+  return joint_angle_of(binding_.law, static_cast<std::size_t>(joint), {0, length_of(run_)});
 }
 
 std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design x) const {

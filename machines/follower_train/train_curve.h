@@ -75,6 +75,7 @@ class TrainCurve final : public optim::Curve {
   double memory() const override { return binding_.law->memory(); }
   /// Joints are those of the law's pieces, counted from 0.
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::optional<optim::Function> joint_angle(int joint) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
 

@@ -78,7 +78,7 @@ class LiftTrace final : public optim::Trace {
     if (!proved_) {
       const optim::ProvedExtreme found = optim::proved_extreme_of(*work_, optim::Part::Highest);
       const optim::Place place = found.peak.place;
-      const optim::Bounds here = work_->enclose(place.angle, place.angle);
+      const optim::Bounds here = optim::enclosed_at(*work_, place);
       const double room = found.proved ? found.slack : optim::kInfinity;
       proved_ = interval_of({here.lower, step_up(found.peak.value + room)});
     }
@@ -170,6 +170,9 @@ class LiftCurve final : public optim::Curve {
   bool breaks_move() const override { return work_->breaks_move(); }
   optim::Place tied(optim::Place place, optim::Design x) const override {
     return work_->tied(place, x);
+  }
+  std::optional<optim::Function> joint_angle(int joint) const override {
+    return work_->joint_angle(joint);
   }
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override {
     return std::make_unique<LiftTrace>(record_, problems::arguments_at(binding_.variables, x),

@@ -7,13 +7,20 @@
 #include "machines/model/affine_curve.h"
 #include "machines/model/arguments.h"
 #include "machines/model/curve_row.h"
+#include "machines/model/joint_angle.h"
 #include "machines/model/mechanism_trace.h"
 #include "machines/model/rests.h"
 
 namespace camlaw::problems {
 namespace {
 
-constexpr std::size_t kMostPieces = 1U << 16U;  // of a law
+/// A joint's number is that of its stretch times this, and that of the piece which ends there, or
+/// one of the two numbers for an end of the stretch, where no piece meets a next one.
+constexpr std::size_t kMostPieces = 1U << 16U;
+constexpr std::size_t kBeginOfStretch = kMostPieces - 2, kEndOfStretch = kMostPieces - 1;
+
+std::size_t stretch_of(int joint) { return static_cast<std::size_t>(joint) / kMostPieces; }
+std::size_t piece_of(int joint) { return static_cast<std::size_t>(joint) % kMostPieces; }
 
 }  // namespace
 
@@ -23,21 +30,39 @@ MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::
       law_(binding.law),
       shape_(shape) {}
 
-/// Joints are those inside the stretches, each of which runs the whole law: that of piece i in
-/// stretch k is k times the most pieces, and i.
+/// Joints of the law inside the stretches, each of which runs the whole law, and the stretches'
+/// ends: where some breaks move, one that stands must be known as such.
 optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
-  if (law_->is_linear()) return place;
+  if (!breaks_move()) return place;
   const auto law = law_->possible_law_at<double>(x);
   if (!law) return place;
   const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto index = static_cast<std::size_t>(&stretch - parts_->cycle.stretches.data());
   const double at = law_place(stretch, place).x;
   constexpr double kBeside = 1e-14;
+  const auto number = [&](std::size_t i) { return static_cast<int>(index * kMostPieces + i); };
+  if (at <= kBeside) place.joint = number(kBeginOfStretch);
+  if (at >= 1 - kBeside) place.joint = number(kEndOfStretch);
   for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
     if (std::abs(at - law->pieces()[i].end) > kBeside) continue;
-    place.joint = static_cast<int>(index * kMostPieces + i);
+    place.joint = number(i);
   }
   return place;
+}
+
+/// Ends of stretches stand, and so do the joints of a law that is linear in what varies.
+bool MechanismCurve::joint_moves(int joint) const {
+  return piece_of(joint) < kBeginOfStretch && !law_->is_linear();
+}
+
+std::optional<optim::Function> MechanismCurve::joint_angle(int joint) const {
+  const Stretch& stretch = parts_->cycle.stretches[stretch_of(joint)];
+  const std::size_t piece = piece_of(joint);
+  if (joint_moves(joint)) return joint_angle_of(law_, piece, stretch);
+  if (piece == kBeginOfStretch) return still_angle(stretch.begin);
+  if (piece == kEndOfStretch) return still_angle(stretch.end);
+  const double end = law_->member().law().pieces()[piece].end;
+  return still_angle(stretch.begin + stretch.length() * end);
 }
 
 const Jumps& MechanismCurve::jumps() const {
@@ -73,13 +98,12 @@ std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) co
 }
 
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
-  if (place.joint < 0) {
+  if (place.joint < 0 || !joint_moves(place.joint)) {
     const Stretch& stretch = parts_->cycle.stretch_at(place);
     return {law_, parts_->cycle, stretch, law_place(stretch, place, jumps().possible()),
             parts_->uses};
   }
-  const std::size_t joint = static_cast<std::size_t>(place.joint);
-  return {law_, parts_->cycle, joint / kMostPieces, joint % kMostPieces,
+  return {law_, parts_->cycle, stretch_of(place.joint), piece_of(place.joint),
           place.from_left ? Side::Left : Side::Right};
 }
 

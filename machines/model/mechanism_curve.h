@@ -42,6 +42,7 @@ class MechanismCurve final : public optim::Curve {
   bool breaks_move() const override;
   double memory() const override { return law_->memory(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::optional<optim::Function> joint_angle(int joint) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   std::optional<double> largest_change(const std::vector<double>& scales, int places,
@@ -51,6 +52,7 @@ class MechanismCurve final : public optim::Curve {
   optim::Shape shape() const override { return shape_; }
 
  private:
+  bool joint_moves(int joint) const;
   PlaceMotion motion_at(optim::Place place) const;
   const AffineCurve* affine() const;
   const Jumps& jumps() const;

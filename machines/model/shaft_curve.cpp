@@ -193,6 +193,21 @@ ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
   return held;
 }
 
+/// The number of a cam's break among those that its curve can tell of: 0 is the cycle's end, then
+/// come its breaks, where they are the same at every design, or else its joints.
+std::optional<int> own_joint(const ShaftParts::Held& held, optim::Place own,
+                             const std::vector<double>& breaks, optim::Design x) {
+  if (own.angle == 0 || own.angle == kTurnOfShaft) return 0;
+  if (held.curve->breaks_move()) {
+    const int joint = held.curve->tied(own, x).joint;
+    if (joint >= 0 && held.curve->joint_angle(joint)) return 1 + joint;
+    return {};
+  }
+  const auto found = std::find(breaks.begin(), breaks.end(), own.angle);
+  if (found == breaks.end()) return {};
+  return 1 + static_cast<int>(found - breaks.begin());
+}
+
 }  // namespace
 
 optim::Place cam_place(double angle, bool from_left, double phase, std::span<const double> breaks) {
@@ -250,25 +265,16 @@ bool ShaftCurve::breaks_move() const {
                      [](const ShaftParts::Held& h) { return h.curve->breaks_move(); });
 }
 
-/// Where a break moves on the cam itself nothing is known of how it moves on the shaft, but for the
-/// one cam that turns evenly with it.
 optim::Place ShaftCurve::tied(optim::Place place, optim::Design x) const {
-  const auto& held = parts_->held;
-  if (!parts_->phases_vary()) {
-    if (held.size() != 1 || !held[0].curve->breaks_move()) return place;
-    const auto traces = parts_->traces_at(x);
-    const optim::Place own =
-        cam_place(place.angle, place.from_left, held[0].phase, traces->breaks[0]);
-    place.joint = held[0].curve->tied(own, x).joint;
-    return place;
-  }
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    if (!held[k].phase_variable || held[k].curve->breaks_move()) continue;
-    const auto& breaks = held[k].breaks;
-    const double own = cam_place(place.angle, place.from_left, held[k].phase_at(x), breaks).angle;
-    const auto found = std::find(breaks.begin(), breaks.end(), own);
-    if (found == breaks.end()) continue;
-    place.joint = static_cast<int>(k) * kMostBreaks + static_cast<int>(found - breaks.begin());
+  if (!breaks_move()) return place;
+  const auto traces = parts_->traces_at(x);
+  for (std::size_t k = 0; k < parts_->held.size(); ++k) {
+    const ShaftParts::Held& held = parts_->held[k];
+    const std::vector<double>& breaks = traces->breaks[k];
+    const optim::Place own = cam_place(place.angle, place.from_left, held.phase_at(x), breaks);
+    const std::optional<int> joint = own_joint(held, own, breaks, x);
+    if (!joint) continue;
+    place.joint = parts_->joint_of(k, *joint);
     return place;
   }
   return place;

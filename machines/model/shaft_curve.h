@@ -58,12 +58,18 @@ struct ShaftParts {
   std::shared_ptr<Recent<Traces>> recent;
 
   bool phases_vary() const;
+  /// A cam's own joint as one of the shaft's, and back.
+  int joint_of(std::size_t cam, int own) const {
+    return own * static_cast<int>(held.size()) + static_cast<int>(cam);
+  }
+  std::size_t cam_of(int joint) const { return static_cast<std::size_t>(joint) % held.size(); }
+  int own_of(int joint) const { return joint / static_cast<int>(held.size()); }
   std::vector<double> arguments_at(optim::Design x) const;
   std::shared_ptr<const Traces> traces_at(optim::Design x) const;
 };
 
-/// Such a curve over the variables of a binding. A place may be tied to a break of a cam whose
-/// phase varies: there the shaft turns with that cam.
+/// Such a curve over the variables of a binding. A place may be tied to a break of a cam: there the
+/// shaft turns as that break does, with the cam's phase and with the cam's own joint.
 class ShaftCurve final : public optim::Curve {
  public:
   ShaftCurve(ShaftParts parts, optim::Shape shape);

@@ -31,7 +31,7 @@ ShaftRow::ShaftRow(std::shared_ptr<const ShaftParts> parts, optim::Place place, 
     : parts_(std::move(parts)),
       place_(place),
       by_angle_(by_angle),
-      moves_(by_angle || parts_->phases_vary()) {
+      moves_(by_angle || place.joint >= 0 || parts_->phases_vary()) {
   inputs_ = parts_->arguments;
   for (const ShaftParts::Held& held : parts_->held) {
     if (moves_) {
@@ -39,9 +39,8 @@ ShaftRow::ShaftRow(std::shared_ptr<const ShaftParts> parts, optim::Place place, 
       if (held.phase_variable) inputs_.push_back(*held.phase_variable);
       continue;
     }
-    optim::Place own = cam_place(place.angle, place.from_left, held.phase, held.breaks);
-    own.joint = place.joint;
-    still_.push_back(held.curve->at(own));
+    still_.push_back(
+        held.curve->at(cam_place(place.angle, place.from_left, held.phase, held.breaks)));
     const auto& its = still_.back().inputs();
     inputs_.insert(inputs_.end(), its.begin(), its.end());
   }
@@ -61,12 +60,57 @@ std::vector<double> ShaftRow::design_at(std::span<const double> u) const {
   return x;
 }
 
-/// With c the cam's curve, p its place and z the inputs, where p = p(z) is linear:
+/// The break of a cam that the place is tied to, turned by the cam's phase.
+ShaftRow::Turned ShaftRow::turned(optim::Design x, const ShaftParts::Traces& traces,
+                                  int order) const {
+  const std::size_t n = inputs_.size() + 1;
+  Turned result{place_.angle,
+                std::vector<double>(n),
+                std::vector<double>(order == 2 ? packed_size(n) : 0),
+                {}};
+  if (by_angle_) result.slope.back() = 1;
+  if (by_angle_ || place_.joint < 0) return result;
+  const std::size_t cam = parts_->cam_of(place_.joint);
+  const int joint = parts_->own_of(place_.joint);
+  const ShaftParts::Held& held = parts_->held[cam];
+  optim::Place own{0, place_.from_left, -1};
+  if (joint > 0 && !held.curve->breaks_move()) {
+    own.angle = held.breaks[static_cast<std::size_t>(joint) - 1];
+  } else if (joint > 0) {
+    own.joint = joint - 1;
+    const optim::Function f = *held.curve->joint_angle(own.joint);
+    std::vector<double> g(f.inputs().size());
+    std::vector<double> h(order == 2 ? packed_size(g.size()) : 0);
+    own.angle = order == 2 ? f.hessian(x, g, h) : f.gradient(x, g);
+    spread(f, g, h, result.slope, result.bend);
+  }
+  result.angle = own.angle + held.phase_at(x);
+  result.angle -= 360 * std::round((result.angle - place_.angle) / 360);
+  if (held.phase_variable) result.slope[input_of(*held.phase_variable)] += 1;
+  own.angle = cam_place(result.angle, place_.from_left, held.phase_at(x), traces.breaks[cam]).angle;
+  result.tied = {cam, own};
+  return result;
+}
+
+/// Derivatives by the inputs of f as those by the row's own.
+void ShaftRow::spread(const optim::Function& f, const std::vector<double>& g,
+                      const std::vector<double>& h, std::vector<double>& first,
+                      std::vector<double>& second) const {
+  std::vector<std::size_t> at;
+  for (const std::size_t variable : f.inputs()) at.push_back(input_of(variable));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    first[at[i]] += g[i];
+    for (std::size_t j = 0; j <= i && !second.empty(); ++j) {
+      second[packed(at[i], at[j])] += h[packed(i, j)];
+    }
+  }
+}
+
+/// With c the cam's curve, p its place and z the inputs:
 ///   dc/dz = c_z + c_p p_z,
-///   d2c/dz2 = c_zz + c_pz (x) p_z + p_z (x) c_pz + c_pp p_z (x) p_z.
-void ShaftRow::add_curve(std::size_t k, optim::Design x, optim::Place place,
-                         const std::vector<double>& moves, const ShaftParts::Traces* traces,
-                         int order, Point& point) const {
+///   d2c/dz2 = c_zz + c_pz (x) p_z + p_z (x) c_pz + c_pp p_z (x) p_z + c_p p_zz.
+void ShaftRow::add_curve(std::size_t k, optim::Design x, optim::Place place, const Moves& moves,
+                         const ShaftParts::Traces* traces, int order, Point& point) const {
   const optim::Curve& curve = *parts_->held[k].curve;
   const optim::Function own = moves_ ? curve.at(place) : still_[k];
   const std::size_t n = inputs_.size() + 1, m = own.inputs().size();
@@ -76,28 +120,25 @@ void ShaftRow::add_curve(std::size_t k, optim::Design x, optim::Place place,
   }
   std::vector<double> g(m), h(order == 2 ? packed_size(m) : 0);
   point.value.push_back(order == 2 ? own.hessian(x, g, h) : own.gradient(x, g));
-  std::vector<std::size_t> at;
-  for (const std::size_t variable : own.inputs()) at.push_back(input_of(variable));
   std::vector<double> first(n), second(order == 2 ? packed_size(n) : 0);
-  for (std::size_t i = 0; i < m; ++i) first[at[i]] += g[i];
-  for (std::size_t i = 0; i < m && order == 2; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) second[packed(at[i], at[j])] += h[packed(i, j)];
-  }
-  const bool is_moved = std::any_of(moves.begin(), moves.end(), [](double d) { return d != 0; });
+  spread(own, g, h, first, second);
+  const bool is_moved =
+      std::any_of(moves.slope.begin(), moves.slope.end(), [](double d) { return d != 0; });
   if (is_moved && traces != nullptr) {
     const auto along = [&] {
       const std::lock_guard lock(*traces->guard);
       return traces->of[k]->at(place);
     }();
-    for (std::size_t i = 0; i < n; ++i) first[i] += along[1] * moves[i];
+    for (std::size_t i = 0; i < n; ++i) first[i] += along[1] * moves.slope[i];
     if (order == 2) {
       std::vector<double> mixed(n);
       const std::vector<double> whole = curve.slope_gradient(place, x);
       for (std::size_t i = 0; i < inputs_.size() && !whole.empty(); ++i) {
         mixed[i] = whole[inputs_[i]];
       }
-      add_products(mixed, moves, 1, second);
-      add_products(moves, moves, along[2] / 2, second);
+      add_products(mixed, moves.slope, 1, second);
+      add_products(moves.slope, moves.slope, along[2] / 2, second);
+      for (std::size_t i = 0; i < second.size(); ++i) second[i] += along[1] * moves.bend[i];
     }
   }
   point.gradient.push_back(std::move(first));
@@ -107,48 +148,40 @@ void ShaftRow::add_curve(std::size_t k, optim::Design x, optim::Place place,
 ShaftRow::Point ShaftRow::point(std::span<const double> u, int order) const {
   const std::vector<double> x = design_at(u);
   const std::size_t n = inputs_.size() + 1;
-  const bool is_joint = moves_ && !by_angle_ && place_.joint >= 0;
   std::shared_ptr<const ShaftParts::Traces> traces;
   if (moves_) traces = parts_->traces_at(x);
   Point point;
-  std::vector<double> turned(n);  // the shaft's angle, by the inputs
-  double angle = place_.angle;
-  optim::Place joint = place_;
-  const auto tied_cam = static_cast<std::size_t>(is_joint ? place_.joint / kMostBreaks : 0);
-  if (is_joint) {
-    const ShaftParts::Held& held = parts_->held[tied_cam];
-    const auto& breaks = traces->breaks[tied_cam];
-    const auto index = static_cast<std::size_t>(place_.joint % kMostBreaks);
-    angle = breaks[std::min(index, breaks.size() - 1)] + held.phase_at(x);
-    angle -= 360 * std::round((angle - place_.angle) / 360);
-    joint = cam_place(angle, place_.from_left, held.phase_at(x), breaks);
-    if (held.phase_variable) turned[input_of(*held.phase_variable)] = 1;
-  } else if (by_angle_) {
-    turned.back() = 1;
-  }
-  const auto add_plain = [&](double value, std::vector<double> gradient) {
+  Turned shaft{place_.angle, std::vector<double>(n), {}, {}};
+  if (moves_) shaft = turned(x, *traces, order);
+  const auto add_plain = [&](double value, std::vector<double> gradient,
+                             std::vector<double> hessian) {
     point.value.push_back(value);
     point.gradient.push_back(std::move(gradient));
-    point.hessian.emplace_back(order == 2 ? packed_size(n) : 0);
+    hessian.resize(order == 2 ? packed_size(n) : 0);
+    point.hessian.push_back(std::move(hessian));
   };
   for (const std::size_t variable : parts_->arguments) {
     std::vector<double> gradient(n);
     gradient[input_of(variable)] = 1;
-    add_plain(x[variable], std::move(gradient));
+    add_plain(x[variable], std::move(gradient), {});
   }
-  std::vector<double> in_radians = turned;
-  for (double& d : in_radians) d *= kRadian;
-  add_plain(angle * kRadian, std::move(in_radians));
+  const auto in_radians = [](std::vector<double> degrees) {
+    for (double& d : degrees) d *= kRadian;
+    return degrees;
+  };
+  add_plain(shaft.angle * kRadian, in_radians(shaft.slope), in_radians(shaft.bend));
   for (std::size_t k = 0; k < parts_->held.size(); ++k) {
     const ShaftParts::Held& held = parts_->held[k];
-    const bool is_tied = is_joint && k == tied_cam;
-    std::vector<double> moves = is_tied ? std::vector<double>(n) : turned;
-    if (held.phase_variable && !is_tied) moves[input_of(*held.phase_variable)] -= 1;
+    if (shaft.tied && shaft.tied->first == k) {  // its curve knows how its break moves
+      const Moves none{std::vector<double>(n), {}};
+      add_curve(k, x, shaft.tied->second, none, traces.get(), order, point);
+      continue;
+    }
+    Moves moves{shaft.slope, shaft.bend};
+    if (held.phase_variable) moves.slope[input_of(*held.phase_variable)] -= 1;
     const auto& breaks = traces ? traces->breaks[k] : held.breaks;
-    optim::Place place =
-        is_tied ? joint : cam_place(angle, place_.from_left, held.phase_at(x), breaks);
-    place.joint = -1;
-    add_curve(k, x, place, moves, traces.get(), order, point);
+    add_curve(k, x, cam_place(shaft.angle, place_.from_left, held.phase_at(x), breaks), moves,
+              traces.get(), order, point);
   }
   return point;
 }

@@ -3,15 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "machines/model/shaft_curve.h"
 
 namespace camlaw::problems {
-
-/// Beyond the breaks of any cam: a joint of a shaft's curve is break i of cam k, k times this and
-/// i.
-inline constexpr int kMostBreaks = 1 << 16;
 
 /// A shaft's curve at one place, in the design variables inputs(). Derivatives follow by the chain
 /// rule (docs/theory.md, SH2): a cam whose phase grows falls behind, so its
@@ -38,10 +35,22 @@ class ShaftRow final : public optim::Kernel {
     std::vector<double> value;
     std::vector<std::vector<double>> gradient, hessian;
   };
+  /// How a place moves with the inputs.
+  struct Moves {
+    std::vector<double> slope, bend;
+  };
+  /// The shaft's angle, how it moves, and the place on the cam whose break it is tied to.
+  struct Turned {
+    double angle;
+    std::vector<double> slope, bend;
+    std::optional<std::pair<std::size_t, optim::Place>> tied;
+  };
+  Turned turned(optim::Design x, const ShaftParts::Traces& traces, int order) const;
+  void spread(const optim::Function& f, const std::vector<double>& g, const std::vector<double>& h,
+              std::vector<double>& first, std::vector<double>& second) const;
   Point point(std::span<const double> u, int order) const;
-  void add_curve(std::size_t k, optim::Design x, optim::Place place,
-                 const std::vector<double>& moves, const ShaftParts::Traces* traces, int order,
-                 Point& point) const;
+  void add_curve(std::size_t k, optim::Design x, optim::Place place, const Moves& moves,
+                 const ShaftParts::Traces* traces, int order, Point& point) const;
   double chained(const Point& point, std::span<double> g, std::span<double> h) const;
   std::vector<double> design_at(std::span<const double> u) const;
   std::size_t input_of(std::size_t variable) const;

@@ -116,6 +116,24 @@ class WorkAtPlace {
   optim::Place place_;
 };
 
+/// Where a joint of the turn stands, deg.
+class JointOfWork {
+ public:
+  JointOfWork(WorksBefore works, int joint)
+      : works_(std::move(works)), joint_(static_cast<std::size_t>(joint)) {}
+
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    const auto known = works_.at(u);
+    if (!known->turn || joint_ >= known->turn->joints().size()) return number<T>(kNaN);
+    return T(known->turn->joints()[joint_] * number<T>(kOfTurn));
+  }
+
+ private:
+  WorksBefore works_;
+  std::size_t joint_;
+};
+
 /// The work of one design, in plain numbers and, when it is first asked for, enclosed.
 class WorkOfDesign {
  public:
@@ -276,6 +294,10 @@ class WorkCurve final : public optim::Curve {
       place.joint = static_cast<int>(k);
     }
     return place;
+  }
+  std::optional<optim::Function> joint_angle(int joint) const override {
+    return function_of(record_->variables, detail::kernel_of(JointOfWork(works_, joint)),
+                       optim::Shape::General);
   }
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override {
     const std::vector<double> arguments = problems::arguments_at(record_->variables, x);

@@ -205,22 +205,34 @@ class TurnTrace final : public optim::Trace {
   mutable Made<Interval> enclosing_, domains_;
 };
 
-/// For each break the parameters that move it, where it matters.
-std::vector<ParameterSet> moving_breaks(const ShaftTurn& turn, std::size_t parameters) {
+struct MovedBreak {
+  bool matters;           ///< to the curve
+  ParameterSet moved_by;  ///< the parameters that move it, where it matters
+};
+
+std::vector<MovedBreak> moved_breaks(const ShaftTurn& turn, std::size_t parameters) {
   const Formula sided = whole_formula(turn.sided, parameters, 1 + turn.breaks.size());
-  std::vector<ParameterSet> moving;
+  std::vector<MovedBreak> moved;
   for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
     const bool matters = sided.depends_on(parameters + 1 + k);
-    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters, 0) : ParameterSet());
+    moved.push_back(
+        {matters, matters ? used_parameters(turn.breaks[k], parameters, 0) : ParameterSet()});
   }
-  return moving;
+  return moved;
 }
 
-/// `moving` is that of moving_breaks().
+/// `moved` is that of moved_breaks().
 TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossible& is_possible,
-                     const std::vector<ParameterSet>& moving, const Binding& binding) {
+                     const std::vector<MovedBreak>& moved, const Binding& binding) {
+  using Numbers = std::span<const Expression>;
   TurnParts parts;
   const std::size_t breaks = turn.breaks.size();
+  const auto moves = [&](std::size_t k) {
+    return std::any_of(binding.parameters.begin(), binding.parameters.end(),
+                       [&](std::size_t p) { return moved[k].moved_by.holds(p); });
+  };
+  bool some_move = false;
+  for (std::size_t k = 0; k < breaks; ++k) some_move = some_move || moves(k);
   for (std::size_t section = 0; section <= breaks; ++section) {
     const Write own = in_section(turn, section);
     parts.sections.push_back(recorded_for(binding, own, 1, is_possible));
@@ -231,15 +243,20 @@ TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossibl
   }
   for (std::size_t k = 0; k < breaks; ++k) {
     parts.breaks.push_back(recorded_for(binding, turn.breaks[k], 0, is_possible));
-    parts.joints.emplace_back();
-    const bool moves = std::any_of(binding.parameters.begin(), binding.parameters.end(),
-                                   [&](std::size_t p) { return moving[k].holds(p); });
-    if (!moves) continue;
-    const auto kernel_in = [&](std::size_t section) {
-      const Write own = in_section(turn, section, turn.breaks[k]);
-      return recorded_kernel(recorded_for(binding, own, 0, is_possible));
+    const auto kernel_at_break = [&](const Write& write) {
+      return recorded_kernel(recorded_for(binding, write, 0, is_possible));
     };
-    parts.joints.back() = {kernel_in(k), kernel_in(k + 1)};
+    const auto kernel_in = [&](std::size_t section) {
+      return kernel_at_break(in_section(turn, section, turn.breaks[k]));
+    };
+    TurnParts::Joint joint;
+    if (moves(k)) joint = {kernel_in(k), kernel_in(k + 1), {}};
+    if (some_move && moved[k].matters) {
+      joint.angle = kernel_at_break([meet = turn.breaks[k]](Numbers arguments, Numbers others) {
+        return meet(arguments, others) / number<Expression>(kDegree);
+      });
+    }
+    parts.joints.push_back(std::move(joint));
   }
   return parts;
 }
@@ -266,11 +283,11 @@ MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
     return turn.sided(all, place);
   };
   response.uses = used_parameters(response.write, parameters.size(), 1);
-  const Lazy<std::vector<ParameterSet>> moving(
-      [turn, n = parameters.size()] { return moving_breaks(turn, n); });
+  const Lazy<std::vector<MovedBreak>> moved(
+      [turn, n = parameters.size()] { return moved_breaks(turn, n); });
   response.curve = [=, domain = response.domain, is_possible = response.is_possible](
                        const Binding& binding, optim::Shape shape) {
-    TurnParts parts = turn_parts(turn, domain, is_possible, *moving, binding);
+    TurnParts parts = turn_parts(turn, domain, is_possible, *moved, binding);
     parts.has_ranges = has_ranges;
     return std::make_shared<TurnCurve>(std::move(parts), binding, shape);
   };
@@ -310,14 +327,20 @@ optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
   if (!breaks_move()) return place;
   const std::vector<double> breaks = parts_->breaks_at(arguments_at(variables_, x));
   for (std::size_t k = 0; k < breaks.size(); ++k) {
-    const bool stands = parts_->joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
+    const bool stands = parts_->joints[k].angle && stands_at(place.angle * kDegree, breaks[k]);
     if (stands) place.joint = static_cast<int>(k);
   }
   return place;
 }
 
+std::optional<optim::Function> TurnCurve::joint_angle(int joint) const {
+  const auto& angle = parts_->joints[static_cast<std::size_t>(joint)].angle;
+  return function_of(variables_, angle, optim::Shape::General);
+}
+
 optim::Function TurnCurve::at(optim::Place place) const {
-  if (place.joint >= 0) {
+  const bool is_joint = place.joint >= 0;
+  if (is_joint && parts_->joints[static_cast<std::size_t>(place.joint)].left) {
     const auto& joint = parts_->joints[static_cast<std::size_t>(place.joint)];
     return function_of(variables_, place.from_left ? joint.left : joint.right, shape_);
   }

@@ -30,10 +30,11 @@ struct TurnParts {
   std::vector<std::shared_ptr<const optim::Kernel>> kernels;  ///< of the sections
   /// Where a section has a value, if that is known.
   std::vector<Recorded> domains;
-  /// Of the machine's arguments: the kernels of the two sections at each of their breaks, wherever
-  /// it moves; empty where that does not matter.
+  /// Of the machine's arguments: the kernels of the two sections at each of their breaks that
+  /// moves, wherever it is, and where some break moves, the angle of each, deg. Empty where a break
+  /// does not matter.
   struct Joint {
-    std::shared_ptr<const optim::Kernel> left, right;
+    std::shared_ptr<const optim::Kernel> left, right, angle;
   };
   std::vector<Joint> joints;
   /// Of the machine's arguments: where sections meet, rad.
@@ -56,6 +57,7 @@ class TurnCurve final : public optim::Curve {
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override;
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::optional<optim::Function> joint_angle(int joint) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
 

@@ -58,8 +58,8 @@ double parameter_at(std::size_t parameter, const Binding& binding, optim::Design
 
 /// A window from one angle on, that angle within the turn.
 optim::Window within_turn(double from, double length, double turn) {
-  constexpr double kBeside = 1e-12;  // of a turn: rounding has left it there before the end
-  from -= turn * std::floor(from / turn + kBeside);
+  constexpr double kRounded = 1e-12;  // of a turn: rounding has left it there before the end
+  from -= turn * std::floor(from / turn + kRounded);
   return {from, from + length};
 }
 

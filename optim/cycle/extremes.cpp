@@ -275,6 +275,21 @@ ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
   return result;
 }
 
+Bounds enclosed_at(const Trace& trace, Place place) {
+  constexpr double kBeside = 1e-12;  // of the cycle: the bounds are as good as those of the value
+  const std::vector<double> breaks = trace.breaks();
+  const auto at = std::lower_bound(breaks.begin(), breaks.end(), place.angle);
+  const double step = kBeside * (breaks.back() - breaks.front());
+  if (at == breaks.end() || *at != place.angle) return trace.enclose(place.angle, place.angle);
+  if (place.from_left && at != breaks.begin()) {
+    return trace.enclose(std::max(*(at - 1), place.angle - step), place.angle);
+  }
+  if (!place.from_left && at + 1 != breaks.end()) {
+    return trace.enclose(place.angle, std::min(*(at + 1), place.angle + step));
+  }
+  return trace.enclose(place.angle, place.angle);
+}
+
 ProvedExtreme proved_extreme_of(const Trace& trace, Part part) {
   if (part == Part::Lowest) return proved_highest(trace, -1);
   const ProvedExtreme high = proved_highest(trace, 1);

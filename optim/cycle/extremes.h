@@ -72,4 +72,8 @@ struct CycleProof {
 /// found, or `most_boxes` stretches were looked at.
 CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes = 200000);
 
+/// Numbers that the value at a place is proved to lie between; at a break that from its side, which
+/// Trace::enclose of the break alone may not be.
+Bounds enclosed_at(const Trace& trace, Place place);
+
 }  // namespace camlaw::optim

@@ -74,7 +74,7 @@ class PeakKernel final : public Kernel {
     const auto trace = response_.curve().trace(u);
     const ProvedExtreme found = proved_extreme_of(*trace, part_);
     const Place place = found.peak.place;
-    const Bounds here = trace->enclose(place.angle, place.angle);
+    const Bounds here = enclosed_at(*trace, place);
     const double value = found.peak.value, room = found.proved ? found.slack : kInfinity;
     if (part_ == Part::Lowest) return {value - room, here.upper};
     if (part_ == Part::Highest) return {here.lower, value + room};

@@ -106,6 +106,9 @@ class Curve {
   /// A place of trace(x), tied to the joint that it stands at; the place itself where there is
   /// none, or the curve cannot tell how it moves.
   virtual Place tied(Place place, Design) const { return place; }
+  /// The angle at which a joint that tied() gave stands, as a function of the design; none where
+  /// the curve cannot tell.
+  virtual std::optional<Function> joint_angle(int /*joint*/) const { return {}; }
   /// Where the curve stands at a bound whatever the design. Ends of which nothing is known are left
   /// out.
   virtual std::vector<Rest> rests(double /*bound*/, Design) const { return {}; }

@@ -26,12 +26,16 @@ void check_joint(const optim::Curve& curve, std::size_t k, const std::vector<dou
     const optim::Place place = curve.tied({angle, from_left}, x);
     REQUIRE(place.joint >= 0);
     const optim::Function row = curve.at(place);
+    const auto joint = curve.joint_angle(place.joint);
+    REQUIRE(joint);
     for (const double factor : {1.0, 1.001, 0.98}) {
       std::vector<double> moved = x;
       for (double& value : moved) value *= factor;
       CHECK(row.value(moved) == Approx(at_break(curve, k, from_left, moved)).epsilon(1e-11));
+      CHECK(joint->value(moved) == Approx(curve.trace(moved)->breaks()[k]).epsilon(1e-13));
     }
     check_derivatives(row, x);
+    check_derivatives(*joint, x);
   }
 }
 
@@ -65,8 +69,13 @@ TEST_CASE("places at a law's joints move with the law", "[joints]") {
   for (const std::size_t k : {std::size_t{1}, std::size_t{2}, pieces + 1, pieces + 2}) {
     check_joint(curve, k, design.x);
   }
-  // Where the stretches meet nothing moves, nor within a piece.
-  CHECK(curve.tied({180}, design.x).joint < 0);
+  // Where the stretches meet nothing moves, and that is known; within a piece there is no joint.
+  const optim::Place meeting = curve.tied({180}, design.x);
+  REQUIRE(meeting.joint >= 0);
+  const auto angle = curve.joint_angle(meeting.joint);
+  REQUIRE(angle);
+  CHECK(angle->inputs().empty());
+  CHECK(angle->value(design.x) == 180);
   CHECK(curve.tied({1.234}, design.x).joint < 0);
 }
 

@@ -234,6 +234,59 @@ TEST_CASE("a place that is tied to a cam's break turns with the cam's phase", "[
   }
 }
 
+TEST_CASE("a place that is tied to a cam's joint goes with the joint and with the phase",
+          "[shaft]") {
+  std::string text = two_cams(
+      "[cams.bar.variables.phase]\nlower = 60\nupper = 300\nstart = 141.7\n"
+      "[cams.bar.variables.rise_angle]\nlower = 60\nupper = 100\nstart = 81\n"
+      "[cams.slide.variables.rise_angle]\nlower = 60\nupper = 120\nstart = 97\n"
+      "[cams.slide.variables.load]\nlower = 0\nupper = 90\nstart = 40\n",
+      "[responses.turned]\nunit = 'mm'\n"
+      "formula = 'slide.displacement * cos(angle) + 2 * bar.displacement'\n");
+  text.erase(text.find("phase = 140\n"), std::string("phase = 140\n").size());
+  const BoundProblem bound(read(text));
+  std::vector<double> x;
+  for (const VariableStatement& v : bound.statement().variables) x.push_back(v.start);
+  const auto of = [&](const std::string& name, const std::vector<double>& at) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (bound.statement().variables[i].name == name) return at[i];
+    }
+    throw std::out_of_range(name);
+  };
+  // Each break of each cam, in its own turn, and where it is on the shaft.
+  struct Break {
+    std::string cam;
+    double behind_rise;
+    bool is_zero = false;
+  };
+  const auto angle_of = [&](const Break& b, const std::vector<double>& at) {
+    const double own = b.is_zero ? 0 : of(b.cam + ".rise_angle", at) + b.behind_rise;
+    return in_turn(own + (b.cam == "bar" ? of("bar.phase", at) : 0));
+  };
+  for (const std::string name : {"turned", "gap"}) {
+    const optim::Response response = response_of(
+        bound.statement(), find_response(*bound.statement().mechanism, name), bound.binding({}));
+    const optim::Curve& curve = response.curve();
+    for (const Break& b :
+         {Break{"bar", 0, true}, Break{"bar", 0}, Break{"bar", 40}, Break{"bar", 150},
+          Break{"slide", 0}, Break{"slide", 40}, Break{"slide", 150}}) {
+      for (const bool from_left : {true, false}) {
+        INFO(name << ", " << b.cam << " " << b.behind_rise << " " << from_left);
+        const optim::Place place = curve.tied({angle_of(b, x), from_left}, x);
+        REQUIRE(place.joint >= 0);
+        const optim::Function row = curve.at(place);
+        for (const double factor : {1.0, 1.001, 0.99}) {
+          std::vector<double> moved = x;
+          for (double& value : moved) value *= factor;
+          const double there = curve.trace(moved)->at({angle_of(b, moved), from_left})[0];
+          CHECK(row.value(moved) == Approx(there).epsilon(1e-9).margin(1e-12));
+        }
+        testing::check_derivatives(row, x, 1e-5, 1e-5);
+      }
+    }
+  }
+}
+
 TEST_CASE("enclosures of a shaft's curves hold what the curves are", "[shaft]") {
   const ProblemStatement shaft = read(two_cams("", ""));
   for (const std::string name : {"shaft_torque", "gap"}) {
