@@ -137,7 +137,7 @@ class PeakSearch {
     if (left == 0) return open;
     const TaylorModel<T>& model = models_.quantity(static_cast<Quantity>(q));
     bernstein_ = model.c;
-    to_bernstein(bernstein_);
+    rounding_ = to_bernstein(bernstein_);
     for (unsigned side = 0; side < 2; ++side) {
       if ((left >> side & 1u) != 0 && answer_by_course(2 * q + side, model, box)) {
         left &= ~(1u << side);
@@ -168,9 +168,11 @@ class PeakSearch {
       bound = std::max(bound, upper(value));
       noise = std::max(noise, upper(value) - lower(value));
     }
+    bound += rounding_;
+    noise += 2 * rounding_;
     if (close(i, upper(T(bound) + T(model.remainder)))) return true;
     const double tolerance = tolerance_ * scale(i);
-    if (model.remainder <= 0.25 * tolerance) {
+    if (model.remainder <= 0.25 * tolerance && rounding_ <= tolerance) {
       const Course found = course(bernstein_, question.sign);
       if (found == Course::PeakAtEnd) {
         const double ends = std::max(upper(T(question.sign) * bernstein_.front()),
@@ -202,7 +204,7 @@ class PeakSearch {
     Question& question = questions_[i];
     const double ends = std::max(lower(T(question.sign) * bernstein_.front()),
                                  lower(T(question.sign) * bernstein_.back()));
-    if (ends <= question.known) return;
+    if (ends + rounding_ <= question.known) return;
     for (const double x : {box.low, box.high}) {
       if (!is_inside(x)) continue;  // the piece's own ends were looked at
       const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
@@ -259,6 +261,7 @@ class PeakSearch {
   std::size_t boxes_ = 0;
   BoxModels<T> models_;
   std::vector<T> bernstein_;
+  double rounding_ = 0;  ///< of bernstein_
   std::vector<double> plain_coefficients_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <numeric>
+#include <type_traits>
 
 #include "numerics/polynomial/polynomial.h"
 
@@ -21,10 +22,9 @@ std::vector<T> bernstein_weights(std::size_t n) {
   return result;
 }
 
-}  // namespace
-
+/// (P3): quick, but it takes sums about the left end that cancel, by as much as 3^n.
 template <class T>
-void to_bernstein(std::vector<T>& c) {
+void by_left_end(std::vector<T>& c) {
   constexpr std::size_t kCached = 41;
   static const auto cache = [] {
     std::array<std::vector<T>, kCached> weights;
@@ -41,8 +41,45 @@ void to_bernstein(std::vector<T>& c) {
   }
 }
 
-template void to_bernstein(std::vector<double>&);
-template void to_bernstein(std::vector<Interval>&);
+/// Horner's scheme on Bernstein coefficients (P3a): no sum on the way is larger than that of |c|.
+template <class T>
+void by_horner(std::vector<T>& c) {
+  std::vector<T> b{c.back()};
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    const auto degree = static_cast<double>(b.size());
+    b.push_back(T(0.0));
+    for (std::size_t i = b.size(); i-- > 0;) {
+      const auto place = static_cast<double>(i);
+      const T risen = i > 0 ? T(place) * b[i - 1] : T(0.0);
+      b[i] = (risen - T(degree - place) * b[i]) / T(degree) + c[k];
+    }
+  }
+  c = std::move(b);
+}
+
+}  // namespace
+
+template <class T>
+double to_bernstein(std::vector<T>& c) {
+  constexpr double kMuch = 100, kRounding = 0x1p-53;
+  double sum = 0, amplified = 0, power = 1;
+  for (const T& each : c) {
+    sum += size(each);
+    amplified += power * size(each);
+    power *= 3;
+  }
+  const bool cancels = !(amplified <= kMuch * sum);
+  const double terms = 4 + static_cast<double>(c.size()) / 2;
+  cancels ? by_horner(c) : by_left_end(c);
+  if constexpr (std::is_same_v<T, double>) {
+    return kRounding * (cancels ? terms * sum : amplified);
+  } else {
+    return 0;
+  }
+}
+
+template double to_bernstein(std::vector<double>&);
+template double to_bernstein(std::vector<Interval>&);
 
 template <class T>
 Course course(const std::vector<T>& bernstein, double sign) {

@@ -11,9 +11,10 @@
 namespace camlaw::detail {
 
 /// Bernstein coefficients on [-1, 1] of sum c[k] u^k: they bound the polynomial, the outer two are
-/// its end values, and their differences have the signs of its slope.
+/// its end values, and their differences have the signs of its slope. Returns how far rounding has
+/// moved them, at most: in intervals nothing, for those contain the coefficients.
 template <class T>
-void to_bernstein(std::vector<T>& c);
+double to_bernstein(std::vector<T>& c);
 
 /// The course of a polynomial as its Bernstein coefficients tell it; PeakInside: a single one.
 enum class Course { PeakAtEnd, PeakInside, Unknown };

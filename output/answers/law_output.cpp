@@ -128,16 +128,17 @@ std::string set_parameters(const Member& member) {
   return text;
 }
 
-/// The peaks, where they are, and how wide the intervals are that enclose them.
+/// The peaks, where they are, and how far from the value printed the true one may be.
 Table peaks_table(const Peaks<double>& all, const Peaks<Interval>& proof) {
   Table table{.columns = {words("peak"), numbers("value"), words("at x"), words("proved to")},
               .caption = "\n"};
   for (const LawPeak& asked : kLawPeaks) {
     const auto& [value, position] = peak_of(all, asked);
     const Interval enclosure = peak_of(proof, asked).value;
-    table.add(
-        {asked.title, in_digits(value, 13), in_digits(position, 13),
-         std::isfinite(value) ? fmt::format("{:.0e}", enclosure.upper() - enclosure.lower()) : ""});
+    table.add({asked.title, in_digits(value, 13), in_digits(position, 13),
+               std::isfinite(value) ? fmt::format("{:.0e}", std::max(enclosure.upper() - value,
+                                                                     value - enclosure.lower()))
+                                    : ""});
   }
   return table;
 }
