@@ -116,8 +116,20 @@ std::vector<OutputFile> sweep_files(const SweepAnswer& answer, const Document& d
           {out / "sweep.csv", csv_of(combinations_table(answer))}};
 }
 
+/// Refuses a name for Parquet, which the program does not write.
+void check_no_parquet(const char* option, const std::optional<std::string>& path) {
+  if (!path || fs::path(*path).extension() != ".parquet") return;
+  throw std::invalid_argument(fmt::format(
+      "{}: '{}': this program writes a sweep as CSV, JSON and a study; for Parquet write it with "
+      "--db sweep.db and convert that in Python: "
+      "camlaw.Sweep.load(\"sweep.db\").parquet(\"sweep.parquet\")",
+      option, *path));
+}
+
 int run_sweep(const SweepCommand& options) {
   const auto began = std::chrono::steady_clock::now();
+  check_no_parquet("--out", options.out);
+  check_no_parquet("--db", options.db);
   const auto ranks = ranks_of(options.executor, options.workers);
   if (has_served(ranks.get())) return kDone;
   const auto limit = time_limit_of(options.limits);

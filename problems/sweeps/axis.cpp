@@ -103,6 +103,24 @@ SweepAxis stepped(const std::string& name, const std::string& text) {
   return axis;
 }
 
+/// "100-300 rpm", "100..300": two numbers as people write a range, which is no value.
+bool looks_like_range(std::string_view text) {
+  const auto are_numbers = [](std::string_view first, std::string_view second) {
+    const auto to = quantity(trimmed(second, " ."));
+    return quantity(first) && to && to->unit.find_first_of("-.:") == std::string::npos;
+  };
+  if (const std::size_t dots = text.find(".."); dots != std::string_view::npos) {
+    return are_numbers(text.substr(0, dots), text.substr(dots));
+  }
+  const auto first = quantity(text);
+  if (!first) return false;
+  for (const std::string_view mark : {"-", "–", "to "}) {
+    if (!first->unit.starts_with(mark)) continue;
+    return are_numbers(text, std::string_view(first->unit).substr(mark.size()));
+  }
+  return false;
+}
+
 /// The laws of a list of names, classes among them.
 SweepAxis laws_of(const std::string& name, const std::string& text) {
   SweepAxis axis{.name = name, .values = {}};
@@ -199,6 +217,12 @@ std::optional<SweepAxis> parse_axis(const std::string& assignment) {
   const std::string name(written_name), text(written_text);
   if (text.empty()) throw std::invalid_argument(fmt::format("{}: give a value", name));
   const bool is_law = is_law_setting(name);
+  if (!is_law && looks_like_range(text)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: '{}' is not a value; write a range as from:step:to, such as {}=60:15:120, or list the "
+        "values, {}=60,90,120",
+        name, text, name, name));
+  }
   SweepAxis axis = is_law                                ? laws_of(name, text)
                    : text.find(':') != std::string::npos ? stepped(name, text)
                                                          : listed(name, text);

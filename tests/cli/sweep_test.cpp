@@ -102,6 +102,10 @@ TEST_CASE("what a sweep cannot run through is refused in a line", "[program][swe
              Contains("--db"));
   CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:7:40 mm"}, 2),
              Contains("steps of 7 from 20 end at 34"));
+  for (const char* option : {"--out", "--db"}) {
+    CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:2:40 mm", option, "x.parquet"}, 2),
+               Contains(option) && Contains("camlaw.Sweep.load"));
+  }
 }
 
 TEST_CASE("a sweep does not begin a study that it is to go on with", "[program][sweep]") {

@@ -104,6 +104,15 @@ TEST_CASE("what is swept reads as people write it", "[sweep]") {
              !Contains("nothing is swept") && Contains("nosuch"));
   CHECK_THAT(complaint([] { parse_axis("speed=60:120 rpm"); }), Contains("from:step:to"));
   CHECK_THAT(complaint([] { parse_axis("x=1 mm:2 deg:6 mm"); }), Contains("is not a range"));
+  for (const char* range :
+       {"speed=100-300", "speed=100 - 300 rpm", "speed=100..300", "speed=1 to 3 s"}) {
+    INFO(range);
+    CHECK_THAT(complaint([&] { parse_axis(range); }),
+               Contains("from:step:to, such as speed=60:15:120"));
+  }
+  CHECK_FALSE(parse_axis("x=1e-3 mm"));
+  CHECK_FALSE(parse_axis("x=-3"));
+  CHECK_FALSE(parse_axis("law=3-4-5"));
   CHECK_THAT(complaint([] { parse_axis("x=1:1e-9:6"); }), Contains("at most"));
   CHECK_THAT(complaint([] { parse_axis("law=cosine,cosine"); }), Contains("twice"));
   CHECK_THAT(complaint([] { parse_axis("speed"); }), Contains("sets nothing"));
