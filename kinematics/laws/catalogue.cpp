@@ -138,8 +138,15 @@ Member Member::listed() const { return family->listed ? family->listed(arguments
 const Family& find_family(std::string_view name) {
   if (const Family* family = find_exact(name)) return *family;
   std::vector<std::string> known;
-  for (const Family& family : catalogue()) known.push_back(family.name);
-  const auto near = near_names(name, known);
+  for (const Family& family : catalogue()) {
+    known.push_back(family.name);
+    known.insert(known.end(), family.aliases.begin(), family.aliases.end());
+  }
+  std::vector<std::string> near = near_names(name, known);
+  for (std::string& one : near) {
+    const Family& family = *find_exact(one);
+    if (one != family.name) one += fmt::format(" ({})", family.name);
+  }
   throw std::invalid_argument(
       fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));

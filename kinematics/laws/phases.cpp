@@ -63,7 +63,7 @@ std::vector<Family> straight_phases() {
   constexpr double kThird = 1.0 / 3.0;
   return {
       rest_to_rest({"parabolic",
-                    {"constant acceleration", "quadratische Parabel"},
+                    {"constant acceleration", "quadratische Parabel", "Parabel"},
                     "2x^2 | 1 - 2(1 - x)^2",
                     1,
                     true,
@@ -130,7 +130,8 @@ std::vector<Family> modified_laws() {
                   {"MT", "mod. trapezoid", "modifiziertes Beschleunigungstrapez"},
                   "acceleration quarter sine 1/8, constant 1/4, quarter cosine 1/8, mirrored",
                   handbook, {1, 2, 1, 4}),
-      scca_member("modified-sine", {"MS", "mod. sine", "modifizierte Sinuslinie"},
+      scca_member("modified-sine",
+                  {"MS", "mod. sine", "modifizierte Sinuslinie", "modifizierte Sinoide"},
                   "acceleration sine over 1/8, 3/4, 1/8", handbook, {1, 0, 3, 4}),
       scca_member("modified-sine-cv20", {"MCV20"}, "scca a=0.2 b=0 c=0.6", help, {1, 0, 3, 5}),
       scca_member("modified-sine-cv33", {"MCV33"}, "scca a=1/6 b=0 c=1/2", help, {1, 0, 3, 6}),

@@ -13,7 +13,7 @@ std::vector<Family> fixed_harmonics() {
   return {
       rest_to_rest({"cosine",
                     {"SHM", "simple harmonic", "simple harmonic motion", "cosine of acceleration",
-                     "einfache Sinuslinie", "Косинусоїда"},
+                     "einfache Sinuslinie", "einfache Sinoide", "Косинусоїда"},
                     "(1 - cos(pi x)) / 2",
                     1,
                     true,

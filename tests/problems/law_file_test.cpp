@@ -94,6 +94,10 @@ TEST_CASE("A law is known by its path, and in one's own folder by its name", "[l
   REQUIRE(own_laws().size() == 2);
   CHECK(own_laws()[1].family->name == "mine");
   CHECK_THROWS_WITH(find_any_law("mind"), Contains("no law is named 'mind'"));
+  CHECK_THROWS_WITH(find_any_law("Sinoide"), Contains("Bestehorn-Sinoide (cycloidal)"));
+  CHECK(find_any_law("modifizierte Sinoide").family->name == "modified-sine");
+  CHECK(find_any_law("Parabel").family->name == "parabolic");
+  CHECK(find_any_law("einfache Sinoide").family->name == "cosine");
   unsetenv(kOwnLaws);
   CHECK_THROWS_WITH(find_any_law("mine"), Contains("no law is named 'mine'"));
   CHECK(own_laws().empty());
