@@ -75,6 +75,9 @@ std::vector<std::string> known_responses(const Mechanism& mechanism) {
   return known;
 }
 
+constexpr const char* kListing =
+    "'camlaw evaluate FILE' lists all once this name is out of the file";
+
 /// A curve asked for by one of the words for its parts; null response where it is none.
 ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
   for (const auto& [word, part] : kPartWords) {
@@ -87,7 +90,7 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
       for (const auto& r : mechanism.responses) {
         if (r.curve) curves.push_back(r.name);
       }
-      refuse_name(fmt::format("{}: there is no curve", mechanism.name), curve, curves);
+      refuse_name(fmt::format("{}: there is no curve", mechanism.name), curve, curves, kListing);
     }
     if (!response->curve) {
       throw std::invalid_argument(
@@ -147,8 +150,7 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
   if (auto found = find_exactly(mechanism, listed_name(name), name)) return *std::move(found);
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
   refuse_name(fmt::format("{}: no response or parameter is called", mechanism.name), name,
-              known_responses(mechanism),
-              "'camlaw evaluate FILE' lists all once this name is out of the file");
+              known_responses(mechanism), kListing);
 }
 
 }  // namespace camlaw::problems

@@ -80,8 +80,9 @@ std::vector<std::string> near_names(std::string_view typed, const std::vector<st
 
 void refuse_name(const std::string& what, std::string_view name,
                  const std::vector<std::string>& known, const std::string& list) {
+  constexpr std::size_t kFew = 12;
   const auto near = near_names(name, known);
-  const bool all = near.empty() || list.empty();
+  const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   throw std::invalid_argument(
       fmt::format("{} '{}'{}; {}", what, name,
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),

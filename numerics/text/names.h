@@ -16,8 +16,8 @@ std::string folded(std::string_view text);
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known);
 
 /// Throws std::invalid_argument, "WHAT 'NAME'". The message goes on with the near names and `list`,
-/// which says where all names are listed; it names all of `known` itself where none is near, or
-/// where `list` is empty.
+/// which says where all names are listed; it names all of `known` itself where `list` is empty, and
+/// where none is near and there are few.
 [[noreturn]] void refuse_name(const std::string& what, std::string_view name,
                               const std::vector<std::string>& known, const std::string& list = "");
 

@@ -56,6 +56,10 @@ TEST_CASE("an unknown name is refused with those that are near, or with all", "[
                     "no law is called 'cubc'; near: cubic; use cubic, cosine");
   CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", known, "see the list"),
                     "no law is called 'wwww'; use cubic, cosine");
+  std::vector<std::string> many;
+  for (int i = 0; i < 90; ++i) many.push_back("cubic" + std::to_string(i));
+  CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", many, "see the list"),
+                    "no law is called 'wwww'; see the list");
 }
 
 }  // namespace camlaw::names_test
