@@ -177,7 +177,11 @@ CheckedProblem checked_problem(const ProblemStatement& statement, CheckAsked ask
   CheckedProblem checked;
   Document& document = checked.document;
   add_statement(statement, document);
-  if (variants) document.add(shape_table(statement));
+  if (variants) {
+    const Table shapes = shape_table(statement);
+    document.add(shapes);
+    document.say(shape_legend(shapes));
+  }
   const Warnings doubts = doubts_of(statement);
   document.say(warnings_text(doubts));
   document.fact("warnings", doubts);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "output/answers/buildable_output.h"
+#include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/segments_output.h"
 #include "output/answers/warnings.h"
@@ -100,8 +101,14 @@ Document evaluation_document(const ProblemStatement& statement,
   if (!statement.title.empty()) document.say(statement.title + "\n");
   document.fact("title", statement.title);
   document.fact("mechanism", statement.mechanism->name);
-  const bool moved = statement.mechanism->moved_by != problems::MovedBy::Nothing;
-  if (moved) document.say(fmt::format("law {}\n", statement.laws.front().label()));
+  const problems::MovedBy moved_by = statement.mechanism->moved_by;
+  const bool moved = moved_by != problems::MovedBy::Nothing;
+  const bool is_program = moved_by == problems::MovedBy::Program;
+  if (moved) {
+    const std::string words = law_in_words(statement.laws.front(), moved_by);
+    document.say(fmt::format("{} {}\n", is_program ? "motion:" : "law", words));
+    if (is_program) document.fact("motion", words);
+  }
   document.fact("law", moved ? Json(statement.laws.front().name()) : Json(nullptr));
   add_parts(statement, document);
   document.fact("constants", constants_json(statement));

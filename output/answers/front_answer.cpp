@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "output/answers/law_output.h"
 #include "output/answers/warnings.h"
 #include "problems/statement/parameters.h"
 
@@ -111,8 +112,7 @@ std::vector<DesignValue> FrontAnswer::values(const FrontPoint& point) const {
 std::string FrontAnswer::law(const FrontPoint& point) const {
   const auto law = study.law(point);
   if (!law) return "";
-  const bool program = study.bound().statement().mechanism->moved_by == problems::MovedBy::Program;
-  return program ? law->family->formula : law->label();
+  return law_in_words(*law, study.bound().statement().mechanism->moved_by);
 }
 
 std::string FrontAnswer::family(const FrontPoint& point) const {

@@ -233,4 +233,8 @@ LongList law_samples(const Law<double>& law, int count) {
           }};
 }
 
+std::string law_in_words(const Member& law, problems::MovedBy moved) {
+  return moved == problems::MovedBy::Program ? law.listed().family->formula : law.label();
+}
+
 }  // namespace camlaw::cli

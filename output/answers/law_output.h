@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
+#include "machines/model/mechanism.h"
 #include "output/document/document.h"
 
 /// Motion laws as answers.
@@ -25,5 +26,8 @@ Document law_document(const Member& member);
 
 /// "samples": x, s, v, a, j at `count` even points.
 LongList law_samples(const Law<double>& law, int count);
+
+/// A law in a few words, as a design has it: of a motion program its segments.
+std::string law_in_words(const Member& law, problems::MovedBy moved);
 
 }  // namespace camlaw::cli

@@ -138,7 +138,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
 Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
                   const std::string& price_title, const std::vector<std::string>& prices) {
   Table table{.columns = {words("limit"), numbers("value"), numbers("bound"), numbers("margin"),
-                          words("unit"), numbers("at"), words("side"), words("proved"),
+                          words("unit"), numbers("at"), words("of its bounds"), words("proved"),
                           numbers(price_title)}};
   const auto add = [&](std::size_t i, const optim::LimitReport& side,
                        const std::optional<optim::LimitReport>& other, const std::string& price) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "output/answers/buildable_output.h"
+#include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/reached_output.h"
 #include "output/answers/warnings.h"
@@ -164,28 +165,39 @@ std::string long_list(const std::vector<DesignValue>& values, std::size_t from, 
                      with_unit(fmt::format("{:.6g}", most->number), values[from].unit));
 }
 
-/// The objective and the variables, where there is a design.
+/// "  law: rise 90 deg by cycloidal to 1, ...", where a motion program was chosen.
+std::string program_line(const Answer& answer) {
+  const problems::ProblemStatement& statement = answer.bound.statement();
+  const problems::MovedBy moved_by = statement.mechanism->moved_by;
+  const bool is_chosen = statement.chooses_law() && moved_by == problems::MovedBy::Program;
+  const std::optional<Member> law = is_chosen ? answer.law() : std::nullopt;
+  return law ? fmt::format("  law: {}\n", law_in_words(*law, moved_by)) : "";
+}
+
+/// The objective and the other variables, where there is a design.
 std::string design_text(const Answer& answer) {
   const optim::ObjectiveReport& objective = assessment(answer).objective;
   const problems::ResponseName& response = answer.bound.statement().objectives.front().response;
   if (std::isnan(objective.value)) return "no design was found\n";
   std::string text = fmt::format(
-      "{} = {}{}\n\n", objective_name(answer),
+      "{} = {}{}\n", objective_name(answer),
       with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
       objective.angle ? fmt::format("  ({})", at_place(*objective.angle, response)) : "");
+  std::string list = program_line(answer);
   const auto values = answer.values();
-  for (std::size_t i = 0; i < values.size();) {
+  for (std::size_t i = list.empty() ? 0 : 1; i < values.size();) {
     const std::size_t end = end_of_list(values, i);
     if (end - i > kListedOneByOne) {
-      text += long_list(values, i, end);
+      list += long_list(values, i, end);
       i = end;
       continue;
     }
     for (; i < end; ++i) {
-      text += fmt::format("  {} = {}\n", values[i].name, values[i].words());
+      const bool is_objective = values[i].name == response.name;
+      if (!is_objective) list += fmt::format("  {} = {}\n", values[i].name, values[i].words());
     }
   }
-  return text;
+  return list.empty() ? text : text + "\n" + list;
 }
 
 }  // namespace

@@ -79,12 +79,58 @@ std::optional<problems::KnownShape> shape_in(const ProblemStatement& statement,
   return known_shape(*statement.mechanism, name, bound.binding({}));
 }
 
+/// "by the rules of formulas", "proof DS10".
+std::string reason_text(const problems::KnownShape& shape) {
+  std::string text = shape.reason();
+  const auto put = [&](std::string_view from, std::string_view to) {
+    const std::size_t at = text.find(from);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+  };
+  put("rules", "by the rules of formulas");
+  put("enclosure", "by bounds of its slopes");
+  put(", possible machines by", "; which machines are possible is known by");
+  while (text.find("theory.md (") != std::string::npos) {
+    put("theory.md (", "proof ");
+    put(")", "");
+  }
+  return text;
+}
+
+/// What a word for a shape means to a designer.
+std::string meaning_of(const std::string& word) {
+  if (word == "linear") return "changes in proportion";
+  if (word == "convex") return "curves upwards, so that it has one valley";
+  if (word == "concave") return "curves downwards, so that it has one hill";
+  if (word == "quasiconvex") return "has one valley";
+  if (word == "quasiconcave") return "has one hill";
+  if (word == "quasilinear") return "rises or falls all the way";
+  return "";
+}
+
 }  // namespace
+
+std::string shape_legend(const Table& shapes) {
+  std::set<std::string> words;
+  bool has_proof = false;
+  for (const auto& row : shapes.rows) {
+    words.insert(row.at(2).text);
+    has_proof |= row.at(3).text.find("proof ") != std::string::npos;
+  }
+  std::vector<std::string> meanings;
+  for (const std::string& word : words) {
+    if (const std::string meaning = meaning_of(word); !meaning.empty()) {
+      meanings.push_back(fmt::format("{}: it {}", word, meaning));
+    }
+  }
+  if (meanings.empty()) return "";
+  return fmt::format("{}{}\n", fmt::join(meanings, "; "),
+                     has_proof ? "; the proofs stand in docs/theory.md under their tags" : "");
+}
 
 Table shape_table(const ProblemStatement& statement) {
   Table table{.key = "shapes",
               .columns = {words("response", "response"), words("depends on", "depends_on"),
-                          words("shape in all", "shape"), words("known by", "known_by")},
+                          words("in all together", "shape"), words("why", "known_by")},
               .caption = "\n"};
   std::vector<ResponseName> names;
   for (const auto& objective : statement.objectives) names.push_back(objective.response);
@@ -108,7 +154,7 @@ Table shape_table(const ProblemStatement& statement) {
         {name.name,
          {parts.empty() ? "nothing that varies" : fmt::format("{}", fmt::join(parts, ", ")), alone},
          shape ? words_of(shape->best()) : "",
-         shape ? shape->reason() : ""});
+         shape ? Cell(reason_text(*shape), shape->reason()) : Cell("")});
   }
   return table;
 }

@@ -10,4 +10,7 @@ namespace camlaw::cli {
 /// each and in all together, and how that is known. The law is the first to choose from.
 Table shape_table(const problems::ProblemStatement& statement);
 
+/// What the words of that table mean, in a line.
+std::string shape_legend(const Table& shapes);
+
 }  // namespace camlaw::cli

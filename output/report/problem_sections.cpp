@@ -40,8 +40,8 @@ constexpr std::size_t kSideColumn = 7;
 
 Table limit_table(bool priced) {
   Table table{.columns = {names("limit"), words(""), numbers("value"), numbers("bound"),
-                          numbers("margin"), words("unit"), numbers("worst at"), words("side"),
-                          words(""), words("proved")}};
+                          numbers("margin"), words("unit"), numbers("worst at"),
+                          words("of its bounds"), words(""), words("proved")}};
   if (priced) table.columns.push_back(numbers("price"));
   return table;
 }
