@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/laws/phases.h"
 
+#include <fmt/format.h>
+
 #include "kinematics/laws/families.h"
 
 namespace camlaw {
@@ -109,6 +111,13 @@ std::vector<Family> straight_phases() {
            s_curve_rooms()},
           []<class S>(const Arguments<S>& a) -> Possible<Law<S>> {
             if (a.list(2).size() > 1) return Impossible{"C_j takes one value at most"};
+            const double B = value_of(a.scalar(0)), C = value_of(a.scalar(1));
+            if (a.list(2).empty() && !(C * (B - 1) > B * B)) {
+              return Impossible{fmt::format(
+                  "C_a must be above C_v^2/(C_v - 1), which is {:.6g} for C_v = {:.6g}, and is "
+                  "{:.6g}: no jerk reaches it",
+                  B * B / (B - 1), B, C)};
+            }
             return possible_s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
           }),
   };

@@ -86,20 +86,27 @@ double deviation_of(const optim::SmoothingSpline& spline) {
 }
 
 optim::SmoothingSpline smoothed(std::span<const double> x, std::span<const double> s,
-                                std::optional<double> mu) {
+                                std::optional<double> mu, std::optional<int> spans = {}) {
   optim::SmoothingOptions options;
   options.degree = static_cast<int>(kDegree);
   options.periodic = true;
   options.range = {0.0, 1.0};
   options.mu = mu;
+  options.spans = spans;
   return smoothing_spline(x, s, options);
 }
 
-/// The mu with which a spline deviates as stated: deviations grow with it.
+/// The mu with which a spline deviates as stated: deviations grow with it. Where half as many spans
+/// as rows cannot come so near, there are as many.
 optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const double> s,
                                       double wanted) {
   double low = -40, high = 5;  // powers of 10
-  const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power)); };
+  std::optional<int> spans;
+  const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power), spans); };
+  if (deviation_of(at(low)) > wanted) {
+    spans = static_cast<int>(x.size());
+    low = -20;  // enough of it to tell the spline where it has more spans than rows
+  }
   if (deviation_of(at(low)) > wanted || deviation_of(at(high)) < wanted) {
     throw std::invalid_argument(
         fmt::format("no smoothing spline is exactly that far from the rows; possible distances are "

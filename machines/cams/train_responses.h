@@ -88,8 +88,7 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
       law_number<M>(
           {"elastic_loss_speed", "rpm", "rad/s",
            "lowest speed at which a spring-loaded follower with the elastic train leaves "
-           "the cam; undefined with less damping than 0.002, if nothing holds it down, or if it "
-           "stays "
+           "the cam; undefined with almost no damping, if nothing holds it down, or if it stays "
            "on the cam up to ten turns in a natural period"},
           [](const auto& cam) { return loss_parts(cam); }, contact_loss()),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,

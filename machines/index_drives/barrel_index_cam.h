@@ -55,15 +55,16 @@ struct BarrelIndexCam : RibTurret<T> {
   }
   /// (IX17) Radius of the cam's core below the rollers' ends, m.
   T throat_radius() const { return distance_at(RollerPlace::Tip); }
-  /// (IX17) Greatest radius of the cam at the other end of the rollers, m: on the line of centres,
-  /// or half a pitch before it.
+  /// (IX17) Greatest distance of a roller's other edge from the cam's axis, m: on the line of
+  /// centres, or half a pitch before it.
   T outer_radius() const {
     using std::cos;
     using std::sqrt;
     const T height = distance_at(RollerPlace::Root);
-    const T near = axis_distance - turret_radius;
-    const T far = axis_distance - turret_radius * cos(step() / number<T>(2));
-    return sqrt(height * height + greater_of(T(near * near), T(far * far)));
+    const T near = turret_radius - axis_distance + roller_radius;
+    const T far = axis_distance - turret_radius * cos(step() / number<T>(2)) + roller_radius;
+    const T side = greater_of(near, far);
+    return sqrt(height * height + side * side);
   }
 };
 

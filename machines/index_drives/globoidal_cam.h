@@ -3,6 +3,7 @@
 
 #include "machines/index_drives/rib_turret.h"
 #include "machines/index_drives/ruled_contact.h"
+#include "numerics/scalar/extremes.h"
 
 namespace camlaw {
 
@@ -45,12 +46,23 @@ struct GloboidalCam : RibTurret<T> {
     return number<T>(2) *
            (distance_at(RollerPlace::Root) * sin(step() / number<T>(2)) - roller_radius);
   }
-  /// (IX15) Least radius of the cam, m, at the line of centres.
-  T throat_radius() const { return axis_distance - distance_at(RollerPlace::Tip); }
-  /// (IX15) Greatest radius of the cam, m, at the end of a roller's path.
+  /// (IX15) Least distance of the edge of a roller's end from the cam's axis, m.
+  T throat_radius() const {
+    using std::sqrt;
+    const T tip = distance_at(RollerPlace::Tip);
+    return axis_distance - sqrt(tip * tip + roller_radius * roller_radius);
+  }
+  /// (IX15) Greatest distance of a roller's other edge from the cam's axis, m, at the end of its
+  /// path.
   T outer_radius() const {
     using std::cos;
-    return axis_distance - distance_at(RollerPlace::Root) * cos(step() / number<T>(2));
+    using std::sin;
+    using std::sqrt;
+    const T half = step() / number<T>(2), c = cos(half), s = sin(half);
+    const T axis = axis_distance - distance_at(RollerPlace::Root) * c;
+    const T along = lesser_of(roller_radius, T(axis * s / (c * c)));
+    const T height = axis + s * along;
+    return sqrt(height * height + roller_radius * roller_radius - along * along);
   }
 };
 

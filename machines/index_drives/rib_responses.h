@@ -118,7 +118,9 @@ std::vector<MechanismResponse> rib_responses() {
             [](const auto& drive) { return drive.roller_gap(); });
   number_of("throat_radius", "least radius of the cam, below the rollers' ends",
             [](const auto& drive) { return drive.throat_radius(); });
-  number_of("outer_radius", "greatest cam radius at which a roller needs a flank",
+  number_of("outer_radius",
+            "greatest radius that a roller's edge reaches while it drives or holds: no contact "
+            "lies beyond",
             [](const auto& drive) { return drive.outer_radius(); });
   number_of("wall", "wall between the cam's bore and the rollers' ends",
             [](const auto& drive) { return drive.throat_radius() - drive.bore_radius; });

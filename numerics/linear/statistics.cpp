@@ -175,13 +175,13 @@ double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& 
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-ConfidenceInterval binomial_interval(std::size_t hits, std::size_t count, double confidence) {
+ConfidenceInterval binomial_interval(double hits, double count, double confidence) {
   using boost::math::beta_distribution;
   const double tail = (1 - confidence) / 2;
-  const auto yes = static_cast<double>(hits), no = static_cast<double>(count - hits);
-  return {
-      hits == 0 ? 0 : boost::math::quantile(beta_distribution<double>(yes, no + 1), tail),
-      hits == count ? 1 : boost::math::quantile(beta_distribution<double>(yes + 1, no), 1 - tail)};
+  const double others = count - hits;
+  return {hits > 0 ? boost::math::quantile(beta_distribution<double>(hits, others + 1), tail) : 0,
+          others > 0 ? boost::math::quantile(beta_distribution<double>(hits + 1, others), 1 - tail)
+                     : 1};
 }
 
 ConfidenceInterval weighted_poisson_interval(double sum, double squares, double largest,

@@ -52,7 +52,7 @@ struct ConfidenceInterval {
 };
 /// What a probability lies between of which `hits` of `count` independent trials came true (Clopper
 /// and Pearson 1934): it holds at least as often as the confidence says.
-ConfidenceInterval binomial_interval(std::size_t hits, std::size_t count, double confidence);
+ConfidenceInterval binomial_interval(double hits, double count, double confidence);
 /// The same of the expectation of a sum of weights, each of an event that is rare and independent
 /// of the others (Fay and Feuer 1997): `squares` is the sum of the weights' squares, `largest` what
 /// no weight is above.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "numerics/linear/dense.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
@@ -83,13 +84,18 @@ struct Held {
   Eigen::SparseMatrix<double> pushing, met;
 };
 
+/// A slope that the conditions of first order cannot tell from none holds nothing.
+bool is_seen(double slope) { return std::abs(slope) > kKktTolerance; }
+
 Eigen::SparseMatrix<double> gradients(const Layout& layout,
                                       const std::vector<const ActiveLimit*>& limits) {
   std::vector<Eigen::Triplet<double>> entries;
   int column = 0;
   for (const ActiveLimit* limit : limits) {
     for (const auto& [variable, slope] : limit->gradient) {
-      if (layout.row[variable] >= 0) entries.emplace_back(layout.row[variable], column, slope);
+      if (layout.row[variable] >= 0 && is_seen(slope)) {
+        entries.emplace_back(layout.row[variable], column, slope);
+      }
     }
     if (limit->auxiliary != 0) entries.emplace_back(layout.auxiliary, column, limit->auxiliary);
     ++column;
@@ -99,15 +105,24 @@ Eigen::SparseMatrix<double> gradients(const Layout& layout,
   return A;
 }
 
+/// What a limit adds to the conditions of first order, by the variables; of a peak of the objective
+/// the share of the objective that it is.
+bool pushes(const ActiveLimit& limit, double multiplier) {
+  constexpr double kHeld = 1e-8, kShare = 1e-4;
+  double longest = 0;
+  for (const auto& entry : limit.gradient) longest = std::max(longest, std::abs(entry.second));
+  return std::abs(multiplier) * longest > kHeld || std::abs(multiplier * limit.auxiliary) > kShare;
+}
+
 Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
           const std::vector<double>& multipliers) {
-  constexpr double kHeld = 1e-8, kMet = 1e-7;
+  constexpr double kMet = 1e-7;
   // A limit that was told may have room, and then a multiplier that is idle: it holds nothing.
   constexpr double kRoom = 1e-4;
   std::vector<const ActiveLimit*> pushing, met;
   for (std::size_t j = 0; j < limits.size(); ++j) {
     const bool has_room = !limits[j].is_equation && limits[j].margin > kRoom;
-    if (limits[j].is_equation || (std::abs(multipliers[j]) > kHeld && !has_room)) {
+    if (limits[j].is_equation || (pushes(limits[j], multipliers[j]) && !has_room)) {
       pushing.push_back(&limits[j]);
     } else if (limits[j].margin <= kMet) {
       met.push_back(&limits[j]);

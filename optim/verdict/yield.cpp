@@ -60,11 +60,26 @@ struct Estimate {
   Tally all;
 };
 
+/// The error that counts: of so few repetitions it scatters itself.
+double inflated(double error) {
+  return error * student_quantile(kRepetitions - 1, kConfidence) /
+         normal_quantile((1 + kConfidence) / 2);
+}
+
+/// How many points of a sequence are as good as one that is drawn by itself (theory: TV8a).
+double alike(const Estimate& found, double samples) {
+  const double independent = found.share * (1 - found.share) / samples;
+  if (!(independent > 0)) return 1;
+  return std::max(1.0, std::pow(inflated(found.error), 2) / independent);
+}
+
 /// Of failures that count alike, few or many (theory: "How sure a fraction is").
 Bounds counted_between(const Estimate& found, std::size_t samples) {
   constexpr std::size_t kMany = 640;  // twenty failures, and as many that hold, in each repetition
   if (std::min(found.all.hits, samples - found.all.hits) < kMany) {
-    const auto between = binomial_interval(found.all.hits, samples, kConfidence);
+    const auto hits = static_cast<double>(found.all.hits), count = static_cast<double>(samples);
+    const double clump = alike(found, count);
+    const auto between = binomial_interval(hits / clump, count / clump, kConfidence);
     return {between.lower, between.upper};
   }
   const double reach = student_quantile(kRepetitions - 1, kConfidence) * found.error;
@@ -78,10 +93,8 @@ Bounds weighted_between(const Estimate& found, double largest, std::size_t sampl
   const Tally& tally = found.all;
   const auto count = static_cast<double>(samples);
   const double told = tally.squares > 0 ? tally.sum * tally.sum / tally.squares : 0;
-  const double inflation =
-      student_quantile(kRepetitions - 1, kConfidence) / normal_quantile((1 + kConfidence) / 2);
   const double variance =
-      std::max(tally.squares / (count * count), std::pow(inflation * found.error, 2));
+      std::max(tally.squares / (count * count), std::pow(inflated(found.error), 2));
   const double heaviest = told >= kFew ? tally.largest : largest;
   const auto between =
       weighted_poisson_interval(found.share, variance, heaviest / count, kConfidence);

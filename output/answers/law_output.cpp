@@ -128,6 +128,11 @@ std::string set_parameters(const Member& member) {
   return text;
 }
 
+/// How far from its printed value a peak may be.
+double proved_to(double value, const Interval& enclosure) {
+  return std::max(enclosure.upper() - value, value - enclosure.lower());
+}
+
 /// The peaks, where they are, and how far from the value printed the true one may be.
 Table peaks_table(const Peaks<double>& all, const Peaks<Interval>& proof) {
   Table table{.columns = {words("peak"), numbers("value"), words("at x"), words("proved to")},
@@ -136,9 +141,7 @@ Table peaks_table(const Peaks<double>& all, const Peaks<Interval>& proof) {
     const auto& [value, position] = peak_of(all, asked);
     const Interval enclosure = peak_of(proof, asked).value;
     table.add({asked.title, in_digits(value, 13), in_digits(position, 13),
-               std::isfinite(value) ? fmt::format("{:.0e}", std::max(enclosure.upper() - value,
-                                                                     value - enclosure.lower()))
-                                    : ""});
+               std::isfinite(value) ? fmt::format("{:.0e}", proved_to(value, enclosure)) : ""});
   }
   return table;
 }
@@ -209,6 +212,12 @@ Document law_document(const Member& member) {
   document.fact("enclosures", by_peak([&](const LawPeak& peak) {
                   const Interval value = peak_of(proof, peak).value;
                   return to_json(std::vector<double>{value.lower(), value.upper()});
+                }));
+  document.fact("proved_to", by_peak([&](const LawPeak& peak) {
+                  const double value = peak_of(all, peak).value;
+                  return std::isfinite(value)
+                             ? to_json(proved_to(value, peak_of(proof, peak).value))
+                             : Json();
                 }));
   if (std::isinf(all.max_jerk()) && std::isfinite(all.jerk_inside_highest.value) &&
       std::isfinite(all.jerk_inside_lowest.value)) {

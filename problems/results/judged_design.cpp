@@ -276,7 +276,10 @@ VerifiedDesign verified(const ReadDesign& read,
         "prints");
   }
   const auto held = held_problem(read);
-  if (!held) throw std::invalid_argument("nothing varies in this result, so it claims nothing");
+  if (!held)
+    throw std::invalid_argument(
+        "no number varies in this result: a choice among laws alone is not judged again, "
+        "optimize makes it anew");
   VerifiedDesign result;
   result.found = held->problem.objectives.size() == 1 ? judged(*held) : judged_on_front(*held);
   if (also && held->problem.objectives.size() == 1) also(result.found);

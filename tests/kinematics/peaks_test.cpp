@@ -100,6 +100,10 @@ std::vector<std::string> all_names() {
                            "boundary-7 v0=2 a0=-9 j0=50 v1=1.5 a1=1", "boundary-5 a0=40 a1=-3"}) {
     names.emplace_back(name);  // laws that dip and overshoot
   }
+  // Of so high a degree that sums about the end of a box lose every digit.
+  for (const char* exponents : {"3,40,80", "3,100", "3,50,100", "20,50,100", "2,100"}) {
+    names.push_back(std::string("stoddart exponents=") + exponents);
+  }
   return names;
 }
 

@@ -183,6 +183,47 @@ TEST_CASE("lines of contact and curvatures along a roller are those of a numeric
   }
 }
 
+TEST_CASE("the radii of cams with ribs are those that the rollers' edges reach", "[index-drives]") {
+  // Least and greatest distance from the cam's axis of the edge of a roller at u, over its path.
+  const auto reach = [](const auto& drive, double u) {
+    constexpr int kSteps = 900;
+    const double half = kPi / drive.rollers;
+    std::pair<double, double> found{1e9, 0};
+    for (int i = -kSteps; i <= kSteps; ++i) {
+      const double psi = half * i / kSteps;
+      const Vector at = axis_of(drive, psi, u).at;
+      const auto [along, across] = way_of(drive, psi);
+      for (int k = 0; k < kSteps; ++k) {
+        const double beta = 2 * kPi * k / kSteps;
+        const Vector p = at + drive.roller_radius * std::cos(beta) * along +
+                         drive.roller_radius * std::sin(beta) * across;
+        const double radius = std::hypot(p[0], p[2]);
+        found = {std::min(found.first, radius), std::max(found.second, radius)};
+      }
+    }
+    return found;
+  };
+  for (const double rollers : {6.0, 8.0, 16.0}) {
+    INFO(rollers);
+    GloboidalCam<double> gear;
+    gear.rollers = rollers;
+    gear.turret_radius = 0.075;
+    gear.axis_distance = 0.13;
+    gear.roller_radius = 0.09 / rollers;
+    CHECK(gear.throat_radius() ==
+          Approx(reach(gear, gear.distance_at(RollerPlace::Tip)).first).epsilon(1e-5));
+    CHECK(gear.outer_radius() ==
+          Approx(reach(gear, gear.distance_at(RollerPlace::Root)).second).epsilon(1e-5));
+    BarrelIndexCam<double> barrel;
+    barrel.rollers = rollers;
+    for (const double distance : {0.07, 0.078, 0.083}) {
+      barrel.axis_distance = distance;
+      CHECK(barrel.outer_radius() ==
+            Approx(reach(barrel, barrel.distance_at(RollerPlace::Root)).second).epsilon(1e-5));
+    }
+  }
+}
+
 TEST_CASE("forces on radial and on axial rollers do the cam's work", "[index-drives]") {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> even(-1, 1);

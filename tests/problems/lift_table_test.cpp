@@ -11,6 +11,7 @@
 #include <random>
 
 #include "kinematics/peaks.h"
+#include "kinematics/program/table_motion.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
@@ -151,6 +152,27 @@ TEST_CASE("a table is read as people have written it", "[lift_table]") {
   CHECK_THAT(read.files.tables.at("lift.csv"), Contains("[\xc2\xb0]"));
   CHECK(lift(read) == Approx(lift(with_table(good))).epsilon(1e-9));
   fs::remove_all(folder);
+}
+
+TEST_CASE("a table is smoothed as little as is stated", "[lift_table]") {
+  // Rows with an error of 1/400: half as many spans as rows stay about 0.0018 away at least.
+  constexpr int kRows = 40;
+  std::mt19937 random(3);
+  std::vector<double> x, s;
+  for (int i = 0; i < kRows; ++i) {
+    x.push_back(i / static_cast<double>(kRows));
+    const double error = random() % 2 == 0 ? 0.0025 : -0.0025;
+    s.push_back(0.5 - 0.5 * std::cos(2 * std::numbers::pi * x.back()) + error);
+  }
+  double before = 1e9;  // the greatest acceleration: it falls as the spline may be farther away
+  for (const double wanted : {1e-5, 1e-4, 5e-4, 1e-3, 2e-3, 2.4e-3}) {
+    INFO(wanted);
+    const TableMotion motion = table_motion(x, s, {TableSmoothing::Kind::Deviation, wanted});
+    CHECK(motion.deviation == Approx(wanted).epsilon(1e-6));
+    const double acceleration = peaks(motion.law).max_acceleration();
+    CHECK(acceleration < before);
+    before = acceleration;
+  }
 }
 
 TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {

@@ -168,6 +168,27 @@ TEST_CASE("where nothing curves, a few steps tell a minimum from a maximum", "[v
   CHECK(judge(smooth(function({0, 1}, valley)), {0.5, -0.5}).verdict == Verdict::Certified);
 }
 
+TEST_CASE("two peaks whose slopes are rounding alone do not hold a design between them",
+          "[verdict]") {
+  for (const double falls : {1.0, 0.0}) {
+    // Peaks at a = -1/2 and 1/2 whose slopes at x = 0 are opposite, and below what is told from
+    // none; both fall by x^3, or stand.
+    std::shared_ptr<const Curve> peaks =
+        curve<Interval>({0}, -1, 1, [falls](const auto& u, const auto& angle) {
+          using T = std::remove_cvref_t<decltype(angle)>;
+          const T apart = angle * angle - constant<T>(0.25);
+          return constant<T>(5) - constant<T>(falls) * u[0] * u[0] * u[0] -
+                 constant<T>(4) * apart * apart + constant<T>(6e-11) * angle * u[0];
+        });
+    Problem problem;
+    problem.variables = {{.name = "x", .lower = -0.25, .upper = 0.25, .start = 0}};
+    problem.objectives = {{{"peak", "N", peaks}, Sense::Minimize, Part::Highest, {}}};
+    const Assessment a = judge(problem, {0});
+    CHECK(a.kkt_residual <= kKktTolerance);
+    CHECK((a.verdict == Verdict::Certified) == (falls == 0));
+  }
+}
+
 TEST_CASE("curved limits count in the second order", "[verdict]") {
   // Least -x^2 - 3 y on the disc x^2 + y^2 <= 1 at (0, 1): the multiplier is 3/2, so by x the
   // Lagrangian bends by -2 + 3: a minimum. With -y / 2 in place of -3 y it bends by -2 + 1/2: none.
