@@ -103,15 +103,18 @@ optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const
   double low = -40, high = 5;  // powers of 10
   std::optional<int> spans;
   const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power), spans); };
-  if (deviation_of(at(low)) > wanted) {
+  double least = deviation_of(at(low));
+  if (least > wanted) {
     spans = static_cast<int>(x.size());
     low = -20;  // enough of it to tell the spline where it has more spans than rows
+    least = deviation_of(at(low));
   }
-  if (deviation_of(at(low)) > wanted || deviation_of(at(high)) < wanted) {
+  const double most = deviation_of(at(high));
+  if (least > wanted || most < wanted) {
     throw std::invalid_argument(
         fmt::format("no smoothing spline is exactly that far from the rows; possible distances are "
                     "from {:.3g} to {:.3g} of the table's range",
-                    deviation_of(at(low)), deviation_of(at(high))));
+                    least, most));
   }
   constexpr int kHalvings = 40;
   for (int i = 0; i < kHalvings; ++i) {

@@ -9,6 +9,7 @@
 
 #include "machines/follower_train/parts_at.h"
 #include "machines/follower_train/train_curve.h"
+#include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/recent.h"
 #include "numerics/scalar/root.h"
@@ -75,7 +76,8 @@ class LossTrain {
       : parts_(std::move(parts)), law_(std::move(law)), enclosing_law_(std::move(enclosing_law)) {}
 
   double operator[](std::size_t part) const { return parts_.plain[part]; }
-  Interval enclosing(std::size_t part) const { return parts_.enclosing[part]; }
+  std::span<const double> plain() const { return parts_.plain; }
+  std::span<const Interval> enclosing() const { return parts_.enclosing; }
   const Law<double>& law() const { return law_; }
 
   /// hold * (spring and load) + inertia * (force of inertia over speed^2), over a turn.
@@ -143,7 +145,7 @@ double step_within(const Rule<double>& rule, double room) {
   return std::exp(std::min(0.3, std::sqrt(4 * room / rule.bend)));
 }
 
-Impossible none(const char* why) { return {std::string("contact with an elastic train: ") + why}; }
+Impossible none(const std::string& why) { return {"contact with an elastic train: " + why}; }
 
 /// The first crossing above a speed at which the follower holds.
 Possible<Crossing> first_crossing(const LossTrain& train, const Rule<double>& rule, double top) {
@@ -195,14 +197,11 @@ Possible<Crossing> crossing_of(const LossTrain& train) {
   }
   if (!(least.value > 0)) {
     return none(
-        fmt::format("nothing holds the follower on the cam at {:.6g} deg", least.place.angle)
-            .c_str());
+        fmt::format("nothing holds the follower on the cam at {:.6g} deg", least.place.angle));
   }
   const double bent = std::abs(optim::extreme_of(*train.bend(), optim::Part::Magnitude).value);
   if (!(bent > 0)) return none("the follower does not move");
-  const std::array<double, kLossParts> part{train[0], train[1], train[2],
-                                            train[3], train[4], train[5]};
-  const Rule<double> rule = rule_of<double>(part, least.value, bent);
+  const Rule<double> rule = rule_of<double>(train.plain(), least.value, bent);
   if (train.periods(rule.slowest) > kMostPeriods) {
     return none(
         "it is as good as rigid, a turn lasts thousands of its natural periods: see "
@@ -229,12 +228,7 @@ T least_force(std::span<const T> part, const Law<T>& law, const optim::Place& pl
 
 /// Where the crossing stands on a joint of the law, tied to it.
 optim::Place tied_to(const Law<double>& law, optim::Place place) {
-  constexpr double kBeside = 1e-12;
-  for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {
-    if (std::abs(place.angle / 360 - law.pieces()[i].end) <= kBeside) {
-      place.joint = static_cast<int>(i);
-    }
-  }
+  if (const auto joint = joint_at(law, place.angle / 360)) place.joint = static_cast<int>(*joint);
   return place;
 }
 
@@ -306,15 +300,9 @@ class LossKernel final : public optim::Kernel {
     if (!hold.proved || !bent.proved) return false;
     const Interval least(step_down(hold.peak.value - hold.slack));
     const Interval most(step_up(std::abs(bent.peak.value) + bent.slack));
-    std::vector<Interval> part;
-    std::vector<double> plain;
-    for (std::size_t k = 0; k < kLossParts; ++k) {
-      part.push_back(train.enclosing(k));
-      plain.push_back(train[k]);
-    }
     if (!(least.lower() > 0)) return false;
-    const auto rule = rule_of<Interval>(part, least, most);
-    const auto quick = rule_of<double>(plain, least.lower(), most.upper());
+    const auto rule = rule_of<Interval>(train.enclosing(), least, most);
+    const auto quick = rule_of<double>(train.plain(), least.lower(), most.upper());
     double fast = speed;
     for (int steps = 0; fast > rule.slowest.lower(); ++steps) {
       if (steps > kMostSteps) return false;

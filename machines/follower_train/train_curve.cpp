@@ -218,14 +218,11 @@ TrainCurve::TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> 
       shape_(shape) {}
 
 optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
-  constexpr double kBeside = 1e-14;
   if (binding_.law->is_linear()) return place;
   const auto law = binding_.law->possible_law_at<double>(x);
   if (!law) return place;
-  const double at = place.angle / length_of(run_);
-  for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
-    if (std::abs(at - law->pieces()[i].end) <= kBeside) place.joint = static_cast<int>(i);
-  }
+  const auto joint = joint_at(*law, place.angle / length_of(run_));
+  if (joint) place.joint = static_cast<int>(*joint);
   return place;
 }
 

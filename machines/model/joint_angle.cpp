@@ -2,6 +2,7 @@
 #include "machines/model/joint_angle.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "machines/model/arguments.h"
 
@@ -58,6 +59,15 @@ class StillAngle final : public optim::Kernel {
 };
 
 }  // namespace
+
+std::optional<std::size_t> joint_at(const Law<double>& law, double x) {
+  constexpr double kBeside = 1e-14;
+  std::optional<std::size_t> joint;
+  for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {
+    if (std::abs(x - law.pieces()[i].end) <= kBeside) joint = i;
+  }
+  return joint;
+}
 
 optim::Function joint_angle_of(std::shared_ptr<const LawBinding> law, std::size_t piece,
                                const Stretch& stretch) {

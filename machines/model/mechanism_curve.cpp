@@ -43,10 +43,7 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
   const auto number = [&](std::size_t i) { return static_cast<int>(index * kMostPieces + i); };
   if (at <= kBeside) place.joint = number(kBeginOfStretch);
   if (at >= 1 - kBeside) place.joint = number(kEndOfStretch);
-  for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
-    if (std::abs(at - law->pieces()[i].end) > kBeside) continue;
-    place.joint = number(i);
-  }
+  if (const auto piece = joint_at(*law, at)) place.joint = number(*piece);
   return place;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "machines/model/enclosed.h"
+#include "machines/model/joint_angle.h"
 
 namespace camlaw::problems {
 namespace {
@@ -27,11 +28,29 @@ void add_products(const std::vector<double>& a, const std::vector<double>& b, do
 
 }  // namespace
 
+/// None where the break stands on the shaft.
+std::optional<ShaftRow::Tied> ShaftRow::tied_by(const ShaftParts& parts, optim::Place place) {
+  if (place.joint < 0) return {};
+  const std::size_t cam = parts.cam_of(place.joint);
+  const int own = parts.own_of(place.joint);  // 0 is the end of the cycle
+  const ShaftParts::Held& held = parts.held[cam];
+  Tied tied{cam, -1, still_angle(0)};
+  if (own > 0 && held.curve->breaks_move()) {
+    tied.joint = own - 1;
+    tied.angle = *held.curve->joint_angle(tied.joint);
+  } else if (own > 0) {
+    tied.angle = still_angle(held.breaks[static_cast<std::size_t>(own) - 1]);
+  }
+  if (!held.phase_variable && tied.angle.inputs().empty()) return {};
+  return tied;
+}
+
 ShaftRow::ShaftRow(std::shared_ptr<const ShaftParts> parts, optim::Place place, bool by_angle)
     : parts_(std::move(parts)),
       place_(place),
       by_angle_(by_angle),
-      moves_(by_angle || place.joint >= 0 || parts_->phases_vary()) {
+      tied_(by_angle ? std::nullopt : tied_by(*parts_, place)),
+      moves_(by_angle || tied_ || parts_->phases_vary()) {
   inputs_ = parts_->arguments;
   for (const ShaftParts::Held& held : parts_->held) {
     if (moves_) {
@@ -64,31 +83,21 @@ std::vector<double> ShaftRow::design_at(std::span<const double> u) const {
 ShaftRow::Turned ShaftRow::turned(optim::Design x, const ShaftParts::Traces& traces,
                                   int order) const {
   const std::size_t n = inputs_.size() + 1;
-  Turned result{place_.angle,
-                std::vector<double>(n),
-                std::vector<double>(order == 2 ? packed_size(n) : 0),
-                {}};
+  Turned result{place_.angle, std::vector<double>(n),
+                std::vector<double>(order == 2 ? packed_size(n) : 0)};
   if (by_angle_) result.slope.back() = 1;
-  if (by_angle_ || place_.joint < 0) return result;
-  const std::size_t cam = parts_->cam_of(place_.joint);
-  const int joint = parts_->own_of(place_.joint);
-  const ShaftParts::Held& held = parts_->held[cam];
-  optim::Place own{0, place_.from_left, -1};
-  if (joint > 0 && !held.curve->breaks_move()) {
-    own.angle = held.breaks[static_cast<std::size_t>(joint) - 1];
-  } else if (joint > 0) {
-    own.joint = joint - 1;
-    const optim::Function f = *held.curve->joint_angle(own.joint);
-    std::vector<double> g(f.inputs().size());
-    std::vector<double> h(order == 2 ? packed_size(g.size()) : 0);
-    own.angle = order == 2 ? f.hessian(x, g, h) : f.gradient(x, g);
-    spread(f, g, h, result.slope, result.bend);
-  }
-  result.angle = own.angle + held.phase_at(x);
+  if (!tied_) return result;
+  const optim::Function& f = tied_->angle;
+  std::vector<double> g(f.inputs().size()), h(order == 2 ? packed_size(g.size()) : 0);
+  const double own = order == 0 ? f.value(x) : order == 1 ? f.gradient(x, g) : f.hessian(x, g, h);
+  spread(f, g, h, result.slope, result.bend);
+  const ShaftParts::Held& held = parts_->held[tied_->cam];
+  result.angle = own + held.phase_at(x);
   result.angle -= 360 * std::round((result.angle - place_.angle) / 360);
   if (held.phase_variable) result.slope[input_of(*held.phase_variable)] += 1;
-  own.angle = cam_place(result.angle, place_.from_left, held.phase_at(x), traces.breaks[cam]).angle;
-  result.tied = {cam, own};
+  result.on_cam =
+      cam_place(result.angle, place_.from_left, held.phase_at(x), traces.breaks[tied_->cam]);
+  result.on_cam.joint = tied_->joint;
   return result;
 }
 
@@ -151,7 +160,7 @@ ShaftRow::Point ShaftRow::point(std::span<const double> u, int order) const {
   std::shared_ptr<const ShaftParts::Traces> traces;
   if (moves_) traces = parts_->traces_at(x);
   Point point;
-  Turned shaft{place_.angle, std::vector<double>(n), {}, {}};
+  Turned shaft{place_.angle, std::vector<double>(n), {}};
   if (moves_) shaft = turned(x, *traces, order);
   const auto add_plain = [&](double value, std::vector<double> gradient,
                              std::vector<double> hessian) {
@@ -172,9 +181,9 @@ ShaftRow::Point ShaftRow::point(std::span<const double> u, int order) const {
   add_plain(shaft.angle * kRadian, in_radians(shaft.slope), in_radians(shaft.bend));
   for (std::size_t k = 0; k < parts_->held.size(); ++k) {
     const ShaftParts::Held& held = parts_->held[k];
-    if (shaft.tied && shaft.tied->first == k) {  // its curve knows how its break moves
+    if (tied_ && tied_->cam == k) {  // its curve knows how its break moves
       const Moves none{std::vector<double>(n), {}};
-      add_curve(k, x, shaft.tied->second, none, traces.get(), order, point);
+      add_curve(k, x, shaft.on_cam, none, traces.get(), order, point);
       continue;
     }
     Moves moves{shaft.slope, shaft.bend};

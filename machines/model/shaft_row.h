@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "machines/model/shaft_curve.h"
@@ -39,11 +38,19 @@ class ShaftRow final : public optim::Kernel {
   struct Moves {
     std::vector<double> slope, bend;
   };
+  /// A break that moves on the shaft: the cam's own joint, where it moves on the cam, and its angle
+  /// on the cam.
+  struct Tied {
+    std::size_t cam;
+    int joint;
+    optim::Function angle;
+  };
+  static std::optional<Tied> tied_by(const ShaftParts& parts, optim::Place place);
   /// The shaft's angle, how it moves, and the place on the cam whose break it is tied to.
   struct Turned {
     double angle;
     std::vector<double> slope, bend;
-    std::optional<std::pair<std::size_t, optim::Place>> tied;
+    optim::Place on_cam = {};
   };
   Turned turned(optim::Design x, const ShaftParts::Traces& traces, int order) const;
   void spread(const optim::Function& f, const std::vector<double>& g, const std::vector<double>& h,
@@ -58,6 +65,7 @@ class ShaftRow final : public optim::Kernel {
   std::shared_ptr<const ShaftParts> parts_;
   optim::Place place_;
   bool by_angle_;
+  std::optional<Tied> tied_;
   bool moves_;  ///< whether a cam's place may move, with the design or the angle
   std::vector<optim::Function> still_;  ///< the cams' curves, where none does
   std::vector<std::size_t> inputs_;
