@@ -240,8 +240,23 @@ double HighestKernel::settled(std::span<const double> u, const Point& p, double 
   return is_beside_pole(u, p) ? kNaN : value;
 }
 
+bool HighestKernel::is_top_corner(const Point& p, std::span<const double> u, const Box& box) const {
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (p[i] != box[i].lower && p[i] != box[i].upper) return false;
+  }
+  std::vector<double> all(f_.inputs().size());
+  if (std::isnan(f_.gradient(design(u, p), all))) return true;
+  return std::all_of(own_.moved.begin(), own_.moved.end(), [&](std::size_t m) {
+    const std::size_t i = f_.inputs()[m] - first_;
+    const double uphill = sign_ * all[m];
+    return (uphill <= 0 || p[i] == box[i].upper) && (uphill >= 0 || p[i] == box[i].lower);
+  });
+}
+
 Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
-  return climbed(from, box_at(u), [&](const Point& p) {
+  const Box box = box_at(u);
+  if (is_top_corner(from, u, box)) return from;
+  return climbed(from, box, [&](const Point& p) {
     const std::size_t n = f_.inputs().size();
     std::vector<double> all(n), second(optim::packed_size(n));
     Slopes result{sign_ * f_.hessian(design(u, p), all, second), Point(box_.size()),

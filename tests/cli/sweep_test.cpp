@@ -84,7 +84,7 @@ TEST_CASE("a sweep that is killed goes on where it stood, with any number of wor
 TEST_CASE("a sweep ends in time with what it has", "[program][sweep]") {
   const Folder folder;
   const Outcome outcome =
-      run({"sweep", kProblem, "--set", "stroke=20:0.01:40 mm", "--cold", "--time-limit", "5 s",
+      run({"sweep", kProblem, "--set", "stroke=20:0.01:40 mm", "--cold", "--time-limit", "1.5 s",
            "--workers", "1", "--json", "--db", folder / "study.db"});
   CHECK(outcome.status == 4);
   const ParsedJson json = ParsedJson::parse(outcome.out);

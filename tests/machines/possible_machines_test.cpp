@@ -40,7 +40,7 @@ TEST_CASE("a response is the same wherever the parameters that vary began", "[me
       std::make_shared<const LawBinding>(find_law("cycloidal"), std::vector<LawVariable>{});
   int impossible = 0;
   for (const Mechanism& mechanism : mechanisms()) {
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 6; ++i) {
       const std::vector<double> began = some_parameters(mechanism, random);
       const std::vector<double> design = some_parameters(mechanism, random);
       Binding varying{began, {}, {}, law};
@@ -64,7 +64,7 @@ TEST_CASE("a response is the same wherever the parameters that vary began", "[me
       }
     }
   }
-  CHECK(impossible > 100);
+  CHECK(impossible > 50);
 }
 
 TEST_CASE("a search begins where the machine is possible if its start is not", "[optimise]") {

@@ -245,7 +245,7 @@ TEST_CASE("pairs of designs do not refute what is declared", "[shapes]") {
   for (const Mechanism& mechanism : mechanisms()) {
     for (const MechanismResponse& response : mechanism.responses) {
       for (const ShapeStatement& statement : response.shapes) {
-        CHECK(refutation(mechanism, response, statement.varying, statement.shape, random, 400) ==
+        CHECK(refutation(mechanism, response, statement.varying, statement.shape, random, 200) ==
               "");
       }
     }
@@ -285,7 +285,7 @@ TEST_CASE("pairs of designs do not refute what is known where one parameter vari
         sets.emplace_back(all.begin(), all.begin() + 2 + few % 2);
       }
       for (const Names& varying : sets) {
-        CHECK(refutation(mechanism, response, varying, {}, random, 16) == "");
+        CHECK(refutation(mechanism, response, varying, {}, random, 8) == "");
       }
     }
   }

@@ -65,13 +65,16 @@ TEST_CASE("A response in a case is that of the file with the case's values") {
   const ProblemStatement both = read(cam(kCases));
   const ProblemStatement slow = read(cam(kSlow)), fast = read(cam(kFast));
   int compared = 0;
+  const auto in_both = evaluate(both), in_fast_alone = evaluate(fast);
+  const auto named = [](const auto& all, const std::string& name) {
+    return std::find_if(all.begin(), all.end(), [&](const auto& o) { return o.name == name; });
+  };
   for (const EvaluatedResponse& r : evaluate(slow)) {
-    const auto all = evaluate(both);
-    const auto in_case = std::find_if(all.begin(), all.end(),
-                                      [&](const auto& o) { return o.name == "slow." + r.name; });
-    if (in_case == all.end()) continue;
-    const EvaluatedResponse other = response(fast, r.name),
-                            in_fast = response(both, "fast." + r.name);
+    const auto in_case = named(in_both, "slow." + r.name);
+    if (in_case == in_both.end()) continue;
+    const auto found = named(in_both, "fast." + r.name), alone = named(in_fast_alone, r.name);
+    REQUIRE((found != in_both.end() && alone != in_fast_alone.end()));
+    const EvaluatedResponse &other = *alone, &in_fast = *found;
     INFO(r.name);
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     CHECK(same(in_case->value, r.value));
