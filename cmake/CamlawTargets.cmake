@@ -13,32 +13,22 @@ function(camlaw_options target)
     $<$<BOOL:${CAMLAW_WERROR}>:-Werror>)
 endfunction()
 
-# Compiles the sources as units of up to 24 files, where CAMLAW_UNITY asks for it: most of a file's time
-# goes into the headers and templates that its neighbours need too, and a unit of 24 files takes half
-# the time of three units of eight. Sources that follow LONG take longer by themselves: up to four of a
-# folder form a unit.
+# Compiles the sources as units of up to CAMLAW_UNITY files: most of a file's time goes into the headers
+# and templates that its neighbours need too (benchmarks/README.md). Sources that follow LONG take longer
+# by themselves: a unit has a third as many of them.
 function(camlaw_units target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" LONG)
-  set_target_properties(${target} PROPERTIES
-    UNITY_BUILD ${CAMLAW_UNITY} UNITY_BUILD_MODE GROUP)
-  if(CAMLAW_UNITY)
-    # A class of one source may hold what that source alone names, though a unit includes it.
-    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  if(NOT CAMLAW_UNITY)
+    return()
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A class of one source may hold what that source alone names, though a unit includes it.
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   get_target_property(sources ${target} SOURCES)
   list(REMOVE_ITEM sources ${arg_LONG})
-  camlaw_unit_groups(short 24 ${sources})
-  set(folders)
-  foreach(source IN LISTS arg_LONG)
-    get_filename_component(folder ${source} DIRECTORY)
-    string(MAKE_C_IDENTIFIER ${folder} folder)
-    list(APPEND long_${folder} ${source})
-    list(APPEND folders ${folder})
-  endforeach()
-  list(REMOVE_DUPLICATES folders)
-  foreach(folder IN LISTS folders)
-    camlaw_unit_groups(${folder} 4 ${long_${folder}})
-  endforeach()
+  camlaw_unit_groups(short ${CAMLAW_UNITY} ${sources})
+  math(EXPR few "(${CAMLAW_UNITY} + 2) / 3")
+  camlaw_unit_groups(long ${few} ${arg_LONG})
 endfunction()
 
 # Divides sources, in their order, into as few groups of at most LARGEST as there can be, of even size.

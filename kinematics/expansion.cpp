@@ -13,10 +13,10 @@ constexpr std::size_t kMostTerms = 16;
 using Terms = std::array<double, kMostTerms>;
 
 /// Half a unit in the last place of 1: the relative error of one operation.
-constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2;
+constexpr double kHalfStep = std::numeric_limits<double>::epsilon() / 2;
 /// Error bounds are sums and products of positive numbers, fewer than 100 roundings each: this
 /// covers them, and kTiny what vanishes below the smallest numbers.
-constexpr double kUpwards = 1 + 100 * kRounding;
+constexpr double kUpwards = 1 + 100 * kHalfStep;
 constexpr double kTiny = 1e-300;
 
 /// i (i - 1) ... (i - k + 1): the k-th derivative makes this many x^(i - k) of x^i.
@@ -48,7 +48,7 @@ struct PieceExpander::Sums {
 
   void add(std::size_t k, double term, double term_error, double term_moved) {
     value[k] += term;
-    error[k] += term_error + kRounding * std::abs(value[k]);
+    error[k] += term_error + kHalfStep * std::abs(value[k]);
     moved[k] += term_moved;
   }
   Interval at(std::size_t k) const { return around(k, error[k] * kUpwards + kTiny); }
@@ -78,7 +78,7 @@ void PieceExpander::add_polynomial(double t, double slack, Sums& sums) const {
   const std::size_t terms = polynomial_.size();
   Terms c, sizes, errors;
   // No path from a coefficient to a shifted one has more than 2 terms operations.
-  const double rounding = static_cast<double>(2 * terms + 4) * kRounding;
+  const double rounding = static_cast<double>(2 * terms + 4) * kHalfStep;
   for (std::size_t i = 0; i < terms; ++i) {
     c[i] = polynomial_[i].value;
     sizes[i] = polynomial_[i].size();
@@ -97,7 +97,7 @@ void PieceExpander::add_polynomial(double t, double slack, Sums& sums) const {
       moved = moved * sums.radius + kFallingPowers[k][i] * (std::abs(c[i]) + errors[i]);
     }
     const double factorial = kFallingPowers[k][k];
-    sums.add(k, factorial * c[k], factorial * errors[k] + kRounding * factorial * std::abs(c[k]),
+    sums.add(k, factorial * c[k], factorial * errors[k] + kHalfStep * factorial * std::abs(c[k]),
              moved * sums.radius);
   }
 }
@@ -106,15 +106,15 @@ void PieceExpander::add_harmonic(const NearHarmonic& h, double t, double slack, 
   const double w = h.frequency.value, bound = h.frequency.size();
   const double angle = w * t;
   const double angle_error =
-      kRounding * std::abs(angle) + bound * slack + h.frequency.error * (std::abs(t) + slack);
-  // glibc's sin and cos are right to a unit in the last place, at most 2 kRounding.
+      kHalfStep * std::abs(angle) + bound * slack + h.frequency.error * (std::abs(t) + slack);
+  // glibc's sin and cos are right to a unit in the last place, at most 2 kHalfStep.
   const double sine = std::sin(angle), cosine = std::cos(angle);
-  const double wobble = angle_error + 2 * kRounding;
+  const double wobble = angle_error + 2 * kHalfStep;
   double a = h.sine.value, b = h.cosine.value, power = 1;
   std::array<double, kOrders + 1> d, errors;
   for (std::size_t k = 0; k <= kOrders; ++k) {
     const double order = static_cast<double>(k);
-    const double relative = wobble + (order + 3) * kRounding + order * h.frequency.error / bound;
+    const double relative = wobble + (order + 3) * kHalfStep + order * h.frequency.error / bound;
     d[k] = a * sine + b * cosine;
     errors[k] =
         power * ((h.sine.size() + h.cosine.size()) * relative + h.sine.error + h.cosine.error);
@@ -150,7 +150,7 @@ Expansion PieceExpander::operator()(const Interval& x) const {
   e.middle = boost::numeric::median(x);
   e.radius = magnitude(x - e.middle);
   const double t = e.middle - origin_.value;
-  const double slack = kRounding * std::abs(t) + origin_.error;
+  const double slack = kHalfStep * std::abs(t) + origin_.error;
   Sums sums{.radius = e.radius};
   add_polynomial(t, slack, sums);
   for (const NearHarmonic& harmonic : harmonics_) add_harmonic(harmonic, t, slack, sums);

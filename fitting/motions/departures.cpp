@@ -10,24 +10,24 @@ namespace {
 constexpr std::size_t kHalf = 4;  // neighbours to either side
 constexpr double kCount = 2 * kHalf + 1;
 
-struct Left {
+struct LeftOver {
   double place, value;  ///< sample less law
 };
 
 /// What the law leaves, by place.
-std::vector<Left> left_of(const MotionSamples& samples, const LawFit& fit) {
-  std::vector<Left> left;
+std::vector<LeftOver> left_of(const MotionSamples& samples, const LawFit& fit) {
+  std::vector<LeftOver> left;
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
     const double place = samples.place[i];
     left.push_back({place, samples.value[i] - fit.value(place, samples.order)});
   }
   std::sort(left.begin(), left.end(),
-            [](const Left& a, const Left& b) { return a.place < b.place; });
+            [](const LeftOver& a, const LeftOver& b) { return a.place < b.place; });
   return left;
 }
 
 /// On which side of the law the neighbours of sample k lie together: 1, -1, or 0 on none.
-int side_at(const std::vector<Left>& left, std::size_t k, double noise) {
+int side_at(const std::vector<LeftOver>& left, std::size_t k, double noise) {
   constexpr double kBeyond = 4.5;
   const std::size_t first = std::min(std::max(k, kHalf) - kHalf, left.size() - 2 * kHalf - 1);
   double mean = 0;
@@ -37,11 +37,11 @@ int side_at(const std::vector<Left>& left, std::size_t k, double noise) {
 }
 
 /// A stretch begins and ends before its mean tells it from the noise: half a window further out.
-void reach_out(std::vector<Departure>& found, const std::vector<Left>& left) {
+void reach_out(std::vector<Departure>& found, const std::vector<LeftOver>& left) {
   for (Departure& stretch : found) {
     const auto at = [&](double place) {
       return std::lower_bound(left.begin(), left.end(), place,
-                              [](const Left& l, double p) { return l.place < p; }) -
+                              [](const LeftOver& l, double p) { return l.place < p; }) -
              left.begin();
     };
     const auto half = static_cast<std::ptrdiff_t>(kHalf);
@@ -58,7 +58,7 @@ void reach_out(std::vector<Departure>& found, const std::vector<Left>& left) {
 
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise) {
   constexpr double kMost = 1.0 / 3;
-  const std::vector<Left> left = left_of(samples, fit);
+  const std::vector<LeftOver> left = left_of(samples, fit);
   if (left.size() < 2 * kHalf + 1) return {};
   std::vector<Departure> found;
   std::size_t count = 0;

@@ -36,7 +36,7 @@ Outliers outliers_of(const MotionFit& fit, double chance) {
   return find_outliers(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least, chance);
 }
 
-std::string quantity(double value, const std::string& unit) {
+std::string in_unit(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
 }
 
@@ -48,8 +48,8 @@ std::string drawn_by(const MotionFit& fit) {
       "{} of {} samples lie farther off than chance explains, by up to {} at {}, and distort the "
       "fit; --loss huber or --loss cauchy limits their weight",
       fit.outliers.samples.size(), samples.place.size(),
-      quantity(std::abs(fit.best().fit.residuals[worst]), samples.unit),
-      quantity(samples.place[worst], samples.place_unit));
+      in_unit(std::abs(fit.best().fit.residuals[worst]), samples.unit),
+      in_unit(samples.place[worst], samples.place_unit));
 }
 
 bool shows_no_stroke(const LawFit& fit) {
@@ -82,7 +82,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   if (is_drawn) return drawn_by(fit);
   if (!fit.is_told) {
     return fmt::format("with noise of {} the law cannot be identified; these are possible: {}, {}",
-                       quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
+                       in_unit(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
                        first_names(fit.as_good));
   }
   return "";

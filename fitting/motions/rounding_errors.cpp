@@ -22,9 +22,8 @@ constexpr int kWaves = 40;  // of the saw-tooth: what is left is a fortieth of i
 
 /// The variance of a wave of the rounding error of values with noise of this variance.
 double variance_of_wave(int k, double step, double noise) {
-  constexpr double kPi = std::numbers::pi;
-  const double turns = k / step;
-  return std::exp(-4 * kPi * kPi * turns * turns * noise) / (2 * kPi * kPi * turns * turns);
+  const double frequency = std::numbers::pi * k / step;
+  return std::exp(-4 * frequency * frequency * noise) / (2 * frequency * frequency);
 }
 
 }  // namespace

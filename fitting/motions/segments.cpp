@@ -16,14 +16,14 @@ namespace {
 using Node = MotionNode;
 using Chain = MotionChain;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_segments(const std::string& why) {
   throw std::invalid_argument("segments: " + why);
 }
 
 void check(const SegmentOptions& options) {
   for (const double share : {options.least_dwell, options.least_motion}) {
     if (share > 0 && share < 0.5) continue;
-    refuse(fmt::format("the least fraction, {:.6g}, is not between 0 and 0.5", share));
+    refuse_segments(fmt::format("the least fraction, {:.6g}, is not between 0 and 0.5", share));
   }
 }
 

@@ -193,55 +193,60 @@ std::vector<MechanismResponse> turn_curves() {
 
 /// A number from formula(machine, surplus), for the surplus work that its cam is cut for.
 template <template <class> class M, class F>
-MechanismResponse number(ResponseAbout about, F formula) {
+MechanismResponse balancing_number(ResponseAbout about, F formula) {
   return number_response<M>(std::move(about), [formula](const auto& machine) {
     return formula(machine, surplus_of(machine.designed()));
   });
 }
 
 template <template <class> class M>
-std::vector<MechanismResponse> numbers() {
+std::vector<MechanismResponse> balancing_numbers() {
   return {
-      number<M>({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
-                [](const auto& machine, const auto&) { return machine.mean_torque(); }),
-      number<M>({"surplus_range", "J", "J",
-                 "work that the springs store and return, at the speed the cam is cut for"},
-                [](const auto&, const auto& surplus) { return surplus.range; }),
-      number<M>({"ideal_balance", "1", "1",
-                 "greatest torque over mean torque at the speed the cam is cut for: K of an ideal "
-                 "balance"},
-                [](const auto& machine, const auto& surplus) {
-                  return surplus.peak_torque / machine.mean_torque();
-                }),
-      number<M>(
+      balancing_number<M>({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
+                          [](const auto& machine, const auto&) { return machine.mean_torque(); }),
+      balancing_number<M>(
+          {"surplus_range", "J", "J",
+           "work that the springs store and return, at the speed the cam is cut for"},
+          [](const auto&, const auto& surplus) { return surplus.range; }),
+      balancing_number<M>(
+          {"ideal_balance", "1", "1",
+           "greatest torque over mean torque at the speed the cam is cut for: K of an ideal "
+           "balance"},
+          [](const auto& machine, const auto& surplus) {
+            return surplus.peak_torque / machine.mean_torque();
+          }),
+      balancing_number<M>(
           {"spring_stroke", "mm", "m", "working stroke of the stack"},
           [](const auto& machine, const auto& surplus) { return machine.stroke(surplus.range); }),
-      number<M>({"spring_deflection", "mm", "m", "greatest deflection of each spring"},
-                [](const auto& machine, const auto& surplus) {
-                  return machine.deflection(surplus.range);
-                }),
-      number<M>(
+      balancing_number<M>({"spring_deflection", "mm", "m", "greatest deflection of each spring"},
+                          [](const auto& machine, const auto& surplus) {
+                            return machine.deflection(surplus.range);
+                          }),
+      balancing_number<M>(
           {"flattening", "1", "1",
            "greatest deflection of a spring over its deflection to flat; catalogues allow 0.75"},
           [](const auto& machine, const auto& surplus) {
             return machine.deflection(surplus.range) / machine.cone_height;
           }),
-      number<M>({"springs_needed", "1", "1",
-                 "packets in series for a greatest deflection of 0.75 h_0 (equation 10 of the "
-                 "source), not rounded"},
-                [](const auto& machine, const auto& surplus) {
-                  return machine.springs_needed(surplus.range);
-                }),
-      number<M>({"spring_stress", "MPa", "Pa",
-                 "greatest compressive stress, at the inner upper edge of a spring"},
-                [](const auto& machine, const auto& surplus) {
-                  return -machine.spring().stress_upper_inner(machine.deflection(surplus.range));
-                }),
-      number<M>({"spring_tension", "MPa", "Pa",
-                 "greatest tensile stress at the outer lower edge of a spring"},
-                [](const auto& machine, const auto& surplus) {
-                  return machine.spring().stress_lower_outer(machine.deflection(surplus.range));
-                })};
+      balancing_number<M>(
+          {"springs_needed", "1", "1",
+           "packets in series for a greatest deflection of 0.75 h_0 (equation 10 of the "
+           "source), not rounded"},
+          [](const auto& machine, const auto& surplus) {
+            return machine.springs_needed(surplus.range);
+          }),
+      balancing_number<M>({"spring_stress", "MPa", "Pa",
+                           "greatest compressive stress, at the inner upper edge of a spring"},
+                          [](const auto& machine, const auto& surplus) {
+                            return -machine.spring().stress_upper_inner(
+                                machine.deflection(surplus.range));
+                          }),
+      balancing_number<M>({"spring_tension", "MPa", "Pa",
+                           "greatest tensile stress at the outer lower edge of a spring"},
+                          [](const auto& machine, const auto& surplus) {
+                            return machine.spring().stress_lower_outer(
+                                machine.deflection(surplus.range));
+                          })};
 }
 
 /// K = greatest torque before balancing over the greatest after.
@@ -253,7 +258,7 @@ MechanismResponse balance(const char* name, const char* meaning, const Mechanism
 
 template <template <class> class M>
 Mechanism balancing_cam(const char* name, const char* title) {
-  std::vector<MechanismResponse> responses = numbers<M>();
+  std::vector<MechanismResponse> responses = balancing_numbers<M>();
   responses.push_back(
       balance<M>("balancing_coefficient",
                  "greatest torque before balancing over the greatest torque after it, K",

@@ -56,20 +56,20 @@ namespace {
 
 using optim::Part;
 
-enum class Curve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
+enum class KnifeEdgeCurve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
 
-MechanismResponse curve(Curve which, ResponseAbout about) {
+MechanismResponse knife_edge_curve(KnifeEdgeCurve which, ResponseAbout about) {
   return listed_curve<KnifeEdgeCam>(std::move(about), turn_of_the_cam(), which,
-                                    [](const auto& cam, Curve wanted, const auto& motion) {
+                                    [](const auto& cam, KnifeEdgeCurve wanted, const auto& motion) {
                                       const auto f = cam.over_angle(motion);
                                       switch (wanted) {
-                                        case Curve::PressureAngle:
+                                        case KnifeEdgeCurve::PressureAngle:
                                           return cam.pressure_angle(f);
-                                        case Curve::ProfileCurvature:
+                                        case KnifeEdgeCurve::ProfileCurvature:
                                           return cam.profile_curvature(f);
-                                        case Curve::ToolFit:
+                                        case KnifeEdgeCurve::ToolFit:
                                           return cam.tool_fit(f);
-                                        case Curve::ContactForce:
+                                        case KnifeEdgeCurve::ContactForce:
                                           break;
                                       }
                                       return cam.contact_force(f);
@@ -80,19 +80,20 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 Mechanism knife_edge_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
+  responses.push_back(knife_edge_curve(
+      KnifeEdgeCurve::PressureAngle, {"pressure_angle", "deg", "rad",
+                                      "angle between the normal of the profile and the follower's "
+                                      "path, with the sign of the slope"}));
   responses.push_back(
-      curve(Curve::PressureAngle, {"pressure_angle", "deg", "rad",
-                                   "angle between the normal of the profile and the follower's "
-                                   "path, with the sign of the slope"}));
+      knife_edge_curve(KnifeEdgeCurve::ProfileCurvature,
+                       {"profile_curvature", "1/mm", "1/m",
+                        "curvature of the profile, positive where convex, negative where hollow"}));
   responses.push_back(
-      curve(Curve::ProfileCurvature,
-            {"profile_curvature", "1/mm", "1/m",
-             "curvature of the profile, positive where convex, negative where hollow"}));
-  responses.push_back(curve(
-      Curve::ToolFit, {"tool_fit", "1", "1",
-                       "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
-  responses.push_back(
-      curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
+      knife_edge_curve(KnifeEdgeCurve::ToolFit,
+                       {"tool_fit", "1", "1",
+                        "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
+  responses.push_back(knife_edge_curve(KnifeEdgeCurve::ContactForce,
+                                       {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());

@@ -54,14 +54,14 @@ namespace {
 
 using optim::Part;
 
-enum class Curve { ContactLever, ContactForce };
+enum class LeverCurve { ContactLever, ContactForce };
 
-MechanismResponse curve(Curve which, ResponseAbout about) {
+MechanismResponse lever_curve(LeverCurve which, ResponseAbout about) {
   return listed_curve<OscillatingFlatCam>(
       std::move(about), turn_of_the_cam(), which,
-      [](const auto& cam, Curve wanted, const auto& motion) {
+      [](const auto& cam, LeverCurve wanted, const auto& motion) {
         const auto f = cam.over_angle(motion);
-        return wanted == Curve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
+        return wanted == LeverCurve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
       });
 }
 
@@ -69,12 +69,13 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 Mechanism oscillating_flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<OscillatingFlatCam>(kOscillating);
-  responses.push_back(curve(Curve::ContactLever, {"contact_lever", "mm", "m",
-                                                  "position of the contact along the face, from "
-                                                  "the foot of the perpendicular from the pivot"}));
-  responses.push_back(profile_radius_response<OscillatingFlatCam>());
   responses.push_back(
-      curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
+      lever_curve(LeverCurve::ContactLever, {"contact_lever", "mm", "m",
+                                             "position of the contact along the face, from "
+                                             "the foot of the perpendicular from the pivot"}));
+  responses.push_back(profile_radius_response<OscillatingFlatCam>());
+  responses.push_back(lever_curve(LeverCurve::ContactForce,
+                                  {"contact_force", "N", "N", "force between face and cam"}));
   append(responses, face_contact_responses<OscillatingFlatCam>());
   append(responses, drawn_responses<OscillatingFlatCam>(false));
   append(responses, blank_responses<OscillatingFlatCam>());

@@ -64,7 +64,7 @@ std::vector<ShapeStatement> linear_train() {
   return {{{"law"}, S::Linear, "DS10"}, {{"stroke"}, S::Linear, "DS10"}};
 }
 
-std::vector<MechanismResponse> numbers() {
+std::vector<MechanismResponse> train_numbers() {
   const std::vector<ShapeStatement> linear = linear_train();
   const std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS10"},
                                            {{"stroke"}, S::Linear, "DS10"}};
@@ -117,7 +117,7 @@ MechanismResponse over_speeds() {
 
 Mechanism follower_train_mechanism() {
   const std::vector<ShapeStatement> linear = linear_train();
-  std::vector<MechanismResponse> responses = numbers();
+  std::vector<MechanismResponse> responses = train_numbers();
   using Q = TrainQuantity;
   responses.push_back(
       curve(Q::Deviation,

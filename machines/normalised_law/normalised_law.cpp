@@ -51,7 +51,7 @@ MechanismResponse law_curve(const char* name, const char* meaning, F motion) {
                                    [motion](const auto&) { return motion; });
 }
 
-std::vector<MechanismResponse> curves() {
+std::vector<MechanismResponse> law_curves() {
   return {law_curve("displacement", "s", [](const auto& m) { return m.s; }),
           law_curve("velocity", "s'", [](const auto& m) { return m.v; }),
           law_curve("acceleration", "s''", [](const auto& m) { return m.a; }),
@@ -95,12 +95,12 @@ MechanismResponse mean_square_of(const char* name, const char* meaning, int orde
       });
 }
 
-enum class Part { Cosine, Sine };
+enum class Wave { Cosine, Sine };
 
 /// The same integrals, enclosed piece by piece in closed form: by parts int q cos(Wx) dx is
 /// q sin(Wx)/W + q' cos(Wx)/W^2 - q'' sin(Wx)/W^3 - ..., and with sin(Wx) - cos, sin, cos, ... The
 /// state of the follower would be turned at each joint, by which intervals grow with exp(W).
-Interval part_by_pieces(const Law<Interval>& law, const Interval& W, Part part) {
+Interval part_by_pieces(const Law<Interval>& law, const Interval& W, Wave part) {
   Interval sum(0.0);
   for (const Piece<Interval>& piece : law.pieces()) {
     for (const bool at_end : {false, true}) {
@@ -108,7 +108,7 @@ Interval part_by_pieces(const Law<Interval>& law, const Interval& W, Part part) 
       const Interval wave[2] = {sin(W * x), cos(W * x)};
       std::vector<Interval> q = detail::derived(piece.polynomial, 2);
       Interval power = W;
-      for (int k = part == Part::Cosine ? 0 : 3; !q.empty(); ++k) {
+      for (int k = part == Wave::Cosine ? 0 : 3; !q.empty(); ++k) {
         Interval value(0.0);
         for (std::size_t i = q.size(); i-- > 0;) value = value * t + q[i];
         const bool negative = (k % 4 >= 2) == at_end;
@@ -131,7 +131,7 @@ bool is_polynomial(const Law<Interval>& law) {
 /// (FL1) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
 /// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
 template <class T>
-Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Part part) {
+Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Wave part) {
   using std::cos;
   using std::sin;
   const auto end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
@@ -139,7 +139,7 @@ Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Part part) {
   const T W = number<T>(2) * pi<T>() * period_ratio;
   const T rate = end->rate / W;
   const T result =
-      part == Part::Cosine ? -(cos(W) * rate) - sin(W) * end->z : cos(W) * end->z - sin(W) * rate;
+      part == Wave::Cosine ? -(cos(W) * rate) - sin(W) * end->z : cos(W) * end->z - sin(W) * rate;
   if constexpr (std::is_same_v<T, Interval>) {
     if (is_polynomial(law)) return both(result, part_by_pieces(law, W, part));
   }
@@ -153,7 +153,7 @@ auto ratio_of(int which) {
   };
 }
 
-auto part_formula(Part part) {
+auto part_formula(Wave part) {
   return [part](const auto& ratio, const auto& law) { return residual_part(law, ratio[0], part); };
 }
 
@@ -161,13 +161,13 @@ std::string numbered(const std::string& name, int which) {
   return which == 0 ? name : fmt::format("{}_{}", name, which + 1);
 }
 
-MechanismResponse residual_part(const char* name, Part part, int which) {
+MechanismResponse residual_part(const char* name, Wave part, int which) {
   return law_number<Followers>(
       {numbered(name, which),
        "1",
        "1",
        fmt::format("{} part of the residual vibration at {}",
-                   part == Part::Cosine ? "cosine" : "sine", numbered("period_ratio", which)),
+                   part == Wave::Cosine ? "cosine" : "sine", numbered("period_ratio", which)),
        {{{"law"}, Shape::Linear, "DS10"}}},
       ratio_of(which), law_kernel(part_formula(part)));
 }
@@ -184,9 +184,9 @@ MechanismResponse residual_amplitude(int which) {
         if (!end) return end.reason();
         const T result = train.amplitude(*end);
         if constexpr (std::is_same_v<T, Interval>) {
-          const auto c = residual_part(law, ratio[0], Part::Cosine);
+          const auto c = residual_part(law, ratio[0], Wave::Cosine);
           if (!c) return c.reason();
-          const auto s = residual_part(law, ratio[0], Part::Sine);
+          const auto s = residual_part(law, ratio[0], Wave::Sine);
           if (!s) return s.reason();
           return both(result, sqrt(boost::numeric::square(*c) + boost::numeric::square(*s)));
         } else {
@@ -194,22 +194,22 @@ MechanismResponse residual_amplitude(int which) {
         }
       },
       [which](const Binding& binding, auto general) -> std::shared_ptr<const optim::Kernel> {
-        const auto part = [&](Part p) {
+        const auto part = [&](Wave p) {
           return kernel_in(binding, ratio_of(which), part_formula(p), Shape::Linear);
         };
-        return std::make_shared<NormKernel>(part(Part::Cosine), part(Part::Sine),
+        return std::make_shared<NormKernel>(part(Wave::Cosine), part(Wave::Sine),
                                             std::move(general));
       });
 }
 
 std::vector<MechanismResponse> responses() {
-  std::vector<MechanismResponse> all = curves();
+  std::vector<MechanismResponse> all = law_curves();
   all.push_back(mean_square_of("mean_square_velocity", "mean of s'^2", 1));
   all.push_back(mean_square_of("mean_square_acceleration", "mean of s''^2", 2));
   all.push_back(mean_square_of("mean_square_jerk", "mean of s'''^2", 3));
   for (int which = 0; which < 3; ++which) {
-    all.push_back(residual_part("residual_cosine", Part::Cosine, which));
-    all.push_back(residual_part("residual_sine", Part::Sine, which));
+    all.push_back(residual_part("residual_cosine", Wave::Cosine, which));
+    all.push_back(residual_part("residual_sine", Wave::Sine, which));
     all.push_back(residual_amplitude(which));
   }
   return all;

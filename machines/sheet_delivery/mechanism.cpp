@@ -117,7 +117,7 @@ MechanismResponse curve(Quantity which, ResponseAbout about) {
                                      });
 }
 
-std::vector<MechanismResponse> numbers() {
+std::vector<MechanismResponse> delivery_numbers() {
   return {
       number_response<SheetDelivery>(
           {"slow_down", "1", "1",
@@ -131,7 +131,7 @@ std::vector<MechanismResponse> numbers() {
           [](const auto& drive) { return drive.boundary_efficiency(); })};
 }
 
-std::vector<MechanismResponse> curves() {
+std::vector<MechanismResponse> delivery_curves() {
   using Q = Quantity;
   return {
       curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
@@ -164,8 +164,8 @@ std::vector<MechanismResponse> curves() {
 }  // namespace
 
 Mechanism sheet_delivery_mechanism() {
-  std::vector<MechanismResponse> responses = numbers();
-  append(responses, curves());
+  std::vector<MechanismResponse> responses = delivery_numbers();
+  append(responses, delivery_curves());
   return {.name = "sheet-delivery",
           .title = "sheet-delivery carriage that a chain in curved guides moves by a rod",
           .source =

@@ -50,24 +50,24 @@ MechanismResponse meshing(ResponseAbout about, F formula) {
 }
 
 template <class F>
-MechanismResponse number(ResponseAbout about, F formula) {
+MechanismResponse feeder_number(ResponseAbout about, F formula) {
   return number_response<SignatureFeeder>(std::move(about), formula);
 }
 
-std::vector<MechanismResponse> numbers() {
-  return {
-      number({"drum_swing", "deg", "rad", "swing of the cylinder between its reversals"},
-             [](const auto& drive) { return drive.drum_swing(); }),
-      number({"guide_swing", "deg", "rad", "swing of the guide"},
-             [](const auto& drive) { return drive.guide_swing(); }),
-      number({"least_guide_length", "mm", "m", "least distance of the crank pin along the guide"},
-             [](const auto& drive) { return drive.least_guide_length(); }),
-      number({"greatest_guide_length", "mm", "m",
-              "greatest distance of the crank pin along the guide"},
-             [](const auto& drive) { return drive.greatest_guide_length(); })};
+std::vector<MechanismResponse> feeder_numbers() {
+  return {feeder_number({"drum_swing", "deg", "rad", "swing of the cylinder between its reversals"},
+                        [](const auto& drive) { return drive.drum_swing(); }),
+          feeder_number({"guide_swing", "deg", "rad", "swing of the guide"},
+                        [](const auto& drive) { return drive.guide_swing(); }),
+          feeder_number(
+              {"least_guide_length", "mm", "m", "least distance of the crank pin along the guide"},
+              [](const auto& drive) { return drive.least_guide_length(); }),
+          feeder_number({"greatest_guide_length", "mm", "m",
+                         "greatest distance of the crank pin along the guide"},
+                        [](const auto& drive) { return drive.greatest_guide_length(); })};
 }
 
-std::vector<MechanismResponse> curves() {
+std::vector<MechanismResponse> feeder_curves() {
   const auto travel = [](const auto& drive, const auto& phi) {
     return drive.rack_travel(phi).value;
   };
@@ -106,8 +106,8 @@ std::vector<MechanismResponse> curves() {
 }  // namespace
 
 Mechanism signature_feeder_mechanism() {
-  std::vector<MechanismResponse> responses = numbers();
-  append(responses, curves());
+  std::vector<MechanismResponse> responses = feeder_numbers();
+  append(responses, feeder_curves());
   return {.name = "signature-feeder",
           .title = "crank, rocking guide and rack of a reversing signature feeder",
           .source =

@@ -9,7 +9,7 @@ namespace {
 
 using optim::Part, optim::Shape;
 
-std::vector<MechanismResponse> numbers() {
+std::vector<MechanismResponse> cutter_numbers() {
   return {
       number_response<SpineCutter>({"chord_of_contact",
                                     "mm",
@@ -52,7 +52,7 @@ MechanismResponse scaled_curve(ResponseAbout about, Scale scale, PartOf part) {
       });
 }
 
-std::vector<MechanismResponse> curves() {
+std::vector<MechanismResponse> cutter_curves() {
   const std::vector<std::string> speeds{"block_speed", "depth", "cutter_diameter"};
   return {scaled_curve(
               {"cam_pressure_angle",
@@ -108,8 +108,8 @@ const std::vector<MechanismParameter>& spine_cutter_parameters() {
 }
 
 Mechanism spine_cutter_mechanism() {
-  std::vector<MechanismResponse> responses = numbers();
-  append(responses, curves());
+  std::vector<MechanismResponse> responses = cutter_numbers();
+  append(responses, cutter_curves());
   return {.name = "spine-cutter",
           .title = "spine-notching cutter stroked by a face cam",
           .source = "Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70)",

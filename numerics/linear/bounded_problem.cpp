@@ -16,11 +16,11 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// A sum of a few products is known to some units in the last place of its terms.
-constexpr double kRounding = 8 * kEpsilon;
+constexpr double kRoundingOfRow = 8 * kEpsilon;
 
 /// A least-squares answer leaves products of this share of their terms: rotations move rounding
 /// along the band.
-constexpr double kLeft = 256 * kEpsilon;
+constexpr double kPull = 256 * kEpsilon;
 
 /// Shorter steps than this clamp about as few columns as the first one to meet its bound.
 constexpr double kShortStep = 1e-3;
@@ -33,7 +33,7 @@ BoundedPoint BoundedProblem::at(VectorXd m) const {
   p.terms = sizes_ * m.cwiseAbs() + b_.cwiseAbs();
   p.m = std::move(m);
   p.square = p.residual.squaredNorm();
-  const VectorXd error = kRounding * p.terms;
+  const VectorXd error = kRoundingOfRow * p.terms;
   p.rounding = error.dot(p.residual.cwiseAbs() + error);
   return p;
 }
@@ -48,11 +48,11 @@ VectorXd BoundedProblem::clamped(VectorXd m) const {
 VectorXd BoundedProblem::pulls(const BoundedPoint& point) const {
   // Only rounding is left out: with third differences of 300 points, products of 1e-14 were seen to
   // hide a residual of 2e-9 that one more column in play removed.
-  return beyond(point, kRounding);
+  return beyond(point, kRoundingOfRow);
 }
 
 bool BoundedProblem::conditions_hold(const BoundedPoint& point) const {
-  const VectorXd pull = beyond(point, kLeft);
+  const VectorXd pull = beyond(point, kPull);
   for (Index j = 0; j < pull.size(); ++j) {
     const bool at_bound = bounded(j) && point.m[j] == 0;
     if (at_bound ? pull[j] > 0 : pull[j] != 0) return false;
@@ -71,7 +71,7 @@ VectorXd BoundedProblem::beyond(const BoundedPoint& point, double share) const {
 
 bool BoundedProblem::same_residual(const BoundedPoint& a, const BoundedPoint& b) const {
   const auto shift = (a.residual - b.residual).cwiseAbs().array();
-  return (shift <= kRounding * a.terms.cwiseMax(b.terms).array()).all();
+  return (shift <= kRoundingOfRow * a.terms.cwiseMax(b.terms).array()).all();
 }
 
 BoundedPoint BoundedProblem::step(const BoundedPoint& from, const VectorXd& least) const {

@@ -20,7 +20,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 /// to 70, and after which it ends from there. Where no columns are nearly alike, up to 32 were seen
 /// at 20000 columns; where thousands are, the search clamped them one by one from an interior point
 /// whose square was 4e-4 above the least.
-constexpr int kPatience = 64;
+constexpr int kIdleSteps = 64;
 
 /// Lawson and Hanson's method (1974, chapter 23), many columns at a time: a set of columns in play
 /// is fitted; columns that the fit would turn negative are clamped; clamped columns that pull are
@@ -106,7 +106,7 @@ class Search {
   void start_amid() {
     const InteriorPoint amid = interior_point(problem_, state_.point.m, factorize_);
     factorizations_ += amid.factorizations;
-    patience_ = factorizations_ + kPatience;
+    patience_ = factorizations_ + kIdleSteps;
     const State before = state_;
     VectorXd m = amid.m;
     for (Index j = 0; j < m.size(); ++j) {
@@ -171,7 +171,7 @@ class Search {
   FactorColumns factor_;
   State state_;
   double condition_ = 1;
-  int factorizations_ = 0, patience_ = kPatience;
+  int factorizations_ = 0, patience_ = kIdleSteps;
 };
 
 }  // namespace

@@ -87,8 +87,9 @@ class ItemList final : public nlohmann::json_sax<json> {
   }
 
  private:
-  bool add(Item item) {
-    items_.push_back(std::move(item));
+  template <class T>
+  bool add(T item) {
+    items_.emplace_back(std::move(item));
     return true;
   }
 

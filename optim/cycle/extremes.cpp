@@ -197,7 +197,7 @@ Extreme extreme_of(const Trace& trace, Part part) {
 
 namespace {
 
-struct Box {
+struct Stretch {
   double from, to;
   bool at_begin, at_end;  ///< of a smooth stretch: there the side matters
 };
@@ -219,9 +219,9 @@ Extreme summit(const Trace& trace, double sign, const Extreme& found) {
 
 CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
   const std::vector<double> breaks = trace.breaks();
-  std::vector<Box> boxes;
+  std::vector<Stretch> stretches;
   for (std::size_t k = breaks.size() - 1; k > 0; --k) {
-    boxes.push_back({breaks[k - 1], breaks[k], true, true});
+    stretches.push_back({breaks[k - 1], breaks[k], true, true});
   }
   CycleProof proof;
   proof.worst = {{breaks.front()}, -sign * kInfinity};
@@ -230,25 +230,25 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
     if (value > sign * proof.worst.value || std::isnan(value)) proof.worst = {place, sign * value};
     return !(value <= limit);
   };
-  while (!boxes.empty()) {
-    const Box box = boxes.back();
-    boxes.pop_back();
+  while (!stretches.empty()) {
+    const Stretch stretch = stretches.back();
+    stretches.pop_back();
     if (++proof.boxes > most_boxes) return proof;
-    const Bounds bounds = trace.enclose(box.from, box.to);
+    const Bounds bounds = trace.enclose(stretch.from, stretch.to);
     if ((sign > 0 ? bounds.upper : -bounds.lower) <= limit) continue;
-    const double middle = std::midpoint(box.from, box.to);
-    const bool divisible = middle > box.from && middle < box.to;
+    const double middle = std::midpoint(stretch.from, stretch.to);
+    const bool divisible = middle > stretch.from && middle < stretch.to;
     // A stretch of one point's width, or without any bound, is decided by its points alone: no
     // proof.
-    if (look({middle}) || (box.at_begin && look({box.from})) ||
-        (box.at_end && look({box.to, true}))) {
+    if (look({middle}) || (stretch.at_begin && look({stretch.from})) ||
+        (stretch.at_end && look({stretch.to, true}))) {
       proof.broken = true;
       proof.worst = summit(trace, sign, proof.worst);
       return proof;
     }
     if (!divisible) return proof;
-    boxes.push_back({middle, box.to, false, box.at_end});
-    boxes.push_back({box.from, middle, box.at_begin, false});
+    stretches.push_back({middle, stretch.to, false, stretch.at_end});
+    stretches.push_back({stretch.from, middle, stretch.at_begin, false});
   }
   proof.proved = true;
   return proof;

@@ -7,7 +7,7 @@ namespace camlaw::optim {
 namespace {
 
 /// The distance of a place from a rest into its stretch; below 0 on the other side.
-double distance(const Rest& rest, Place place) {
+double distance_to(const Rest& rest, Place place) {
   if (place.angle == rest.angle) return place.from_left == rest.is_end ? 0 : -1;
   return rest.is_end ? rest.angle - place.angle : place.angle - rest.angle;
 }
@@ -17,7 +17,7 @@ double distance(const Rest& rest, Place place) {
 double RestWeights::at(Place place) const {
   double weight = 1;
   for (const Rest& rest : rests_) {
-    const double d = distance(rest, place);
+    const double d = distance_to(rest, place);
     if (d >= 0 && d < rest.length) weight *= std::pow(d / rest.length, rest.order);
   }
   return weight;

@@ -23,7 +23,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Ends that agree to this share are as good as each other: the earlier one is taken.
-constexpr double kSame = 1e-9;
+constexpr double kSameFit = 1e-9;
 
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
@@ -326,9 +326,9 @@ void search_all(const std::vector<FitParameter>& parameters, const FitOptions& o
       const Eigen::Map<const VectorXd> p(start.data(), static_cast<Index>(start.size()));
       const auto end = search.from(p, way);
       if (!end) continue;
-      const bool is_better = !best || end->merit < best->merit * (1 - kSame);
-      const bool is_sounder =
-          best && end->stationary && !best->stationary && end->merit <= best->merit * (1 + kSame);
+      const bool is_better = !best || end->merit < best->merit * (1 - kSameFit);
+      const bool is_sounder = best && end->stationary && !best->stationary &&
+                              end->merit <= best->merit * (1 + kSameFit);
       if (is_better || is_sounder) best = end;
     }
   }

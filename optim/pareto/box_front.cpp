@@ -17,7 +17,7 @@ struct Fact {
 };
 
 /// Between two neighbours: whatever else the front has there lies right of and above the corner.
-struct Box {
+struct Between {
   const FrontPoint *left, *right;
   Costs corner;
 
@@ -63,22 +63,22 @@ class BoxFront final : public PartFront {
 
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
     std::vector<OpenPlace> places;
-    for (const Box& box : boxes()) {
-      if (front.covers(box.corner)) continue;
-      const double w = box.width(0) / front.range[0], h = box.width(1) / front.range[1];
+    for (const Between& between : rooms_between()) {
+      if (front.covers(between.corner)) continue;
+      const double w = between.width(0) / front.range[0], h = between.width(1) / front.range[1];
       constexpr double kClosed = 1e-5;
       if (!(std::hypot(w, h) > kClosed)) continue;
       // Of equal costs the better end has the rest.
       const bool is_thin =
-          !(box.width(0) > front.tolerances[0]) || !(box.width(1) > front.tolerances[1]);
+          !(between.width(0) > front.tolerances[0]) || !(between.width(1) > front.tolerances[1]);
       if (is_thin) continue;
-      if (const FrontPoint* rival = find_rival(box, front)) {
+      if (const FrontPoint* rival = find_rival(between, front)) {
         Task task = bounded(1, rival->costs[0]);
-        task.starts = {halfway(box.left->x, box.right->x), box.left->x};
+        task.starts = {halfway(between.left->x, between.right->x), between.left->x};
         places.push_back({std::hypot(w, h), std::move(task), true});
         continue;
       }
-      places.push_back({std::hypot(w, h), split(box, w >= h ? 0 : 1)});
+      places.push_back({std::hypot(w, h), split(between, w >= h ? 0 : 1)});
     }
     return places;
   }
@@ -105,7 +105,7 @@ class BoxFront final : public PartFront {
 
   std::vector<Costs> corners() const override {
     std::vector<Costs> result;
-    for (const Box& box : boxes()) result.push_back(box.corner);
+    for (const Between& between : rooms_between()) result.push_back(between.corner);
     result.insert(result.end(), left_.begin(), left_.end());
     return result;
   }
@@ -128,12 +128,12 @@ class BoxFront final : public PartFront {
     return task;
   }
 
-  /// Halves the box along one cost.
-  Task split(const Box& box, std::size_t along) const {
-    const double middle = box.corner[along] + box.width(along) / 2;
+  /// Halves the between along one cost.
+  Task split(const Between& between, std::size_t along) const {
+    const double middle = between.corner[along] + between.width(along) / 2;
     Task task = bounded(1 - along, middle);
-    const FrontPoint& inside = along == 0 ? *box.left : *box.right;
-    task.starts = {halfway(box.left->x, box.right->x), inside.x};
+    const FrontPoint& inside = along == 0 ? *between.left : *between.right;
+    task.starts = {halfway(between.left->x, between.right->x), inside.x};
     return task;
   }
 
@@ -162,13 +162,13 @@ class BoxFront final : public PartFront {
   }
 
   /// A point of another combination that this one may beat, as far as it has been looked at.
-  const FrontPoint* find_rival(const Box& box, const FrontSoFar& front) const {
+  const FrontPoint* find_rival(const Between& between, const FrontSoFar& front) const {
     constexpr double kSame = 1e-6;
     const auto is_rival = [&](const FrontPoint& p) {
       if (p.part == part_) return false;
       for (std::size_t i = 0; i < 2; ++i) {
-        const double room = p.costs[i] - box.corner[i];
-        if (!(room > kSame * front.range[i]) || !(room < box.width(i))) return false;
+        const double room = p.costs[i] - between.corner[i];
+        if (!(room > kSame * front.range[i]) || !(room < between.width(i))) return false;
       }
       return std::none_of(facts_.begin(), facts_.end(), [&](const Fact& fact) {
         return fact.sought == 1 && std::abs(fact.bound - p.costs[0]) <= kSame * front.range[0];
@@ -178,26 +178,26 @@ class BoxFront final : public PartFront {
     return at == front.points.end() ? nullptr : &*at;
   }
 
-  std::vector<Box> boxes() const {
-    std::vector<Box> result;
+  std::vector<Between> rooms_between() const {
+    std::vector<Between> result;
     for (std::size_t i = 1; i < points_.size(); ++i) {
-      Box box{&points_[i - 1], &points_[i], {points_[i - 1].costs[0], points_[i].costs[1]}};
-      for (const Fact& fact : facts_) narrow(box, fact);
-      result.push_back(std::move(box));
+      Between between{&points_[i - 1], &points_[i], {points_[i - 1].costs[0], points_[i].costs[1]}};
+      for (const Fact& fact : facts_) narrow(between, fact);
+      result.push_back(std::move(between));
     }
     return result;
   }
 
-  /// A search within the box that came to no more than one of its ends: nothing is on its side.
-  static void narrow(Box& box, const Fact& fact) {
+  /// A search within the between that came to no more than one of its ends: nothing is on its side.
+  static void narrow(Between& between, const Fact& fact) {
     constexpr double kSame = 1e-6;
     const std::size_t along = 1 - fact.sought;
-    const FrontPoint& near = along == 0 ? *box.left : *box.right;
-    const FrontPoint& far = along == 0 ? *box.right : *box.left;
-    if (!(fact.bound > box.corner[along] && fact.bound < far.costs[along])) return;
+    const FrontPoint& near = along == 0 ? *between.left : *between.right;
+    const FrontPoint& far = along == 0 ? *between.right : *between.left;
+    if (!(fact.bound > between.corner[along] && fact.bound < far.costs[along])) return;
     const double width = far.costs[fact.sought] - near.costs[fact.sought];
     if (fact.value < near.costs[fact.sought] - kSame * std::abs(width)) return;
-    box.corner[along] = fact.bound;
+    between.corner[along] = fact.bound;
   }
 
   bool set_up_ = false;

@@ -11,7 +11,7 @@ namespace {
 
 /// Beyond so many nearest points of each nothing is looked for: it bounds the work for fronts of
 /// thousands of points, and is all of them for fronts of hundreds.
-constexpr std::size_t kNear = 128;
+constexpr std::size_t kNeighbours = 128;
 
 struct Near {
   double distance;
@@ -29,7 +29,7 @@ std::vector<std::vector<Near>> nearest_of_each(std::span<const Costs> places) {
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (k != i) all.push_back({distance(places[i], places[k]), k});
     }
-    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kNear));
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kNeighbours));
     std::partial_sort(all.begin(), end, all.end());
     all.erase(end, all.end());
     all.shrink_to_fit();

@@ -18,7 +18,7 @@ using Numbers = std::vector<double>;
 
 constexpr std::size_t kRepetitions = 32;
 /// Whole rounds count: a stop loses those from the first draw on that is not there.
-constexpr std::size_t kMostInRound = 4096, kRounds = 16;
+constexpr std::size_t kMostInRound = 4096, kYieldRounds = 16;
 /// Rounds are handed out together, a quarter of all points at a time, as workers wait for each
 /// other at the end; but no more points than whose draws fit into some 100 MB.
 constexpr std::size_t kTogether = 4, kMostTogether = std::size_t{1} << 20;
@@ -195,7 +195,7 @@ class Estimator {
       std::vector<PartsDraw> draws;
       const std::size_t until = done_ + std::clamp(each / kTogether, kMostInRound, kMostTogether);
       for (std::size_t at = done_; at < std::min(each, until); at += rounds.back().points) {
-        const std::size_t most = std::clamp(each / kRounds, kMostInRound, kMostTogether);
+        const std::size_t most = std::clamp(each / kYieldRounds, kMostInRound, kMostTogether);
         const std::size_t points = std::min({each - at, std::max<std::size_t>(at, 1), most});
         for (PartsDraw& draw : round_of(mixture_, points, seed_, from_)) {
           draws.push_back(std::move(draw));

@@ -14,8 +14,6 @@ constexpr double kFlat = 1e-9;
 /// Centres and radii nearer than this, mm, are one circle's.
 constexpr double kSame = 1e-8;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The arc that leaves a point in a direction and meets another; a line where it is too flat.
 ArcPiece arc_of(const Vector2d& from, const Vector2d& direction, const Vector2d& to,
                 double most_radius) {

@@ -62,11 +62,11 @@ void close(const PlaneCurve& curve, Chords& chords) {
 }
 
 /// How far a cycle may be from a whole number of steps, as a part of that number.
-constexpr double kRounding = 1e-9;
+constexpr double kSlackOfChord = 1e-9;
 
 bool divides(double cycle, double step) {
   const double count = cycle / step;
-  return std::abs(count - std::round(count)) <= kRounding * count;
+  return std::abs(count - std::round(count)) <= kSlackOfChord * count;
 }
 
 /// The step nearest to a `count`-th of the cycle that divides it in the digits that are printed.
@@ -94,7 +94,7 @@ Eigen::Vector2d rounded(const Eigen::Vector2d& point, int decimals) {
 int count_steps(double cycle, double step, const std::string& unit) {
   constexpr double kMostSteps = 1e6;
   const double count = cycle / step;
-  if (!(step > 0) || !(count >= 1 - kRounding) || count > kMostSteps) {
+  if (!(step > 0) || !(count >= 1 - kSlackOfChord) || count > kMostSteps) {
     throw std::invalid_argument(
         fmt::format("a step of {} is outside {} .. {}", with_unit(step, unit),
                     with_unit(cycle / kMostSteps, unit), with_unit(cycle, unit)));

@@ -26,10 +26,6 @@ const optim::Response* find_curve(const std::vector<optim::Response>& curves,
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// What the way from the cam's centre to the curve turns by over the cycle, rad.
 double angle_about_centre(const PlaneCurve& curve) {
   double angle = 0;

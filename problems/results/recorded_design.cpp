@@ -23,13 +23,14 @@ namespace {
 
 constexpr const char* kWanted = "give a problem file or a result of 'camlaw optimize'";
 
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
+[[noreturn]] void refuse_result(const std::string& why) { throw std::invalid_argument(why); }
 
 const Json& key(const Json& record, const char* name, bool (Json::*is)() const noexcept,
                 const char* kind) {
   const auto found = record.find(name);
-  if (found == record.end()) refuse(fmt::format("its design has no {}", name));
-  if (!((*found).*is)()) refuse(fmt::format("{} of its design is not of type {}", name, kind));
+  if (found == record.end()) refuse_result(fmt::format("its design has no {}", name));
+  if (!((*found).*is)())
+    refuse_result(fmt::format("{} of its design is not of type {}", name, kind));
   return *found;
 }
 
@@ -48,7 +49,7 @@ std::vector<std::string> settings_of(const Json& record) {
   std::vector<std::string> settings;
   if (!record.contains("set")) return settings;
   for (const Json& setting : key(record, "set", &Json::is_array, "list")) {
-    if (!setting.is_string()) refuse("set of its design is not a list of texts");
+    if (!setting.is_string()) refuse_result("set of its design is not a list of texts");
     settings.push_back(setting.get<std::string>());
   }
   return settings;
@@ -74,7 +75,8 @@ void choose_law(const Json& record, ProblemStatement& statement) {
   const auto chosen = std::find_if(statement.laws.begin(), statement.laws.end(),
                                    [&](const Member& law) { return is_called(law, name); });
   if (chosen == statement.laws.end()) {
-    refuse(fmt::format("its design has the law '{}', which its problem does not have", name));
+    refuse_result(
+        fmt::format("its design has the law '{}', which its problem does not have", name));
   }
   statement.laws = std::vector<Member>{*chosen};
 }
@@ -124,11 +126,11 @@ void set_variables(const Json& record, ProblemStatement& statement) {
     if (!parameter) continue;
     const Json* const number = number_of(numbers, statement, variable);
     if (number == nullptr) {
-      refuse(fmt::format("its design has no number for {}", variable.name));
+      refuse_result(fmt::format("its design has no number for {}", variable.name));
     }
     const auto value = number->get<double>();
     if (const auto why = why_not(variable, value)) {
-      refuse(fmt::format("{} of its design: {}", variable.name, *why));
+      refuse_result(fmt::format("{} of its design: {}", variable.name, *why));
     }
     variable.start = value;
     put_value(statement, *parameter, variable.element, value);
@@ -142,19 +144,19 @@ Json result_of(std::string_view json) {
     try {
       return parse_json(json);
     } catch (const std::invalid_argument& error) {
-      refuse(fmt::format("{}; {}", error.what(), kWanted));
+      refuse_result(fmt::format("{}; {}", error.what(), kWanted));
     }
   }();
   if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
-    refuse(fmt::format("it is not a result with a design in it; {}", kWanted));
+    refuse_result(fmt::format("it is not a result with a design in it; {}", kWanted));
   }
   if (result["design"].is_null()) {
-    refuse(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
+    refuse_result(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
   }
-  if (!result["design"].is_object()) refuse("its design is not an object");
+  if (!result["design"].is_object()) refuse_result("its design is not an object");
   // Results of earlier programs state none.
   if (const auto format = result.find("format"); format != result.end()) {
-    if (!format->is_string()) refuse("its format is not text");
+    if (!format->is_string()) refuse_result("its format is not text");
     kResultFormat.check(format->get<std::string>());
   }
   return result;
@@ -208,7 +210,7 @@ void set_in_design(ProblemStatement& statement, const ReadDesign& read,
   for (const std::string& setting : settings) {
     const std::string_view name = parse_assignment(setting, "speed=60 rpm").name;
     if (!read.verdict || !is_free_setting(read.problem, name)) continue;
-    refuse(
+    refuse_result(
         fmt::format("{}: the result's coefficients fit its own free law only; set it where the "
                     "law is sought, with camlaw optimize",
                     name));

@@ -24,12 +24,12 @@ const MechanismResponse* renewed(const Mechanism& mechanism, const ResponseName&
 }
 
 /// Responses that others refer to.
-using Owned = std::vector<std::shared_ptr<const MechanismResponse>>;
+using OwnedResponses = std::vector<std::shared_ptr<const MechanismResponse>>;
 
 /// The response in each case over the problem's ranges; of the largest size of a curve both the
 /// highest values and the lowest ones, for a mean as one curve.
 void spread_over_ranges(const ProblemStatement& problem, bool highest, bool is_mean,
-                        std::vector<ResponseName>& parts, Owned& owned) {
+                        std::vector<ResponseName>& parts, OwnedResponses& owned) {
   std::vector<ResponseName> spread;
   const auto add = [&](ResponseName part, bool of_highest) {
     auto over = highest_over_ranges(problem, part, of_highest);
@@ -56,7 +56,7 @@ void spread_over_ranges(const ProblemStatement& problem, bool highest, bool is_m
 
 /// The same as a part that is made has it, in numbers.
 void spread_each_part(const ProblemStatement& problem, bool highest,
-                      std::vector<ResponseName>& parts, Owned& owned) {
+                      std::vector<ResponseName>& parts, OwnedResponses& owned) {
   for (ResponseName& part : parts) {
     auto over = of_part_over_ranges(problem, part, highest);
     if (!over) continue;
@@ -110,7 +110,7 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
   if (parts.empty()) return objective;
   const std::string name = over_name(over, objective.response.name);
   const bool is_upper = objective.sense == optim::Sense::Minimize;
-  Owned owned;
+  OwnedResponses owned;
   if (objective.robust) {
     spread_each_part(problem, is_upper, parts, owned);
   } else {
@@ -120,7 +120,7 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
                          ? mean_over_cases(problem.mechanism, std::move(parts), problem.cases, name)
                          : worst_case(problem.mechanism, std::move(parts), name, is_upper);
   owned.push_back(wanted.response);
-  auto all = std::make_shared<const Owned>(std::move(owned));
+  auto all = std::make_shared<const OwnedResponses>(std::move(owned));
   objective.of_cases = std::shared_ptr<const MechanismResponse>(all, all->back().get());
   objective.one_case = objective.response;
   objective.over = over;

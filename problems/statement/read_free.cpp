@@ -233,10 +233,10 @@ void read_free_variables(const Entry& file, ProblemStatement& problem, const Fix
       }
     }
     if (!moving) continue;
-    if (const auto knots = unfixed(problem, prefix + "knots", fixed)) {
-      const std::vector<double> places = values_of(problem, *knots);
+    if (const auto own = unfixed(problem, prefix + "knots", fixed)) {
+      const std::vector<double> places = values_of(problem, *own);
       for (std::size_t i = 0; i < places.size(); ++i) {
-        add_variable(problem, *knots, i, range_of_knot(places, i, symmetric), {});
+        add_variable(problem, *own, i, range_of_knot(places, i, symmetric), {});
       }
     }
   }

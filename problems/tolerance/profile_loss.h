@@ -33,9 +33,9 @@ struct WaveEffects {
 
 /// What the shop must hold for the stated loss of one peak, of so many waves.
 struct ShopLimit {
-  std::string of;                           ///< "peak acceleration", "peak contact stress"
-  std::optional<double> waves, wavelength;  ///< in a turn; mm
-  double amplitude = 0;                     ///< of waves, um, at most
+  std::string of;  ///< "peak acceleration", "peak contact stress"
+  std::optional<double> waves = {}, wavelength = {};  ///< in a turn; mm
+  double amplitude = 0;                               ///< of waves, um, at most
   /// Width of the zone of any error, um, at most; none of the stress, which is that of waves.
   std::optional<double> form = {};
   bool proved = true;

@@ -9,6 +9,7 @@
 #include "machines/registry.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
+#include "numerics/scalar/dual.h"
 #include "tests/machines/formula_dimension.h"
 
 /// What every machine keeps to.

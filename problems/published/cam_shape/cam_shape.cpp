@@ -19,7 +19,7 @@ using cam_shape_parts::Radius;
 using optim::Constraint;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLeast = 1, kMost = 2, kSteepest = 1.5;
+constexpr double kLeastRadius = 1, kMostRadius = 2, kSteepest = 1.5;
 
 void check(int n) {
   if (n >= kLeastCamShape && n <= kMostCamShape) return;
@@ -29,8 +29,8 @@ void check(int n) {
 
 /// r_i of n radii, i = -1 .. n + 2, with those that the statement gives.
 Radius radius(int i, int n) {
-  if (i <= 0) return {-1, kLeast};
-  if (i == n + 1) return {-1, kMost};
+  if (i <= 0) return {-1, kLeastRadius};
+  if (i == n + 1) return {-1, kMostRadius};
   return {i == n + 2 ? n - 1 : i - 1};
 }
 
@@ -80,7 +80,8 @@ optim::Problem cam_shape(int n) {
   for (int i = 1; i <= n; ++i) {
     // From 1 to 2 without a kink at 1: half the iterations of COPS's start, 1.5 everywhere.
     const double t = i / (n + 1.0);
-    problem.variables.push_back({fmt::format("r{}", i), "1", kLeast, kMost, 1 + t * t, 1.0});
+    problem.variables.push_back(
+        {fmt::format("r{}", i), "1", kLeastRadius, kMostRadius, 1 + t * t, 1.0});
   }
   problem.objectives = {
       {.response = {.name = "valve opening",
@@ -101,7 +102,7 @@ std::vector<double> cam_shape_radii(int n) {
   double u = 1, change = 0;  // u = 1 / r; its last difference, kept so that rounding does not grow
   for (int i = 1; i <= n; ++i) {
     const double convex = u + (change - chord * u);
-    const double next = std::max({convex, 1 / (1 / u + kSteepest * d), 1 / kMost});
+    const double next = std::max({convex, 1 / (1 / u + kSteepest * d), 1 / kMostRadius});
     change = next == convex ? change - chord * u : next - u;
     u = next;
     radii.push_back(1 / u);
@@ -118,8 +119,8 @@ double cam_shape_limit() {
   // r = 1 / cos up to the angle where its slope is 1.5: there r = s and s t = 1.5, t = sqrt(s^2-1).
   const double s = std::sqrt((1 + std::sqrt(10.0)) / 2), t = std::sqrt((std::sqrt(10.0) - 1) / 2);
   const double convex = std::log(s + t);
-  const double steep = (kMost * kMost - s * s) / (2 * kSteepest);
-  const double flat = kMost * (2 * kPi / 5 - std::atan(t) - (kMost - s) / kSteepest);
+  const double steep = (kMostRadius * kMostRadius - s * s) / (2 * kSteepest);
+  const double flat = kMostRadius * (2 * kPi / 5 - std::atan(t) - (kMostRadius - s) / kSteepest);
   return 2.5 * (convex + steep + flat);
 }
 
@@ -134,7 +135,7 @@ double cam_shape_published_violation(std::span<const double> radii) {
   for (int i = 0; i <= n + 1; ++i) {
     const double a = r(i - 1), b = r(i), c = r(i + 1);
     worst = std::max(worst, 2 * a * c * std::cos(d) - b * (a + c));
-    worst = std::max({worst, kLeast - b, b - kMost});
+    worst = std::max({worst, kLeastRadius - b, b - kMostRadius});
     if (i <= n) worst = std::max(worst, std::abs(c - b) - kSteepest * d);
   }
   return worst;
