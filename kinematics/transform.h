@@ -104,14 +104,17 @@ Possible<Law<T>> possible_with_crossover(const Law<T>& law, const Crossover<T>& 
   const T share2 = share1 * slope1 / slope2;
   const T shift2 = one - slope2;  // x = 1 - slope2 (1 - x')
   std::vector<Piece<T>> pieces;
+  // A break that rounding alone keeps apart from the crossover is the crossover.
+  constexpr double kRounding = 1e-13;
+  const double early = value_of(from) - kRounding, late = value_of(from) + kRounding;
   for (Piece<T> piece : law.pieces()) {
-    if (value_of(piece.begin) >= value_of(from)) break;
-    if (value_of(piece.end) > value_of(from)) piece.end = from;
+    if (value_of(piece.begin) >= early) break;
+    if (value_of(piece.end) >= early) piece.end = from;
     pieces.push_back(detail::map_piece(piece, slope1, number<T>(0), share1, number<T>(0)));
   }
   for (Piece<T> piece : law.pieces()) {
-    if (value_of(piece.end) <= value_of(from)) continue;
-    if (value_of(piece.begin) < value_of(from)) piece.begin = from;
+    if (value_of(piece.end) <= late) continue;
+    if (value_of(piece.begin) <= late) piece.begin = from;
     pieces.push_back(detail::map_piece(piece, slope2, shift2, share2, one - share2));
   }
   pieces.back().end = one;

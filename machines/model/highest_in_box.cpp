@@ -2,13 +2,17 @@
 #include "machines/model/highest_in_box.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace camlaw::problems {
 namespace {
 
 using optim::Bounds;
+
+constexpr int kStepsOfOne = 8;  // of one parameter's range
 
 bool is_point(const Bounds& b) { return b.lower == b.upper; }
 
@@ -114,7 +118,8 @@ std::vector<Point> combinations(const std::vector<std::vector<double>>& values) 
 }  // namespace
 
 std::vector<Point> places_of(const Box& box) {
-  constexpr int kSteps[] = {8, 4, 2};  // of one, two and three parameters; of more the middle
+  // Of one, two and three parameters; of more the middle.
+  constexpr int kSteps[] = {kStepsOfOne, 4, 2};
   const std::size_t known = std::min<std::size_t>(box.size(), 3);
   const int steps = kSteps[known - 1];
   const bool is_large = box.size() > known;
@@ -147,6 +152,43 @@ Point highest_place(const std::vector<Point>& places,
     if (here > highest) highest = here, best = &place;
   }
   return *best;
+}
+
+bool is_top(const Point& p, const Box& box, const Point& slopes) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (slopes[i] > 0 && p[i] != box[i].upper) return false;
+    if (slopes[i] < 0 && p[i] != box[i].lower) return false;
+  }
+  return true;
+}
+
+std::optional<double> top_along(double from, const Rise& here, const Bounds& bounds,
+                                const std::function<Rise(double)>& along) {
+  constexpr double kSmall = 1e-14;  // of the range
+  constexpr int kMostHalvings = 20;
+  constexpr std::uintmax_t kMostLooks = 40;
+  const double width = bounds.upper - bounds.lower;
+  double near = from, far = std::clamp(from + std::copysign(width / kStepsOfOne, here.slope),
+                                       bounds.lower, bounds.upper);
+  Rise at_near = here, at_far = along(far);
+  // The far end is no higher, so that a top lies between; there may be waves on the path to it.
+  for (int i = 0; i < kMostHalvings && at_far.slope * here.slope > 0; ++i) {
+    const double middle = std::midpoint(near, far);
+    const Rise there = along(middle);
+    const bool is_higher = there.value > at_near.value && there.slope * here.slope > 0;
+    (is_higher ? near : far) = middle;
+    (is_higher ? at_near : at_far) = there;
+  }
+  if (!(at_far.slope * here.slope < 0)) return {};
+  std::uintmax_t looks = kMostLooks;
+  const auto is_close = [&](double a, double b) { return std::abs(b - a) <= kSmall * width; };
+  const auto rise = [&](double at) { return along(at).slope; };
+  const bool is_right = far > near;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      rise, is_right ? near : far, is_right ? far : near, is_right ? at_near.slope : at_far.slope,
+      is_right ? at_far.slope : at_near.slope, is_close, looks);
+  const double top = std::midpoint(left, right);
+  return along(top).value >= here.value ? std::optional(top) : std::nullopt;
 }
 
 Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes) {

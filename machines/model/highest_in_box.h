@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,18 @@ std::vector<Point> places_of(const Box& box);
 /// The first of the places where a value is highest; where one is not a number, the first such.
 Point highest_place(const std::vector<Point>& places,
                     const std::function<double(const Point&)>& value);
+
+/// Whether no step within the box leads uphill from a place with these slopes.
+bool is_top(const Point& p, const Box& box, const Point& slopes);
+
+/// Of one parameter: the top between a place, the highest of these with a slope that is not 0, and
+/// its neighbour uphill. None where the slope does not fall to 0
+/// there, or the value is lower.
+struct Rise {
+  double value, slope;
+};
+std::optional<double> top_along(double from, const Rise& here, const optim::Bounds& bounds,
+                                const std::function<Rise(double)>& along);
 
 /// From one of these places, the highest of them, uphill to the highest value nearby. `slopes` are
 /// the function's first and second derivatives, packed, at a point.

@@ -240,22 +240,27 @@ double HighestKernel::settled(std::span<const double> u, const Point& p, double 
   return is_beside_pole(u, p) ? kNaN : value;
 }
 
-bool HighestKernel::is_top_corner(const Point& p, std::span<const double> u, const Box& box) const {
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    if (p[i] != box[i].lower && p[i] != box[i].upper) return false;
-  }
+double HighestKernel::uphill(const Point& p, std::span<const double> u, Point& slopes) const {
   std::vector<double> all(f_.inputs().size());
-  if (std::isnan(f_.gradient(design(u, p), all))) return true;
-  return std::all_of(own_.moved.begin(), own_.moved.end(), [&](std::size_t m) {
-    const std::size_t i = f_.inputs()[m] - first_;
-    const double uphill = sign_ * all[m];
-    return (uphill <= 0 || p[i] == box[i].upper) && (uphill >= 0 || p[i] == box[i].lower);
-  });
+  const double value = sign_ * f_.gradient(design(u, p), all);
+  slopes.assign(box_.size(), 0.0);
+  for (const std::size_t m : own_.moved) slopes[f_.inputs()[m] - first_] = sign_ * all[m];
+  return value;
 }
 
 Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
   const Box box = box_at(u);
-  if (is_top_corner(from, u, box)) return from;
+  Point slopes;
+  const double here = uphill(from, u, slopes);
+  if (std::isnan(here) || is_top(from, box, slopes)) return from;
+  if (box.size() == 1) {
+    const auto along = [&](double at) {
+      Point there;
+      const double value = uphill({at}, u, there);
+      return Rise{value, there[0]};
+    };
+    if (const auto top = top_along(from[0], {here, slopes[0]}, box[0], along)) return {*top};
+  }
   return climbed(from, box, [&](const Point& p) {
     const std::size_t n = f_.inputs().size();
     std::vector<double> all(n), second(optim::packed_size(n));

@@ -79,9 +79,8 @@ class HighestKernel final : public optim::Kernel {
 
  private:
   std::vector<double> design(std::span<const double> u, const Point& p) const;
-  /// Whether no step from a corner of the ranges leads uphill, by first derivatives, which cost
-  /// less than those that a climb takes; of a place that is not a number none does.
-  bool is_top_corner(const Point& p, std::span<const double> u, const Box& box) const;
+  /// The value at a place, turned so that the highest is sought, and its slopes by the ranges.
+  double uphill(const Point& p, std::span<const double> u, Point& slopes) const;
   Box box_at(std::span<const double> u) const;
   /// That of all designs of a box.
   Box box_over(std::span<const optim::Bounds> u) const;

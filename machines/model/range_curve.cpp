@@ -7,6 +7,7 @@
 #include <map>
 
 #include "machines/model/box_traces.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems {
 
@@ -38,6 +39,7 @@ class RangeTrace final : public optim::Trace {
   std::vector<double> breaks() const override { return breaks_; }
 
   std::array<double, 3> at(Place place) const override {
+    optim::check_deadline();
     const Row row = row_at(place);
     const Point found = worst(place, row);
     const auto known = traces_.find(found);
@@ -85,7 +87,9 @@ class RangeTrace final : public optim::Trace {
   }
   const optim::Trace& at_place(const Point& p) const {
     auto& known = traces_[p];
-    if (!known) known = parts_->curve->trace(parts_->wide.design(x_, p));
+    if (known) return *known;
+    optim::check_deadline();
+    known = parts_->curve->trace(parts_->wide.design(x_, p));
     return *known;
   }
   const BoxTraces& over(const Box& box) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/interruptible.h"
 
+#include <type_traits>
 #include <utility>
 
 #include "optim/cycle/forwarding_curve.h"
@@ -70,23 +71,29 @@ class InterruptibleTrace final : public Trace {
       : trace_(std::move(trace)), deadline_(deadline) {}
 
   std::vector<double> breaks() const override { return trace_->breaks(); }
-  std::array<double, 3> at(Place place) const override { return checked().at(place); }
+  std::array<double, 3> at(Place place) const override {
+    return checked([&] { return trace_->at(place); });
+  }
   std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
-    return checked().even(from, to, count);
+    return checked([&] { return trace_->even(from, to, count); });
   }
   std::vector<double> values(std::span<const Place> places) const override {
-    return checked().values(places);
+    return checked([&] { return trace_->values(places); });
   }
-  Bounds enclose(double from, double to) const override { return checked().enclose(from, to); }
+  Bounds enclose(double from, double to) const override {
+    return checked([&] { return trace_->enclose(from, to); });
+  }
   std::array<Bounds, 3> expand(double from, double to) const override {
-    return checked().expand(from, to);
+    return checked([&] { return trace_->expand(from, to); });
   }
   std::string why_unbounded() const override { return trace_->why_unbounded(); }
 
  private:
-  const Trace& checked() const {
+  template <class Look>
+  std::invoke_result_t<Look> checked(const Look& look) const {
+    const DeadlineScope scope(deadline_);
     deadline_.check();
-    return *trace_;
+    return look();
   }
 
   std::unique_ptr<Trace> trace_;
@@ -123,6 +130,7 @@ class InterruptibleCurve final : public ForwardingCurve {
     return rests;
   }
   std::unique_ptr<Trace> trace(Design x) const override {
+    const DeadlineScope scope(deadline_);
     deadline_.check();
     return std::make_unique<InterruptibleTrace>(curve().trace(x), deadline_);
   }

@@ -69,12 +69,12 @@ std::pair<double, double> interval_of(std::vector<double> numbers) {
 }
 
 /// Whether values differ by more than their rounding.
-bool changes(const SobolIndices& indices) {
-  const double size = std::max(std::abs(indices.lowest), std::abs(indices.highest));
+bool changes(const SobolIndices& indices, double made_of) {
+  const double size = std::max({std::abs(indices.lowest), std::abs(indices.highest), made_of});
   return indices.highest - indices.lowest > 1e-13 * size;
 }
 
-SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs,
+SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs, double made_of,
                         const SobolOptions& options) {
   std::vector<SampleValues> samples;
   for (const SampleValues& sample : all) {
@@ -105,7 +105,7 @@ SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs
     for (const double v : {s.a, s.b}) square += (v - result.mean) * (v - result.mean);
   }
   result.deviation = std::sqrt(square / count);
-  if (!changes(result) || samples.size() < 2) return result;
+  if (!changes(result, made_of) || samples.size() < 2) return result;
   std::vector<std::uint32_t> which(samples.size());
   for (std::size_t i = 0; i < which.size(); ++i) which[i] = static_cast<std::uint32_t>(i);
   const std::vector<Sums> best = estimated(samples, which, inputs);
@@ -172,7 +172,10 @@ std::vector<SobolIndices> sobol_indices(std::span<const Quantile> inputs, std::s
     }
   }
   std::vector<SobolIndices> result;
-  for (const auto& samples : all) result.push_back(indices_of(samples, k, options));
+  for (std::size_t o = 0; o < outputs; ++o) {
+    const double made_of = o < options.sizes.size() ? options.sizes[o] : 0;
+    result.push_back(indices_of(all[o], k, made_of, options));
+  }
   return result;
 }
 

@@ -23,6 +23,9 @@ struct SobolOptions {
   std::size_t samples = 1024;  ///< taken as the next power of two; each costs inputs + 2 points
   std::uint64_t seed = 1;      ///< of the sequence's shift and of the resampling
   std::size_t resamples = 400;
+  /// Of each output the size of what it is made of, such as the values of a curve whose highest it
+  /// is: what changes by no more than this size's rounding does not change. None: its own values.
+  std::vector<double> sizes = {};
   std::function<void(double share)> progress = {};  ///< told what share is done, 0 .. 1
 };
 

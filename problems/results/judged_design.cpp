@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "optim/cycle/sizes.h"
@@ -98,7 +99,14 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
   const auto is_its = [&](const std::optional<double>& bound) {
     return bound && std::abs(std::abs(*bound) - std::abs(stated.bound)) <= kDigits * size;
   };
-  if (is_its(constraint.lower) || is_its(constraint.upper)) return;
+  if (is_its(stated.is_upper ? constraint.upper : constraint.lower)) return;
+  if (is_its(stated.is_upper ? constraint.lower : constraint.upper)) {
+    words.push_back(fmt::format(
+        "the bound of {} is stated as its {} one, but in its problem it is "
+        "its {} one",
+        stated.name, stated.is_upper ? "upper" : "lower", stated.is_upper ? "lower" : "upper"));
+    return;
+  }
   words.push_back(fmt::format(
       "the bound of {} is stated as {:.9g}, but in its problem it is {:.9g}", stated.name,
       stated.bound, constraint.upper ? *constraint.upper : *constraint.lower));
@@ -137,6 +145,15 @@ optim::FrontPoint stated_point(const ReadDesign& read, const std::vector<double>
     return false;
   });
   const auto& limits = read.stated.limits;
+  if (!limits && !problem.constraints.empty() && read.stated.seal == Seal::Broken) {
+    words.emplace_back("the limits are not stated");
+  }
+  if (limits) {
+    std::map<std::string, int> times;
+    for (const StatedLimit& limit : *limits) {
+      if (++times[limit.name] == 2) words.push_back(fmt::format("{} is stated twice", limit.name));
+    }
+  }
   std::erase_if(problem.constraints, [&](const optim::Constraint& c) {
     if (!limits) return true;
     const auto at = std::find_if(limits->begin(), limits->end(), [&](const StatedLimit& limit) {
@@ -292,6 +309,11 @@ VerifiedDesign verified(const ReadDesign& read,
     result.not_judged.push_back(
         "the result says that no better design exists; only a search can tell that of other "
         "choices and integers");
+  }
+  if (read.stated.seal == Seal::Broken && !read.stated.others.empty()) {
+    result.not_judged.push_back(
+        fmt::format("what else the changed result states, and what only a new search can tell: {}",
+                    fmt::join(read.stated.others, ", ")));
   }
   return result;
 }

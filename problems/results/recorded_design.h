@@ -37,6 +37,8 @@ struct StatedNumbers {
   std::map<std::string, double> variables = {};  ///< as they are shown, by name
   std::optional<double> best_possible = {};
   std::string program = {};  ///< that wrote it: "camlaw 0.1.0"; empty: it does not say
+  /// What else it states, by its keys: nothing of this is compared with the design.
+  std::vector<std::string> others = {};
   Seal seal = Seal::None;
 };
 

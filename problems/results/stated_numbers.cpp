@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "problems/results/stated_numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +56,34 @@ StatedLimit limit_of(const Json& object) {
   return limit;
 }
 
+/// The keys of what is neither compared with the design nor says how the result came about.
+std::vector<std::string> others_of(const Json& result) {
+  constexpr std::array kCompared{"verdict",   "reason",         "objective",      "objectives",
+                                 "variables", "constraints",    "limits",         "design",
+                                 "blamed",    "objective_name", "objective_unit", "best_possible"};
+  // Of the file, and of how the search went.
+  constexpr std::array kAbout{"format",     "program", "title",       "checksum",
+                              "status",     "starts",  "agreed",      "evaluations",
+                              "iterations", "solves",  "solver",      "solver_asked",
+                              "why_solver", "seed",    "combinations"};
+  const auto is_one_of = [](const auto& all, const std::string& key) {
+    return std::count(all.begin(), all.end(), key) > 0;
+  };
+  std::vector<std::string> others;
+  for (const auto& [key, value] : result.items()) {
+    if (value.is_null() || (value.is_array() && value.empty())) continue;
+    if (!is_one_of(kCompared, key) && !is_one_of(kAbout, key)) others.push_back(key);
+  }
+  const auto has_limits = [&](const char* key) {
+    const auto at = result.find(key);
+    return at != result.end() && at->is_array() && !at->empty();
+  };
+  if (has_limits("constraints") || has_limits("limits")) {
+    others.emplace_back("units, proofs and multipliers of the limits");
+  }
+  return others;
+}
+
 }  // namespace
 
 StatedNumbers stated_numbers(const Json& result) {
@@ -73,6 +103,7 @@ StatedNumbers stated_numbers(const Json& result) {
   if (const auto at = result.find("program"); at != result.end() && at->is_string()) {
     stated.program = at->get<std::string>();
   }
+  stated.others = others_of(result);
   return stated;
 }
 

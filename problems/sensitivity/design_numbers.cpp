@@ -25,10 +25,16 @@ struct AskedNumber {
   bool is_objective = false;
 };
 
-/// The response itself of one that is over ranges.
-ResponseName at_one_value(const ProblemStatement& design, const ResponseName& name) {
-  ResponseName result = find_response(*design.mechanism, name.name);
-  result.window = name.window;
+/// The response itself of a limit that is over ranges. Over a part of the cycle its name is none
+/// that a file could state.
+ResponseName at_one_value(const ProblemStatement& design, const ConstraintStatement& limit) {
+  const auto& over = limit.of_range->over_ranges;
+  if (!limit.response.window || !over) {
+    return find_response(*design.mechanism, limit.response.name);
+  }
+  ResponseName result = limit.response;
+  result.response = over->of.get();
+  if (limit.is_size) result.part = Part::Magnitude;
   return result;
 }
 
@@ -39,7 +45,7 @@ void add_limit(const ProblemStatement& design, const ConstraintStatement& limit,
     return;
   }
   if (limit.of_law || limit.response.response == nullptr) return;
-  const ResponseName name = limit.of_range ? at_one_value(design, limit.response) : limit.response;
+  const ResponseName name = limit.of_range ? at_one_value(design, limit) : limit.response;
   if (!name.response->curve) {
     all.push_back({name, Part::Value});
     return;

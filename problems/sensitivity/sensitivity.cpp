@@ -140,6 +140,18 @@ Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter
   return result;
 }
 
+/// Of a curve's part the largest value of the curve in the design.
+std::vector<double> sizes_of(const std::vector<DesignNumber>& numbers,
+                             const std::vector<DesignParameter>& parameters) {
+  std::vector<double> x, sizes;
+  for (const DesignParameter& parameter : parameters) x.push_back(parameter.value);
+  for (const DesignNumber& number : numbers) {
+    const double size = number.response.is_curve() ? number.response.curve().largest(x) : 0;
+    sizes.push_back(std::isfinite(size) ? size : 0);
+  }
+  return sizes;
+}
+
 }  // namespace
 
 LocalSensitivity local_sensitivity(const ProblemStatement& design) {
@@ -216,7 +228,9 @@ GlobalSensitivity global_sensitivity(const ProblemStatement& design, Sensitivity
       values[i] = result.numbers[i].function.value(x);
     }
   };
-  result.indices = optim::sobol_indices(quantiles, result.numbers.size(), model, options);
+  optim::SobolOptions with_sizes = options;
+  with_sizes.sizes = sizes_of(result.numbers, parameters);
+  result.indices = optim::sobol_indices(quantiles, result.numbers.size(), model, with_sizes);
   return result;
 }
 

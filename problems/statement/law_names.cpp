@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "kinematics/shape.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/law_files/law_file.h"
@@ -93,14 +94,26 @@ struct LawClass {
   std::optional<std::string> ends;
   std::optional<int> continuity;
 
-  bool holds(const Family& family) const {
-    return (!ends || family.ends == *ends) && (!continuity || family.continuity >= *continuity);
+  bool holds(const Law<double>& law) const {
+    return (!ends || to_string(law.ends()) == *ends) &&
+           (!continuity || camlaw::continuity(law) >= *continuity);
   }
 };
 
+/// The laws of the catalogue with their default parameters: where parameters decide the ends or how
+/// smooth a law is, these are what a class is about.
+std::vector<std::pair<Member, Law<double>>> laws_of_catalogue() {
+  std::vector<std::pair<Member, Law<double>>> result;
+  for (const Family& family : catalogue()) {
+    Member member = as_family_member({&family, family.defaults()});
+    if (auto law = member.possible_law()) result.emplace_back(std::move(member), std::move(*law));
+  }
+  return result;
+}
+
 std::string ends_of_catalogue() {
   std::set<std::string> all;
-  for (const Family& family : catalogue()) all.insert(family.ends);
+  for (const auto& law : laws_of_catalogue()) all.insert(to_string(law.second.ends()));
   std::string text;
   for (const std::string& ends : all) text += (text.empty() ? "" : ", ") + ends;
   return text;
@@ -112,9 +125,10 @@ bool read_condition(const Entry& name, std::string_view text, LawClass& found) {
   const auto rest = [&](std::string_view word) { return trimmed(text.substr(word.size())); };
   if (text.starts_with("ends ")) {
     found.ends = std::string(rest("ends"));
-    const auto& all = catalogue();
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const auto& f) { return f.ends == *found.ends; })) {
+    const auto all = laws_of_catalogue();
+    if (std::none_of(all.begin(), all.end(), [&](const auto& law) {
+          return to_string(law.second.ends()) == *found.ends;
+        })) {
       refuse(name, "no law has the ends '" + *found.ends + "'; there are " + ends_of_catalogue());
     }
     return true;
@@ -146,12 +160,11 @@ std::optional<std::vector<Member>> read_law_class(const Entry& name) {
     is_first = false;
   }
   std::vector<Member> laws;
-  for (const Family& family : catalogue()) {
-    if (!wanted.holds(family)) continue;
-    const Member law = as_family_member({&family, family.defaults()});
-    const bool is_there = std::any_of(
-        laws.begin(), laws.end(), [&](const Member& other) { return other.name() == law.name(); });
-    if (!is_there && law.possible_law()) laws.push_back(law);
+  for (auto& [member, law] : laws_of_catalogue()) {
+    const bool is_there = std::any_of(laws.begin(), laws.end(), [&](const Member& other) {
+      return other.name() == member.name();
+    });
+    if (!is_there && wanted.holds(law)) laws.push_back(std::move(member));
   }
   if (laws.empty()) refuse(name, "no law of the catalogue meets it");
   return laws;

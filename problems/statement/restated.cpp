@@ -280,11 +280,19 @@ void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::
 }
 
 /// Not so "3-4-5", which is a law.
-bool is_one_number(std::string_view part) {
+bool is_number(std::string_view part) {
   if (part.starts_with('+')) part.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
   return error == std::errc() && end == part.data() + part.size();
+}
+
+/// Whether what follows a comma is of the law before it: a number, and perhaps more of its
+/// parameters, such as "1 s=0".
+bool is_of_law_before(std::string_view part) {
+  const std::size_t space = part.find(' ');
+  return is_number(part.substr(0, space)) &&
+         (space == std::string_view::npos || part.find('=', space) != std::string_view::npos);
 }
 
 }  // namespace
@@ -295,9 +303,7 @@ std::vector<std::string> law_list(std::string_view text) {
   }
   std::vector<std::string> names;
   for (const std::string_view part : parted(text, ',')) {
-    // "legendre c=1,2": what begins with a number goes on with the law before it.
-    const bool goes_on = is_one_number(part);
-    if (goes_on && !names.empty()) {
+    if (is_of_law_before(part) && !names.empty()) {
       names.back() += fmt::format(",{}", part);
     } else {
       names.emplace_back(part);

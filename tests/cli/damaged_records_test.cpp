@@ -228,6 +228,24 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
   ParsedJson bound = whole;
   bound["best_possible"] = 0.9 * whole["best_possible"].get<double>();
   CHECK_THAT(run({"verify", stored(folder, bound)}).out, Contains("the bound is"));
+  const auto verified = [&](const ParsedJson& result) {
+    return run({"verify", stored(folder, result)});
+  };
+  ParsedJson side = whole;
+  side["constraints"][0]["side"] = "lower";
+  CHECK(verified(side).status == 4);
+  CHECK_THAT(verified(side).out, Contains("is stated as its lower one"));
+  ParsedJson twice = whole;
+  twice["constraints"].push_back(twice["constraints"][0]);
+  CHECK_THAT(verified(twice).out, Contains("is stated twice"));
+  ParsedJson bare = whole;
+  bare.erase("constraints");
+  CHECK(verified(bare).status == 4);
+  CHECK_THAT(verified(bare).out, Contains("the limits are not stated"));
+  ParsedJson unit = whole;
+  unit["units"]["base_radius"] = "m";
+  CHECK_THAT(verified(unit).out, Contains("not judged: what else the changed result states") &&
+                                     Contains("units") && Contains("buildable"));
   ParsedJson words = whole;
   words["verdict"] = "feasible";
   CHECK_THAT(run({"verify", stored(folder, words)}).out,

@@ -98,6 +98,22 @@ TEST_CASE("the crossover is continuous in the other parameters") {
             .epsilon(1e-8));
 }
 
+TEST_CASE("a break that rounding sets apart from the middle is the crossover") {
+  for (const std::string name :
+       {"scca a=0.7 b=0.2 c=0.1", "scca a=0.5 b=0.4 c=0.1", "scca a=0.6 b=0.3 c=0.1",
+        "legendre c=0.1,0,0,0,0,0", "legendre c=0,0,0,0,0,0,0,0", "modified-sine"}) {
+    const auto plain = peaks(find_law(name).law());
+    for (int percent = 21; percent < 80; percent += 1) {
+      const double at = percent / 100.0;
+      INFO(name << " crossover=" << at);
+      const auto moved = peaks(find_law(name + " crossover=" + std::to_string(at)).law());
+      CHECK(moved.max_velocity() == Approx(plain.max_velocity()).epsilon(1e-12));
+      CHECK(moved.max_acceleration() ==
+            Approx(plain.max_acceleration() / (2 * std::min(at, 1 - at))).epsilon(1e-12));
+    }
+  }
+}
+
 TEST_CASE("a law of coefficients that are not finite is refused") {
   CHECK_THROWS_WITH(polynomial_law<double>({0, 0, 3, NAN}), Catch::Contains("not finite"));
   CHECK_THROWS_WITH(polynomial_law<double>({0, 0, 3, std::numeric_limits<double>::infinity()}),

@@ -197,6 +197,31 @@ TEST_CASE("Bounds over a box hold the highest value and close on it") {
   CHECK(bounds.upper - bounds.lower < 1e-6);
 }
 
+TEST_CASE("From a place of a range the path uphill ends at a top, whatever waves lie beyond") {
+  const optim::Bounds range{1, 5};
+  for (const double w : {0.3, 2.0, 9.0, 31.0, 83.0}) {
+    const auto wave = [&](double x) {
+      return Rise{std::sin(w * x) - 0.02 * x, w * std::cos(w * x) - 0.02};
+    };
+    double best = 1;
+    for (int i = 0; i <= 8; ++i) {
+      const double place = 1 + 0.5 * i;
+      if (wave(place).value > wave(best).value) best = place;
+    }
+    INFO("w " << w << " from " << best);
+    const Rise here = wave(best);
+    const bool is_end = (best == 5 && here.slope > 0) || (best == 1 && here.slope < 0);
+    CHECK(is_top({best}, {range}, {here.slope}) == is_end);
+    if (is_end) continue;
+    const auto top = top_along(best, here, range, wave);
+    REQUIRE(top);
+    CHECK(wave(*top).value >= here.value);
+    CHECK(std::abs(wave(*top).slope) <= 1e-9 * w);
+    CHECK(-w * w * std::sin(w * *top) < 0);  // bent downwards
+    CHECK(std::abs(*top - best) <= 0.5);
+  }
+}
+
 TEST_CASE("The largest size of a curve over a range counts both signs") {
   // p + b v with b from -3 to 1 and v up to pi / 2: the size is least where p is as far from 0.
   const std::string machine =

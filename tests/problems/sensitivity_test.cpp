@@ -112,6 +112,71 @@ TEST_CASE("indices of a linear limit are the shares of its variance", "[sensitiv
   CHECK(global.indices[1].mean == Approx(2).margin(0.02));
 }
 
+namespace {
+
+/// A cam with a limit over its return alone, which is reached at its ends: 0 of every design.
+std::string over_the_return(const std::string& response, const std::string& more) {
+  return R"(
+mechanism = "disc-cam-roller"
+[[program.segments]]
+name = "rise"
+angle = 120
+law = "cycloidal"
+[[program.segments]]
+name = "high"
+angle = 40
+[[program.segments]]
+name = "return"
+angle = 120
+law = "cycloidal"
+[[program.segments]]
+name = "low"
+[variables.base_radius]
+lower = 20
+upper = 80
+[objective]
+minimize = "base_radius"
+[[constraints]]
+response = ")" +
+         response + "\"\nover = \"return\"\nupper = \"35 deg\"\n" + more;
+}
+
+}  // namespace
+
+TEST_CASE("limits over a part of the cycle are sensitive as they are without variations and ranges",
+          "[sensitivity]") {
+  for (const char* response : {"pressure_angle", "peak pressure_angle"}) {
+    const auto slope_with = [&](const std::string& more) {
+      const auto local = local_sensitivity(read_problem(over_the_return(response, more), "f.toml"));
+      for (const NumberSensitivity& number : local.numbers) {
+        if (number.is_objective) continue;
+        for (std::size_t i = 0; i < local.parameters.size(); ++i) {
+          if (local.parameters[i].name == "stroke") return number.by[i].slope;
+        }
+      }
+      return std::nan("");
+    };
+    const double plain = slope_with("");
+    INFO(response);
+    CHECK(std::isfinite(plain));
+    CHECK(slope_with("[variation.base_radius]\nplus = \"0.1 mm\"\n") == plain);
+    CHECK(slope_with("[ranges.offset]\nlower = 0\nupper = 0.1\n") == plain);
+  }
+}
+
+TEST_CASE("what only rounding changes has no indices", "[sensitivity]") {
+  const ProblemStatement design = read_problem(over_the_return("pressure_angle", ""), "f.toml");
+  const std::vector<std::string> over{"stroke=10:20 mm", "base_radius=30:60 mm"};
+  const auto global =
+      global_sensitivity(design, sensitivity_ranges(design, over), {.samples = 256});
+  for (std::size_t i = 0; i < global.numbers.size(); ++i) {
+    const bool is_limit = !global.numbers[i].is_objective;
+    if (is_limit) CHECK(std::abs(global.indices[i].highest) < 1e-12);
+    CHECK(std::isnan(global.indices[i].first[0].value) == is_limit);
+    CHECK(std::isnan(global.indices[i].total[1].value) == is_limit);
+  }
+}
+
 TEST_CASE("derivatives of peaks over the cycle are those of differences", "[sensitivity]") {
   for (const char* name : {"cams/roller_least_base.toml", "spine_cutter/least_force.toml",
                            "own/bearing_load.toml", "cams/speed_range.toml"}) {
