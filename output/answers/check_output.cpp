@@ -94,12 +94,13 @@ void add_statement(const ProblemStatement& statement, Document& document) {
     objectives.add({datum(o.response.name), datum(o.response.unit),
                     datum(o.sense == optim::Sense::Minimize ? "minimize" : "maximize")});
   }
-  Table constraints{.key = "constraints",
-                    .columns = {data("name"), data("unit"), data("lower"), data("upper")},
-                    .shown = 0};
+  Table constraints{
+      .key = "constraints",
+      .columns = {data("name"), data("unit"), data("lower"), data("upper"), data("required_by")},
+      .shown = 0};
   for (const auto& c : statement.constraints) {
-    constraints.add(
-        {datum(c.response.name), datum(c.response.unit), datum(c.lower), datum(c.upper)});
+    constraints.add({datum(c.response.name), datum(c.response.unit), datum(c.lower), datum(c.upper),
+                     datum(c.required_by.empty() ? Json(nullptr) : Json(c.required_by))});
   }
   document.fact("title", statement.title);
   document.fact("mechanism", statement.mechanism->name);

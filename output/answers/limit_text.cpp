@@ -116,12 +116,13 @@ std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& te
 }  // namespace
 
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design) {
-  Table table{.key = "constraints",
-              .columns = {words("limit", "name"), numbers("value", "value"),
-                          numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
-                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met"),
-                          data("tolerance"), words("proved", "proved"), data("other_side")},
-              .shown = 0};
+  Table table{
+      .key = "constraints",
+      .columns = {words("limit", "name"), numbers("value", "value"), numbers("bound", "bound"),
+                  data("side"), numbers("margin", "margin"), words("unit", "unit"),
+                  numbers("at", "worst_angle_deg"), data("met"), data("tolerance"),
+                  words("proved", "proved"), data("other_side"), data("required_by")},
+      .shown = 0};
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const optim::LimitReport& limit = sided.limits[i];
     std::vector<Cell> cells = limit_cells(limit, design.constraints[i]);
@@ -130,6 +131,8 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
     cells.push_back(datum(sided.others[i] ? side_json(*sided.others[i]) : Json(nullptr)));
+    const std::string& by = design.constraints[i].required_by;
+    cells.push_back(datum(by.empty() ? Json(nullptr) : Json(by)));
     table.add(std::move(cells));
   }
   return table;

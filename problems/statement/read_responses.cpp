@@ -227,23 +227,30 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
 }
 
 /// Adds a limit of validity, where the file has none as tight.
-void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
+void add_validity(const ValidityLimit& limit, const std::string& required_by,
+                  ProblemStatement& problem) {
   for (const ConstraintStatement& c : problem.constraints) {
     if (c.response.name != limit.response) continue;
     const bool above = std::isinf(limit.lower) || (c.lower && *c.lower >= limit.lower);
     const bool below = std::isinf(limit.upper) || (c.upper && *c.upper <= limit.upper);
     if (above && below) return;
   }
-  for (auto& side : over_ranges(problem, valid_limit(*problem.mechanism, limit))) {
-    problem.constraints.push_back(std::move(side));
-  }
+  ConstraintStatement required = valid_limit(*problem.mechanism, limit);
+  required.required_by = required_by;
+  for (auto& side : over_ranges(problem, required)) problem.constraints.push_back(std::move(side));
 }
 
-/// Those of the responses that are sought or limited.
-void add_validity_of(const ResponseName& name, ProblemStatement& problem) {
+/// Those of the responses that are sought or limited, which `as_named` the file has.
+void add_validity_of(const ResponseName& name, const std::string& as_named,
+                     ProblemStatement& problem) {
   if (name.response == nullptr) return;
   const auto limits = name.response->defined_while;
-  for (const ValidityLimit& limit : limits) add_validity(limit, problem);
+  for (const ValidityLimit& limit : limits) add_validity(limit, as_named, problem);
+}
+
+std::string as_named(const ObjectiveStatement& objective) {
+  if (!objective.one_case.name.empty()) return objective.one_case.name;
+  return objective.of_ranges ? objective.one_value.name : objective.response.name;
 }
 
 }  // namespace
@@ -341,14 +348,16 @@ void read_constraints(const Entry& file, ProblemStatement& problem) {
       }
     }
   }
-  for (const ValidityLimit& limit : problem.mechanism->validity) add_validity(limit, problem);
+  for (const ValidityLimit& limit : problem.mechanism->validity) {
+    add_validity(limit, "the mechanism", problem);
+  }
   for (const ObjectiveStatement& objective : problem.objectives) {
-    add_validity_of(objective.response, problem);
+    add_validity_of(objective.response, as_named(objective), problem);
   }
   const std::size_t stated = problem.constraints.size();
   for (std::size_t i = 0; i < stated; ++i) {
     const ResponseName name = problem.constraints[i].response;
-    add_validity_of(name, problem);
+    add_validity_of(name, name.name, problem);
   }
 }
 

@@ -101,6 +101,9 @@ struct ConstraintStatement {
   /// all parts hold it (tolerance/reliable_search.h).
   std::optional<double> searched_share = {};
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
+  /// Of a limit that the file does not state: the response that has a meaning only while it is met,
+  /// or "the mechanism"; else empty.
+  std::string required_by = {};
 };
 
 /// What a problem says of whether its machine can be built.

@@ -281,9 +281,11 @@ std::string constraint_sentence(const ConstraintStatement& c) {
                                 ? fmt::format("{} for {:.6g} % of all parts",
                                               several ? ", each bound" : "", 100 * *c.reliability)
                                 : "";
-  return fmt::format("{} must be {}{}{}{}.\n", c.response.name, limits_text(c),
+  const std::string by = c.of_check ? "[buildable]" : c.required_by;
+  return fmt::format("{} must be {}{}{}{}{}.\n", c.response.name, limits_text(c),
                      everywhere ? " over the whole cycle" : "", share,
-                     tolerance_note(c.tolerance, c.response.unit));
+                     tolerance_note(c.tolerance, c.response.unit),
+                     by.empty() ? "" : fmt::format(", which {} requires", by));
 }
 
 /// "mu_strategy = adaptive, max_soc = 2".

@@ -363,4 +363,21 @@ TEST_CASE("the cam shape of any size is certified at the true optimum", "[progra
   CHECK(shape["objective"].get<double>() == Approx(4.275688479).epsilon(1e-7));
 }
 
+TEST_CASE("a limit that the file does not state says what requires it", "[program][check]") {
+  const std::string file = testing::source("problems/cams/load_cases.toml");
+  const ParsedJson checked = json_of({"check", file, "--json"});
+  std::map<std::string, ParsedJson> by;
+  for (const auto& c : checked["constraints"]) by[c["name"]] = c["required_by"];
+  CHECK(by.at("undercut").is_null());
+  CHECK(by.at("setting_up.follower_force").is_null());
+  CHECK(by.at("setting_up.contact_force") == "peak_stress");
+  CHECK_THAT(done({"check", file}),
+             Contains("production.contact_force must be at least 0 N over the whole cycle, which "
+                      "peak_stress requires.") &&
+                 Contains("undercut must be at most 0.7 over the whole cycle.\n"));
+  const std::string found = done({"optimize", file});
+  CHECK_THAT(found, Contains("setting_up.contact_force is a limit because"));
+  CHECK_THAT(found, !Contains("undercut is a limit because"));
+}
+
 }  // namespace camlaw::cli::optimize_test
