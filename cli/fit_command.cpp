@@ -108,7 +108,8 @@ void fit_constants(const FitCommand& options) {
     fits = problems::fit_constants(question, *law);
     if (fits.empty()) {
       throw std::invalid_argument(
-          fmt::format("--law {}: this law gives none of these constants, whatever its coefficients",
+          fmt::format("--law {}: no coefficients with which this law gives any of these constants "
+                      "were found",
                       *options.law));
     }
   } else {

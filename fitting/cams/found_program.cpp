@@ -81,15 +81,19 @@ Turn turn_of(const std::vector<MotionFit>& fits) {
   return turn;
 }
 
-std::string sizes_text(const MeasuredCam& cam, const ProblemStatement& machine, const Turn& turn) {
+FoundSizes sizes_of(const MeasuredCam& cam, const Turn& turn) {
+  return {turn.highest - turn.lowest, cam.lift.base_radius(turn.lowest * cam.unit())};
+}
+
+std::string sizes_text(const FoundSizes& sizes, const ProblemStatement& machine) {
   std::string text;
   const auto& parameters = machine.mechanism->parameters;
   const auto stroke = stroke_of(*machine.mechanism);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const MechanismParameter& p = parameters[i];
     double value = machine.constants[i];
-    if (stroke == i) value = turn.highest - turn.lowest;
-    if (p.name == "base_radius") value = cam.lift.base_radius(turn.lowest * cam.unit());
+    if (stroke == i) value = sizes.stroke;
+    if (p.name == "base_radius") value = sizes.base_radius;
     text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
                           : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
   }
@@ -104,6 +108,8 @@ std::string segment_text(const std::string& name, bool last, double angle) {
 
 }  // namespace
 
+FoundSizes found_sizes(const CamFit& fit) { return sizes_of(fit.cam, turn_of(fit.cycle.fits)); }
+
 FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
   const Turn turn = turn_of(fit.cycle.fits);
   FoundProgram result;
@@ -112,7 +118,7 @@ FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
       "# A measured cam. Its angle 0 is at {} deg of the measurement.\ntitle = \"A measured "
       "cam\"\nmechanism = \"{}\"\n\n[constants]\n{}\n[program]\nmatched = \"displacement\"\n",
       number(turn.phases.front().begin), machine.mechanism->name,
-      sizes_text(fit.cam, machine, turn));
+      sizes_text(sizes_of(fit.cam, turn), machine));
   for (std::size_t i = 0; i < turn.phases.size(); ++i) {
     const Phase& p = turn.phases[i];
     const bool last = i + 1 == turn.phases.size();

@@ -6,10 +6,19 @@
 #include <utility>
 #include <vector>
 
+#include "fitting/constants/agreement_steps.h"
 #include "fitting/constants/printed_model.h"
-#include "optim/problem/problem.h"
 
 namespace camlaw::problems {
+
+/// Values with which constants agree, and the least and the greatest of each unknown that a search
+/// from there reaches.
+struct Solution {
+  std::vector<double> x;
+  std::vector<double> low, high;
+  /// Others on the way to these.
+  std::vector<std::vector<double>> about;
+};
 
 /// The question with which values of the unknowns some of the constants agree with their prints:
 /// |f_k(q) - m_k| <= w_k (docs/optimisation.md, (FS2)). The model must outlive it.
@@ -17,27 +26,25 @@ class Agreement {
  public:
   Agreement(const PrintedModel& model, std::vector<std::size_t> constants);
 
-  /// Values with which all of them agree, no two alike; the default values alone where they do.
-  std::vector<std::vector<double>> solutions() const;
+  /// Values with which all of them agree, of each region that was found apart from the others; that
+  /// of the default values first where they do.
+  std::vector<Solution> solutions() const;
   bool all_agree(std::span<const double> x) const;
-  /// The least and the greatest of an unknown about a solution.
-  std::pair<double, double> range(std::size_t unknown, const std::vector<double>& about) const;
+  /// The solution with what is held, from one that met all.
+  Solution within(const std::vector<double>& x) const;
   /// From now on an unknown has this value.
   void hold(std::size_t unknown, double value);
-  /// A solution with what is held, near another.
-  std::optional<std::vector<double>> near(std::vector<double> about) const;
+  /// A solution with what is held, near others: from between those on either side of the value.
+  std::optional<std::vector<double>> near(const Solution& solution, std::size_t unknown) const;
   /// Whether the constants determine each unknown here, to first order.
   std::vector<bool> determined(const std::vector<double>& at) const;
 
  private:
-  double misfit(const PrintedModel::Place& place) const;
+  AgreementSteps steps() const { return {*model_, finite_, lower_, upper_}; }
   std::vector<std::vector<double>> starts() const;
-  std::vector<std::vector<double>> crossings() const;
-  bool may_cross(const PrintedModel::Place& a, const PrintedModel::Place& b) const;
-  std::optional<std::vector<double>> solved_from(const std::vector<double>& start) const;
-  std::optional<std::vector<double>> balanced(const std::vector<double>& about) const;
-  std::optional<double> typical_change(std::size_t unknown, const std::vector<double>& about) const;
-  optim::Problem stated(const std::vector<double>& about) const;
+  std::vector<std::vector<double>> found() const;
+  std::vector<Solution> of_one_unknown() const;
+  Solution ranged(const std::vector<double>& x, std::span<const std::vector<double>> others) const;
 
   const PrintedModel* model_;
   std::vector<std::size_t> constants_;

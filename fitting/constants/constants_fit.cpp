@@ -38,9 +38,7 @@ class PrintedLaw {
   std::size_t unknowns() const { return model_->unknowns().size(); }
 
   /// With the default values, whether the constants agree or not.
-  ConstantsFit as_it_is() const {
-    return *shortest(*model_, {}, model_->defaults(), optim::kInfinity);
-  }
+  ConstantsFit as_it_is() const { return problems::as_it_is(*model_); }
 
   /// Explanations of at most `limit` digits that leave out so many constants, none where fewer have
   /// been enough.
@@ -49,9 +47,13 @@ class PrintedLaw {
     if (is_explained_) return result;
     for (const auto& which : subsets(model_->constants().size(), left_out)) {
       if (least_cost(which) > limit) continue;
-      for (const auto& x : Agreement(*model_, which).solutions()) {
+      const std::vector<Solution> all = Agreement(*model_, which).solutions();
+      for (const Solution& one : all) {
         is_explained_ = true;
-        if (auto fit = shortest(*model_, which, x, limit)) result.push_back(std::move(*fit));
+        auto fit = shortest(*model_, which, one, all, limit);
+        if (!fit) continue;
+        result.push_back(std::move(*fit));
+        if (result.back().cost == 0) break;  // nothing explains the prints better
       }
     }
     return result;

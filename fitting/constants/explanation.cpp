@@ -2,9 +2,9 @@
 #include "fitting/constants/explanation.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cmath>
+#include <numeric>
 
-#include "fitting/constants/agreement.h"
 #include "fitting/motions/simplest.h"
 
 namespace camlaw::problems {
@@ -17,6 +17,31 @@ SimpleNumber simplest_of(const Unknown& unknown, double low, double high) {
   SimpleNumber simple = simplest_between(low, high);
   ++simple.digits;  // for its being there
   return simple;
+}
+
+/// The simplest value of an unknown that leaves the others values to agree with, which the search
+/// then holds, and these values. None where only the solution's own does.
+std::optional<std::vector<double>> hold_simplest(const Unknown& unknown, std::size_t i,
+                                                 const Solution& solution, Agreement& search,
+                                                 double& digits) {
+  constexpr int kTries = 4;           // there may be gaps between low and high
+  constexpr double kRounding = 1e-9;  // that searches for the ends leave
+  const double room = kRounding * std::max(std::abs(solution.low[i]), std::abs(solution.high[i]));
+  double low = std::max(unknown.lower, solution.low[i] - room);
+  double high = std::min(unknown.upper, solution.high[i] + room);
+  for (int k = 0; k < kTries; ++k) {
+    const SimpleNumber simple = simplest_of(unknown, low, high);
+    Agreement held = search;
+    held.hold(i, simple.value);
+    if (auto near = held.near(solution, i)) {
+      search = held;
+      digits = simple.digits;
+      return near;
+    }
+    low = std::midpoint(low, solution.x[i]);
+    high = std::midpoint(high, solution.x[i]);
+  }
+  return {};
 }
 
 /// The constants at the numbers found; those that do not agree cost what they take to write.
@@ -44,36 +69,46 @@ double cost_of(const std::vector<PrintedConstant>& constants) {
 
 std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
-                                     std::vector<double> x, double limit) {
+                                     const Solution& solution, std::span<const Solution> all,
+                                     double limit) {
   constexpr int kAllDigits = 17;
+  std::vector<double> x = solution.x;
   ConstantsFit result{model.law_at(x), {}, {}, 0, false, true};
-  const Agreement free(model, agreeing);
-  Agreement search = free;
-  const auto determined = free.determined(x);
+  Agreement search(model, agreeing);
+  const auto determined = search.determined(x);
   const auto& unknowns = model.unknowns();
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     FoundNumber number{unknowns[i].name, unknowns[i].unit, unknowns[i].of_law};
-    number.identifiable = determined[i];
-    result.identifiable = result.identifiable && determined[i];
-    const auto [low, high] = search.range(i, x);
-    const SimpleNumber simple = simplest_of(unknowns[i], low, high);
-    Agreement held = search;
-    held.hold(i, simple.value);
-    if (const auto near = held.near(x)) {
+    number.low = solution.low[i];
+    number.high = solution.high[i];
+    number.identifiable =
+        determined[i] && std::all_of(all.begin(), all.end(), [&](const Solution& other) {
+          return other.low[i] <= number.high && other.high[i] >= number.low;
+        });
+    result.identifiable = result.identifiable && number.identifiable;
+    double digits = kAllDigits;
+    const Solution left = i == 0 ? solution : search.within(x);
+    if (const auto near = hold_simplest(unknowns[i], i, left, search, digits)) {
       x = *near;
-      search = held;
-      result.cost += simple.digits;
-    } else {  // the interval has a gap there
+    } else {
       search.hold(i, x[i]);
-      result.cost += kAllDigits;
     }
+    result.cost += digits;
     if (result.cost > limit) return {};
-    std::tie(number.low, number.high) = i == 0 ? std::pair(low, high) : free.range(i, x);
     number.value = x[i];
+    number.low = std::min(number.low, x[i]);
+    number.high = std::max(number.high, x[i]);
     result.numbers.push_back(std::move(number));
   }
+  for (std::size_t i = 0; i < unknowns.size(); ++i) result.numbers[i].value = x[i];
   check(model, x, result);
   if (result.cost > limit) return {};
+  return result;
+}
+
+ConstantsFit as_it_is(const PrintedModel& model) {
+  ConstantsFit result{model.law_at(model.defaults()), {}, {}, 0, false, true};
+  check(model, model.defaults(), result);
   return result;
 }
 

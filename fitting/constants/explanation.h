@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fitting/constants/agreement.h"
 #include "fitting/constants/printed_model.h"
 
 namespace camlaw::problems {
@@ -15,7 +16,7 @@ struct FoundNumber {
   bool of_law = true;
   double value = 0;          ///< the simplest that agrees with the prints
   double low = 0, high = 0;  ///< between which all agree, the others free
-  bool identifiable = true;  ///< the prints determine it at all
+  bool identifiable = true;  ///< the prints determine it; not where others were found to agree
 };
 
 struct AgreeingConstant {
@@ -42,11 +43,14 @@ struct ConstantsFit {
 double cost_of(const PrintedConstant& constant);
 double cost_of(const std::vector<PrintedConstant>& constants);
 
-/// The solution x, with which the constants `agreeing` do agree, written as shortly as it goes:
-/// each unknown in turn at the simplest value that leaves the others values to agree with. None
-/// where it costs more than `limit`.
+/// A solution, with which the constants `agreeing` do agree, written as shortly as it goes: each
+/// unknown in turn at the simplest value that leaves the others values to agree with. None where it
+/// costs more than `limit`. What other solutions have other values of is not determined.
 std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
-                                     std::vector<double> x, double limit);
+                                     const Solution& solution, std::span<const Solution> all,
+                                     double limit);
+/// Of the default values, whether the constants agree or not.
+ConstantsFit as_it_is(const PrintedModel& model);
 
 }  // namespace camlaw::problems

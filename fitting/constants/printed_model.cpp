@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "fitting/motions/coefficients.h"
+#include "kinematics/laws/build.h"
 #include "optim/cycle/peak_function.h"
 #include "optim/cycle/remembered.h"
 #include "optim/search/deadline.h"
@@ -15,31 +15,6 @@ namespace camlaw::problems {
 namespace {
 
 using optim::Function;
-
-/// One constant of a model.
-class ConstantKernel final : public optim::Kernel {
- public:
-  ConstantKernel(const PrintedModel& model, std::size_t constant)
-      : model_(model), constant_(constant) {}
-  double value(std::span<const double> u) const override { return model_.value(constant_, u); }
-  double gradient(std::span<const double> u, std::span<double> g) const override {
-    const auto here = model_.at(u);
-    std::copy_n(here->slopes.begin() + static_cast<std::ptrdiff_t>(constant_ * u.size()), u.size(),
-                g.begin());
-    return here->values[constant_];
-  }
-  /// Not known: the search goes by first derivatives.
-  double hessian(std::span<const double> u, std::span<double> g,
-                 std::span<double> h) const override {
-    std::fill(h.begin(), h.end(), std::numeric_limits<double>::quiet_NaN());
-    return gradient(u, g);
-  }
-  bool is_searched() const override { return true; }
-
- private:
-  const PrintedModel& model_;
-  std::size_t constant_;
-};
 
 Binding bound(const std::vector<double>& constants, std::shared_ptr<const LawBinding> law) {
   Binding result;
@@ -75,6 +50,13 @@ PrintedModel::PrintedModel(const ConstantsQuestion& question, Member law)
     if (unknowns_[i].of_law) continue;
     machine.parameters.push_back(unknowns_[i].parameter);
     machine.variables.push_back(i);
+  }
+  const auto& rooms = law_.family->rooms;
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    // Printed numbers need not leave exactly nothing: a law of them takes as much.
+    constexpr double kInside = 0.99;  // for rounding
+    const double room = rooms[i].is_equal ? kInside * kPrintedSum : 0;
+    rooms_.push_back({i, -room, rooms[i].is_equal ? room : optim::kInfinity});
   }
   // The law's own constants do not see the machine.
   const Binding alone = bound(law_alone().constants, binding_);
@@ -115,7 +97,29 @@ ConstantsAt PrintedModel::evaluated(std::span<const double> x) const {
     result.values[c] = f.gradient(x, g);
     for (std::size_t i = 0; i < g.size(); ++i) slopes[f.inputs()[i]] = g[i];
   }
+  add_rooms(x, result);
   return result;
+}
+
+void PrintedModel::add_rooms(std::span<const double> x, ConstantsAt& result) const {
+  if (rooms_.empty()) return;
+  const std::vector<double> values = binding_->values_at(x);
+  std::vector<Dual> seeded(values.begin(), values.end());
+  for (const LawRoom& room : rooms_) {
+    const auto& left = law_.family->rooms[room.number].left;
+    result.values.push_back(left.make(binding_->arguments_of<double>(values)));
+    result.slopes.resize(result.slopes.size() + x.size(), 0.0);
+    double* slopes = &result.slopes[result.slopes.size() - x.size()];
+    for (std::size_t first = 0; first < seeded.size(); first += kDualWidth) {
+      const std::size_t end = std::min<std::size_t>(first + kDualWidth, seeded.size());
+      for (std::size_t i = first; i < end; ++i) seeded[i].v[static_cast<int>(i - first)] = 1;
+      const Dual value = left.make(binding_->arguments_of<Dual>(seeded));
+      for (std::size_t i = first; i < end; ++i) {
+        slopes[binding_->variables()[i].variable] = value.v[static_cast<int>(i - first)];
+        seeded[i] = Dual(values[i]);
+      }
+    }
+  }
 }
 
 std::shared_ptr<const ConstantsAt> PrintedModel::at(std::span<const double> x) const {
@@ -129,13 +133,6 @@ bool PrintedModel::agrees(std::size_t constant, std::span<const double> x) const
   if (std::isinf(c.value)) return v == c.value;
   const double room = kRounding * std::max(c.high - c.low, std::abs(c.value));
   return v >= c.low - room && v <= c.high + room;
-}
-
-optim::Response PrintedModel::response(std::size_t constant) const {
-  std::vector<std::size_t> all(unknowns_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return {constants()[constant].name, "1",
-          Function(std::move(all), std::make_shared<ConstantKernel>(*this, constant))};
 }
 
 std::vector<double> PrintedModel::defaults() const {
@@ -153,29 +150,68 @@ Member PrintedModel::law_at(std::span<const double> x) const {
   return result;
 }
 
-std::vector<double> PrintedModel::place_of(std::size_t number) const {
-  std::vector<double> x = defaults();
-  if (number == 0) return x;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    // Additive recurrence by powers of the plastic constant: even in few dimensions and in many.
-    constexpr double kStep = 0.7548776662466927;
-    const double power = std::pow(kStep, 1 + static_cast<double>(i));
-    const double share = std::fmod(0.5 + static_cast<double>(number) * power, 1.0);
-    x[i] = unknowns_[i].lower + share * (unknowns_[i].upper - unknowns_[i].lower);
+/// The least change after which a constant may be twice as large or nothing, as far as slopes lead.
+void PrintedModel::find_scales() const {
+  const auto here = at(defaults());
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    const Unknown& u = unknowns_[i];
+    const double range = u.upper - u.lower;
+    double size = range;
+    for (std::size_t c = 0; c < constants().size(); ++c) {
+      const double change = std::abs(here->values[c] / here->slopes[c * unknowns_.size() + i]);
+      if (std::isfinite(change)) size = std::min(size, change);
+    }
+    constexpr double kLeast = 1e-6;
+    scales_.push_back({u.lower, u.upper, u.default_value, std::max(size, kLeast * range)});
   }
-  return x;
+}
+
+const std::vector<SearchScale>& PrintedModel::scales() const {
+  std::call_once(scales_found_, [this] { find_scales(); });
+  return scales_;
 }
 
 const std::vector<PrintedModel::Place>& PrintedModel::places() const {
-  constexpr std::size_t kPlaces = 24;
   std::call_once(places_made_, [this] {
-    while (places_.size() < kPlaces && !unknowns_.empty()) {
-      Place place{place_of(places_.size()), {}};
+    const auto of_law = std::count_if(unknowns_.begin(), unknowns_.end(),
+                                      [](const Unknown& u) { return u.of_law; });
+    const std::size_t first = unknowns_.size() - static_cast<std::size_t>(of_law);
+    const auto limit = of_law > 0 ? limit_of(law_) : std::nullopt;
+    for (std::vector<double>& x : search_places(scales(), limit, first)) {
+      Place place{std::move(x), {}, {}};
+      for (std::size_t i = 0; i < place.x.size(); ++i) {
+        place.coordinates.push_back(scales()[i].coordinate(place.x[i]));
+      }
       place.at = evaluated(place.x);
       places_.push_back(std::move(place));
     }
   });
   return places_;
+}
+
+const Stretches& PrintedModel::stretches(std::size_t constant) const {
+  std::call_once(stretches_found_, [this] {
+    std::vector<const Place*> order;
+    for (const Place& place : places()) order.push_back(&place);
+    std::sort(order.begin(), order.end(),
+              [](const Place* a, const Place* b) { return a->x[0] < b->x[0]; });
+    for (std::size_t c = 0; c < constants().size(); ++c) {
+      std::vector<SlopedValue> places;
+      for (const Place* place : order) {
+        if (!places.empty() && place->x[0] == places.back().x) continue;
+        places.push_back({place->x[0], place->at.values[c], place->at.slopes[c]});
+      }
+      const auto f = [&](double x) {
+        const auto here = at(std::span(&x, 1));
+        return SlopedValue{x, here->values[c], here->slopes[c]};
+      };
+      const PrintedConstant& printed = constants()[c];
+      stretches_.push_back(std::isfinite(printed.value)
+                               ? stretches_between(f, places, printed.low, printed.high)
+                               : Stretches{});
+    }
+  });
+  return stretches_[constant];
 }
 
 }  // namespace camlaw::problems

@@ -10,6 +10,8 @@
 
 #include "fitting/constants/constants_question.h"
 #include "fitting/constants/law_constants.h"
+#include "fitting/constants/one_unknown.h"
+#include "fitting/constants/printed_places.h"
 #include "machines/model/recent.h"
 #include "optim/problem/problem.h"
 
@@ -35,15 +37,20 @@ class PrintedModel {
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   const std::vector<PrintedConstant>& constants() const { return question_->constants; }
 
-  /// Every constant with its derivatives; NaN where the values make no law.
+  /// Every constant with its derivatives, then every room; NaN where the values make no law.
   std::shared_ptr<const ConstantsAt> at(std::span<const double> x) const;
   double value(std::size_t constant, std::span<const double> x) const {
     return at(x)->values[constant];
   }
   /// Whether the constant is printed so at these values.
   bool agrees(std::size_t constant, std::span<const double> x) const;
-  /// The constant as a response of a problem in the unknowns, with first derivatives alone.
-  optim::Response response(std::size_t constant) const;
+
+  /// What the law's parameters must leave together: from 0 to the room's own limit.
+  struct LawRoom {
+    std::size_t number;  ///< of the family's
+    double low, high;
+  };
+  const std::vector<LawRoom>& rooms() const { return rooms_; }
 
   std::vector<double> defaults() const;
   Member law_at(std::span<const double> x) const;
@@ -51,12 +58,18 @@ class PrintedModel {
   /// Values of the unknowns over their ranges, the defaults first, and the constants there.
   struct Place {
     std::vector<double> x;
+    std::vector<double> coordinates;  ///< of x, from 0 to 1 between the bounds
     ConstantsAt at;
   };
   const std::vector<Place>& places() const;
+  /// How far an unknown goes until the constants are of another size, near its default value.
+  const std::vector<SearchScale>& scales() const;
+  /// Of one unknown: where a constant that is printed as a finite number agrees.
+  const Stretches& stretches(std::size_t constant) const;
 
  private:
-  std::vector<double> place_of(std::size_t number) const;
+  void find_scales() const;
+  void add_rooms(std::span<const double> x, ConstantsAt& result) const;
   ConstantsAt evaluated(std::span<const double> x) const;
 
   const ConstantsQuestion* question_;
@@ -65,9 +78,12 @@ class PrintedModel {
   std::shared_ptr<const LawBinding> binding_;
   std::vector<std::optional<LawConstant>> of_law_;  ///< where a constant is the law's own peak
   std::vector<optim::Function> functions_;          ///< of the others
+  std::vector<LawRoom> rooms_;
   mutable Recent<ConstantsAt> recent_;
-  mutable std::once_flag places_made_;
+  mutable std::once_flag scales_found_, places_made_, stretches_found_;
+  mutable std::vector<SearchScale> scales_;
   mutable std::vector<Place> places_;
+  mutable std::vector<Stretches> stretches_;
 };
 
 }  // namespace camlaw::problems

@@ -167,4 +167,16 @@ void leave_out_far_values(MotionRecord& record, double period) {
   remove(record, far);
 }
 
+std::size_t put_back(MotionRecord& record, const std::function<bool(const FaultyRow&)>& is_good) {
+  const auto bad = std::stable_partition(record.far.begin(), record.far.end(), is_good);
+  for (auto row = record.far.begin(); row != bad; ++row) {
+    record.samples.place.push_back(row->place);
+    record.samples.value.push_back(row->value);
+    if (!record.lines.empty()) record.lines.push_back(static_cast<std::uint32_t>(row->line));
+  }
+  const auto count = static_cast<std::size_t>(bad - record.far.begin());
+  record.far.erase(record.far.begin(), bad);
+  return count;
+}
+
 }  // namespace camlaw::problems

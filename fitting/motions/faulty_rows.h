@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ void leave_out_stray_places(MotionRecord& record);
 /// and more one row without which a cubic through neighbours misses none by an eighth as much.
 /// `period` as in find_motions.
 void leave_out_far_values(MotionRecord& record, double period);
+
+/// Takes rows back in of those whose values lay off their neighbours. How many.
+std::size_t put_back(MotionRecord& record, const std::function<bool(const FaultyRow&)>& is_good);
 
 /// Whether so few rows of so many lie off that the others can be relied upon: one in fifty, or
 /// three.

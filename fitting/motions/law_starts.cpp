@@ -52,6 +52,18 @@ Possible<optim::FitResult> over_ends(const RoughFit& fit, const FitParameters& p
   return *std::move(best);
 }
 
+/// Whether a lift goes beyond the levels that it rests at, by more than noise does.
+bool goes_beyond(const MotionSamples& samples, const FitParameters& parameters) {
+  constexpr double kBeyond = 0.01;  // of the stroke
+  if (samples.order != 0) return false;
+  const double from = parameters[MotionLayout::kZero].start,
+               stroke = parameters[MotionLayout::kStroke].start;
+  return std::any_of(samples.value.begin(), samples.value.end(), [&](double value) {
+    const double share = (value - from) / stroke;
+    return share < -kBeyond || share > 1 + kBeyond;
+  });
+}
+
 Possible<std::vector<double>> where_it_ends(const Possible<optim::FitResult>& fit) {
   if (!fit) return fit.reason();
   return values_of(*fit);
@@ -110,6 +122,10 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
   add(std::vector<double>{});    // as it is near
   if (options.like && !fault) {  // where another law follows the samples
     add(where_it_ends(between_ends(fit, own, options.like->begin, options.like->end)));
+  }
+  // There the law as it is, which does not, is shorter: its ends are no start for the others.
+  if (goes_beyond(means, parameters) && !fault) {
+    add(where_it_ends(between_ends(fit, own, own[kBegin].start, own[kEnd].start)));
   }
   if (has_free_ends(law) && !fault) add(where_it_ends(over_ends(fit, own)));
   if (fault) return std::move(*fault);

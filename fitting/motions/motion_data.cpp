@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/assumed_units.h"
@@ -29,6 +30,13 @@ const SampleColumn& motion_column(const SampleTable& table) {
   return column_beside(table, &place_column(table, nullptr));
 }
 
+/// Of a column whose name says nothing of what it holds.
+std::string taken_as(const SampleColumn& column, int order) {
+  constexpr const char* kWhat[] = {"displacement", "velocity", "acceleration"};
+  return fmt::format("column '{}' has no name of a quantity: read as the {}", column.name,
+                     kWhat[order]);
+}
+
 std::string divided(const std::string& unit, const std::string& by, int order) {
   if (order == 0) return unit;
   if (by == "1") return unit;
@@ -45,13 +53,32 @@ MotionRecord motion_record(const SampleTable& table) {
   if (auto note = assume_degrees(own.columns[0])) record.notes.push_back(std::move(*note));
   MotionSamples& samples = record.samples;
   samples.lacking = own.left_out;
-  samples.order = order_of(value).value_or(0);
   UnitValues places = in_unit(own, own.columns[0], {"deg", "s", "1"});
   const std::vector<std::string> lengths{"mm", "deg", "1"};
-  std::vector<std::string> units;
-  for (const std::string& length : lengths) {
-    units.push_back(divided(length, places.unit, samples.order));
+  const auto units_of = [&](int order) {
+    std::vector<std::string> units;
+    for (const std::string& length : lengths) units.push_back(divided(length, places.unit, order));
+    return units;
+  };
+  const auto fits = [&](int order) {
+    const auto units = units_of(order);
+    return std::any_of(units.begin(), units.end(),
+                       [&](const std::string& unit) { return has_kind(value, unit); });
+  };
+  if (const auto order = order_of(value)) {
+    samples.order = *order;
+  } else {  // its unit may tell
+    if (!fits(0)) samples.order = fits(1) ? 1 : fits(2) ? 2 : 0;
+    record.notes.push_back(taken_as(value, samples.order));
   }
+  if (samples.order > 0 && places.unit == "1" && !fits(samples.order)) {
+    const std::string& place = own.columns[0].name;
+    throw std::invalid_argument(
+        fmt::format("{}: column '{}' is in '{}', and column '{}' states no unit; write '{} [deg]' "
+                    "or '{} [s]'",
+                    table.source, value.name, value.unit, place, place, place));
+  }
+  const std::vector<std::string> units = units_of(samples.order);
   UnitValues values = in_unit(own, value, units);
   const auto which = std::find(units.begin(), units.end(), values.unit) - units.begin();
   samples.length_unit = lengths[static_cast<std::size_t>(which)];

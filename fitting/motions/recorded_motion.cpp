@@ -61,6 +61,35 @@ void distrust_many_far(RecordedMotion& found, double period) {
   }
 }
 
+/// Motions that follow each other without a rest, as one: a law may begin backwards, and go beyond
+/// where it ends.
+std::optional<FoundCycle> as_one(const FoundCycle& several, const MotionSamples& samples) {
+  if (several.motions.size() < 2) return {};
+  const auto moves = [](const FoundSegment& s) { return s.kind != SegmentKind::Dwell; };
+  const auto& segments = several.segments;
+  const auto first = std::find_if(segments.begin(), segments.end(), moves);
+  const auto last = std::find_if(segments.rbegin(), segments.rend(), moves).base();
+  if (!std::all_of(first, last, moves)) return {};
+  const FoundSegment& end = *std::prev(last);
+  FoundCycle one = several;
+  one.segments.assign(segments.begin(), first);
+  one.segments.push_back({end.to > first->from ? SegmentKind::Rise : SegmentKind::Return,
+                          first->begin, end.end, first->from, end.to, first->begin_error,
+                          end.end_error});
+  one.segments.insert(one.segments.end(), last, segments.end());
+  one.motions = {{{first->begin, end.end, first->from, end.to}, samples}};
+  return one;
+}
+
+/// Whether one motion leaves no more than several do, but for chance and rounding.
+bool follows_as_well(const FittedCycle& one, const FittedCycle& several,
+                     const MotionSamples& samples) {
+  constexpr double kNearly = 1.2;
+  double least = rounding_deviation(samples);
+  for (const MotionFit& fit : several.fits) least = std::max(least, fit.best().fit.rms);
+  return one.fits.front().best().fit.rms <= kNearly * least;
+}
+
 /// The laws of the record; where none can be found, and the lift does not come back to where it
 /// began, that is why.
 FittedCycle fitted(const MotionSamples& samples, double period, const std::vector<Member>& laws,
@@ -68,7 +97,12 @@ FittedCycle fitted(const MotionSamples& samples, double period, const std::vecto
   const auto fit = [&]() -> Possible<FittedCycle> {
     auto motions = possible_motions(samples);
     if (!motions) return motions.reason();
-    return possible_cycle_fit(std::move(*motions), laws, options);
+    const auto whole = period > 0 ? std::nullopt : as_one(*motions, samples);
+    if (!whole) return possible_cycle_fit(std::move(*motions), laws, options);
+    constexpr double kFirst = 0.5;  // of the work
+    auto several = possible_cycle_fit(std::move(*motions), laws, part_of(options, 0, kFirst));
+    auto one = possible_cycle_fit(*whole, laws, part_of(options, kFirst, 1));
+    return one && (!several || follows_as_well(*one, *several, samples)) ? one : several;
   };
   Possible<FittedCycle> found = fit();
   if (found) return std::move(*found);
@@ -82,6 +116,34 @@ FittedCycle fitted(const MotionSamples& samples, double period, const std::vecto
       fmt::format("the lift is {:.4g} {} where the turn begins and {:.4g} {} where it ends: it "
                   "drifted, or jumped, while it was measured",
                   first, samples.unit, last, samples.unit));
+}
+
+/// Whether a row lies on the motion that was fitted without it, no farther than chance explains;
+/// beside a break as far as that may be from where it was found.
+bool is_on_curve(const FaultyRow& row, const LawFit& law, const MotionSamples& samples) {
+  constexpr double kFar = 5;  // standard deviations
+  const double most = kFar * std::hypot(law.fit.sigma, rounding_deviation(samples));
+  const double aside = kFar * std::max(law.fit.parameters[MotionLayout::kBegin].standard_deviation,
+                                       law.fit.parameters[MotionLayout::kEnd].standard_deviation);
+  for (const double place : {row.place, row.place - aside, row.place + aside}) {
+    if (std::abs(row.value - law.value(place, samples.order)) <= most) return true;
+  }
+  return false;
+}
+
+/// A velocity or acceleration has breaks, over which the curve of neighbours that tells slips is
+/// too smooth: rows that lie on the motion found without them are none. Fits again with them.
+void fit_with_rows_at_breaks(RecordedMotion& found, double period, const std::vector<Member>& laws,
+                             const LawFitOptions& options) {
+  constexpr int kTimes = 2;
+  for (int k = 0; k < kTimes && are_tried(found.cycle) && found.cycle.fits.size() == 1; ++k) {
+    const LawFit law = found.cycle.fits.front().best();
+    const std::size_t count = put_back(found.record, [&](const FaultyRow& row) {
+      return is_on_curve(row, law, found.record.samples);
+    });
+    if (count == 0) return;
+    found.cycle = fitted(found.record.samples, period, laws, options);
+  }
 }
 
 }  // namespace
@@ -150,8 +212,15 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
     const std::complex<double> centre = result.centre->place;
     samples = at(Eigen::Vector2d(centre.real(), centre.imag()))->samples;
   }
+  const bool may_break = samples.order > 0 && !result.record.far.empty();
+  constexpr double kFirst = 0.5;  // of the work, where breaks are looked at
   result.cycle =
-      fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
+      fitted(samples, period, laws,
+             part_of(options.fit, options.fit_centre ? kCentre : 0, may_break ? kFirst : 1));
+  if (may_break) {
+    fit_with_rows_at_breaks(result, period, laws, part_of(options.fit, kFirst, 1));
+    samples = result.record.samples;
+  }
   if (result.centre) {
     widen_all(result.cycle, off_centre(), *result.centre);
     distrust_untried(result.cycle, result.centre->untried);

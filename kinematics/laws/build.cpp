@@ -8,8 +8,7 @@
 namespace camlaw {
 
 std::optional<Impossible> bad_sum(const char* what, double sum) {
-  constexpr double kPrinted = 1e-3;
-  if (std::abs(sum - 1) <= kPrinted) return {};
+  if (std::abs(sum - 1) <= kPrintedSum) return {};
   return Impossible{fmt::format(
       "{} must be 1 (within 0.1 %, as printed constants are), but is {:.6g}", what, sum)};
 }

@@ -33,6 +33,7 @@ Law<T> curve_law(Curve<T> curve, Ends ends = {}) {
 
 /// Constants of a law that must add up to 1 may be printed ones: up to 0.1 % off they are taken and
 /// scaled by the caller, beyond that it is said what `what` came to.
+inline constexpr double kPrintedSum = 1e-3;
 std::optional<Impossible> bad_sum(const char* what, double sum);
 
 /// Twice integrated polynomial: s'' = sum a[k] t^k with s'(0) = v0, s(0) = s0.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "kinematics/peaks.h"
 #include "kinematics/program/segments.h"
@@ -103,13 +105,13 @@ optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const
   double low = -40, high = 5;  // powers of 10
   std::optional<int> spans;
   const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power), spans); };
-  double least = deviation_of(at(low));
-  if (least > wanted) {
+  const auto reaches = [&] { return std::pair(deviation_of(at(low)), deviation_of(at(high))); };
+  auto [least, most] = reaches();
+  if (least > wanted || most < wanted) {
     spans = static_cast<int>(x.size());
     low = -20;  // enough of it to tell the spline where it has more spans than rows
-    least = deviation_of(at(low));
+    std::tie(least, most) = reaches();
   }
-  const double most = deviation_of(at(high));
   if (least > wanted || most < wanted) {
     throw std::invalid_argument(
         fmt::format("no smoothing spline is exactly that far from the rows; possible distances are "

@@ -57,6 +57,34 @@ const Names& names_of(ColumnKind kind) {
   throw std::logic_error("column names: a kind without names");
 }
 
+constexpr std::array kKinds{
+    ColumnKind::Angle,        ColumnKind::Time,     ColumnKind::Across,
+    ColumnKind::Displacement, ColumnKind::Velocity, ColumnKind::Acceleration,
+    ColumnKind::Radius,       ColumnKind::ProfileX, ColumnKind::ProfileY};
+
+/// One unit of every kind that columns of a kind are counted in.
+std::vector<const char*> units_of(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::Angle:
+      return {"deg"};
+    case ColumnKind::Time:
+      return {"s"};
+    case ColumnKind::Across:
+      return {"mm", "deg", "s"};
+    case ColumnKind::Displacement:
+      return {"mm", "deg"};
+    case ColumnKind::Velocity:
+      return {"mm/deg", "mm/s", "deg/s"};
+    case ColumnKind::Acceleration:
+      return {"mm/deg2", "mm/s2", "deg/s2"};
+    case ColumnKind::Radius:
+    case ColumnKind::ProfileX:
+    case ColumnKind::ProfileY:
+      return {"mm"};
+  }
+  throw std::logic_error("column names: a kind without units");
+}
+
 bool has_unit_of(std::string_view unit, const char* other) {
   try {
     unit_as_written(unit, other);
@@ -75,12 +103,17 @@ bool is_named(std::string_view name, ColumnKind kind) {
 }
 
 bool is_known_name(std::string_view name) {
-  constexpr std::array kKinds{
-      ColumnKind::Angle,        ColumnKind::Time,     ColumnKind::Across,
-      ColumnKind::Displacement, ColumnKind::Velocity, ColumnKind::Acceleration,
-      ColumnKind::Radius,       ColumnKind::ProfileX, ColumnKind::ProfileY};
   return std::any_of(kKinds.begin(), kKinds.end(),
                      [&](ColumnKind kind) { return is_named(name, kind); });
+}
+
+bool may_have_unit(std::string_view name, std::string_view unit) {
+  return std::any_of(kKinds.begin(), kKinds.end(), [&](ColumnKind kind) {
+    const auto units = units_of(kind);
+    return is_named(name, kind) && std::any_of(units.begin(), units.end(), [&](const char* other) {
+             return has_unit_of(unit, other);
+           });
+  });
 }
 
 bool is_known_unit(std::string_view unit) {
@@ -94,6 +127,15 @@ bool is_plain_unit(std::string_view unit) {
   constexpr std::array<std::string_view, 14> kPlain{
       "deg", "°", "Grad", "rad", "mrad", "gon", "mm", "cm", "um", "µm", "μm", "inch", "°", "grad"};
   return std::find(kPlain.begin(), kPlain.end(), unit) != kPlain.end();
+}
+
+bool is_distinct_unit(std::string_view unit) {
+  constexpr std::array kUnits{"N m", "N", "W", "MPa", "rpm"};
+  const bool is_short = unit.size() < 2 && unit != "N" && unit != "W";
+  return !is_short && is_known_unit(unit) &&
+         (unit.find('/') != std::string_view::npos ||
+          std::any_of(kUnits.begin(), kUnits.end(),
+                      [&](const char* other) { return has_unit_of(unit, other); }));
 }
 
 }  // namespace camlaw::problems

@@ -184,6 +184,58 @@ std::optional<TableLayout> names_above(const Above& above, bool in_comments) {
   return named_by(*units, {}, above.between, first_row);
 }
 
+ColumnName split(std::string_view cell, std::size_t at, std::size_t length) {
+  return {std::string(trimmed_cell(cell.substr(0, at))),
+          std::string(trimmed_cell(cell.substr(at + length)))};
+}
+
+/// "velocity in mm/s". A quantity in something that is no unit keeps it, to be refused with it.
+std::optional<ColumnName> unit_after_in(std::string_view cell) {
+  constexpr std::string_view kIn = " in ";
+  const std::size_t at = cell.rfind(kIn);
+  if (at == 0 || at == std::string_view::npos) return {};
+  ColumnName found = split(cell, at, kIn.size());
+  if (!is_known_name(found.name) && !is_known_unit(found.unit)) return {};
+  return found;
+}
+
+/// Each split of a name at a character, that it has a part before and after, from the left.
+std::optional<ColumnName> split_where(std::string_view cell, char between,
+                                      bool (*is_wanted)(const ColumnName&)) {
+  for (std::size_t at = cell.find(between, 1); at != std::string_view::npos;
+       at = cell.find(between, at + 1)) {
+    ColumnName found = split(cell, at, 1);
+    if (!found.name.empty() && !found.unit.empty() && is_wanted(found)) return found;
+  }
+  return {};
+}
+
+/// "velocity_m/s", "time_ms", "lift_in": a quantity and a unit of its kind.
+std::optional<ColumnName> unit_of_known_name(std::string_view cell) {
+  return split_where(cell, '_', [](const ColumnName& c) { return may_have_unit(c.name, c.unit); });
+}
+
+/// "velocity/mm/s", "drive_torque/Nm"; not "m/s", which is all unit, nor "s/h", a share.
+std::optional<ColumnName> unit_after_slash(std::string_view cell) {
+  const std::size_t at = cell.find('/');
+  if (at == 0 || at == std::string_view::npos) return {};
+  ColumnName found = split(cell, at, 1);
+  if (is_known_name(found.name)) {
+    const bool is_share = is_known_name(found.unit) && !may_have_unit(found.name, found.unit);
+    return is_share ? std::nullopt : std::optional(std::move(found));
+  }
+  const bool is_unit = is_known_unit(found.name) || !column_name(found.name).unit.empty();
+  if (is_unit || !is_known_unit(found.unit)) return {};
+  return found;
+}
+
+/// "cam_lift_mm", "drive_torque_Nm".
+std::optional<ColumnName> unit_at_end(std::string_view cell) {
+  return split_where(cell, '_', [](const ColumnName& c) {
+    return is_plain_unit(c.unit) || is_distinct_unit(c.unit);
+  });
+}
+
 /// The first of semicolon and tab that stands outside of quotes, else the comma.
 char separator_of(std::string_view header) {
   for (const char between : {';', '\t'}) {
@@ -202,12 +254,8 @@ ColumnName column_name(std::string_view cell) {
     return {std::string(trimmed_cell(cell.substr(0, open))),
             std::string(trimmed_cell(cell.substr(open + 1, close - open - 1)))};
   }
-  for (const std::string_view between : {" in ", "/", "_"}) {
-    const std::size_t at = cell.rfind(between);
-    if (at == 0 || at == std::string_view::npos) continue;
-    const std::string_view unit = trimmed_cell(cell.substr(at + between.size()));
-    if (!is_plain_unit(unit)) continue;
-    return {std::string(trimmed_cell(cell.substr(0, at))), std::string(unit)};
+  for (const auto find : {unit_after_in, unit_of_known_name, unit_after_slash, unit_at_end}) {
+    if (auto found = find(cell)) return std::move(*found);
   }
   return {std::string(cell), ""};
 }

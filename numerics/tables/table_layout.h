@@ -26,7 +26,8 @@ struct TableLayout {
   std::size_t first_row = 0;  ///< of the lines given, the first below the names
 };
 
-/// "lift [mm]", "lift (mm)", "lift in mm", "lift/mm" or "lift_mm".
+/// "lift [mm]", "lift (mm)", "lift in mm", "lift/mm" or "lift_mm"; any quantity and unit likewise.
+/// A name of a known quantity keeps what stands for a unit after "in" or a slash, be it one or not.
 ColumnName column_name(std::string_view cell);
 
 /// Whether a line, trimmed, is none of the table: it begins with # or %.

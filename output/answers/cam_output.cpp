@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fitting/cams/found_program.h"
 #include "numerics/tables/turn.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
@@ -11,10 +12,6 @@ namespace camlaw::cli {
 namespace {
 
 using problems::CamFit;
-
-double from_own_unit(const CamFit& fit, double s) {
-  return fit.cam.samples.unit == "deg" ? s / problems::kDegree : s;
-}
 
 void add_outlying(const CamFit& fit, Document& document) {
   constexpr std::size_t kShown = 10;
@@ -54,10 +51,8 @@ void add_departures(const CamFit& fit, Document& document) {
 }  // namespace
 
 Document cam_document(const CamFit& fit) {
-  const auto& lift = fit.cam.lift;
-  const double stroke = from_own_unit(fit, lift.stroke());
-  const double base = lift.base_radius(lift.lowest());
-  const double deviation = lift.profile().spline().residual_deviation();
+  const auto [stroke, base] = problems::found_sizes(fit);
+  const double deviation = fit.cam.lift.profile().spline().residual_deviation();
   Document document;
   document.say(fmt::format("measured cam: stroke {}, base radius {} mm, points scatter by {} mm\n",
                            with_unit(number(stroke), fit.cam.samples.unit), number(base),

@@ -48,7 +48,7 @@ Table numbers_table(const ConstantsFit& fit) {
                {in_digits(n.high), n.high},
                {shown_unit(n.unit), n.unit},
                datum(n.of_law ? "law" : "machine"),
-               {n.identifiable ? "yes" : "no: other constants compensate for it", n.identifiable}});
+               {n.identifiable ? "yes" : "no: other values agree too", n.identifiable}});
   }
   return table;
 }
@@ -110,15 +110,17 @@ std::string verdict(const std::vector<ConstantsFit>& fits) {
   } else if (off.size() == best.constants.size()) {
     line("no constant agrees");
   } else {
-    line(fmt::format("{} not agree with the rest: no values of this law print all of them",
-                     that_do(off)));
+    line(fmt::format("{} not agree with the rest: {}", that_do(off),
+                     best.numbers.empty()
+                         ? "this law does not print all of them"
+                         : "no values of this law that print all of them were found"));
   }
   std::vector<std::string> loose;
   for (const FoundNumber& n : best.numbers) {
     if (!n.identifiable) loose.push_back(n.name);
   }
   if (!loose.empty()) {
-    line(fmt::format("the print does not determine {}: the value shown is one of many",
+    line(fmt::format("the print does not determine {}: the value shown is one of those that agree",
                      fmt::join(loose, ", ")));
   }
   if (!best.also.empty()) {

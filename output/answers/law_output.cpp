@@ -221,8 +221,10 @@ Document law_document(const Member& member) {
                 }));
   if (std::isinf(all.max_jerk()) && std::isfinite(all.jerk_inside_highest.value) &&
       std::isfinite(all.jerk_inside_lowest.value)) {
-    document.say(fmt::format("acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
-                             all.jerk_inside_lowest.value, all.jerk_inside_highest.value));
+    document.say(fmt::format(
+        "{} jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
+        std::isinf(all.max_acceleration()) && jumps(law).velocity ? "velocity" : "acceleration",
+        all.jerk_inside_lowest.value, all.jerk_inside_highest.value));
   }
   if (const auto lambda = limit_index(all)) {
     document.say(fmt::format("lambda = {:.6f}\n", *lambda));

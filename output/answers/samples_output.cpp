@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/motions/same_motion.h"
+#include "numerics/tables/turn.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 #include "output/figure/fit_panels.h"
@@ -62,20 +64,58 @@ void add_segments(const SamplesAnswer& answer, Document& document) {
                                : ""));
 }
 
-/// The laws that were tried, the best first; of one alone there is nothing to compare.
+/// Laws that are one motion, each with its place in the ranking; the first is the best.
+using SameMotion = std::vector<const LawFit*>;
+
+/// Whether two fits are one motion under two names.
+bool is_same(const LawFit& a, const LawFit& b) {
+  constexpr double kAlike = 1e-7;
+  const double size = std::max(a.fit.rms, b.fit.rms);
+  return std::abs(a.fit.rms - b.fit.rms) <= kAlike * size && problems::same_motion(a.law, b.law);
+}
+
+std::vector<SameMotion> joined(const std::vector<LawFit>& ranking) {
+  std::vector<SameMotion> result;
+  for (const LawFit& fit : ranking) {
+    const auto same = std::find_if(result.begin(), result.end(), [&](const SameMotion& motion) {
+      return is_same(*motion.front(), fit);
+    });
+    if (same == result.end()) {
+      result.push_back({&fit});
+    } else {
+      same->push_back(&fit);
+    }
+  }
+  return result;
+}
+
+/// The laws that were tried, the best first, those of one motion in one line; of one alone there is
+/// nothing to compare.
 void add_ranking(const MotionFit& fit, Document& document) {
   const std::string& unit = fit.motion.samples.unit;
-  Table table{
-      .key = "ranking",
-      .columns = {numbers("#"), words("law", "law"), data("criterion"), numbers("belief", "belief"),
-                  numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
-                  numbers("largest", "max_residual")},
-      .shown = fit.ranking.size() > 1 ? kRanked : 0};
-  for (const LawFit& f : fit.ranking) {
+  Table table{.key = "ranking",
+              .columns = {numbers("#"), words("law", "law"), data("same_motion"), data("criterion"),
+                          numbers("belief", "belief"),
+                          numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
+                          numbers("largest", "max_residual")},
+              .shown = fit.ranking.size() > 1 ? kRanked : 0};
+  for (const SameMotion& motion : joined(fit.ranking)) {
+    const LawFit& f = *motion.front();
+    std::string label = shortened(f.law.label());
+    std::vector<std::string> others;
+    double belief = f.weight;
+    for (std::size_t i = 1; i < motion.size(); ++i) {
+      belief += motion[i]->weight;
+      const std::string name = motion[i]->law.name();  // twice where a crossover was free
+      if (name == f.law.name() || std::count(others.begin(), others.end(), name) > 0) continue;
+      others.push_back(name);
+      label += "; " + shortened(motion[i]->law.label());
+    }
     table.add({fmt::format("{}", table.rows.size() + 1),
-               {shortened(f.law.label()), f.law.name()},
+               {label, f.law.name()},
+               datum(others),
                datum(f.criterion),
-               {fmt::format("{:.1f} %", 100 * f.weight), f.weight},
+               {fmt::format("{:.1f} %", 100 * belief), belief},
                number_cell(f.fit.rms),
                number_cell(std::abs(f.fit.residuals[f.fit.largest]))});
   }
@@ -87,13 +127,29 @@ void add_ranking(const MotionFit& fit, Document& document) {
   document.add(std::move(table));
 }
 
+/// Places of a record as they were recorded: a motion of a cycle may go on over its end.
+struct RecordedPlaces {
+  double first = 0, period = 0;
+
+  double of(double place) const {
+    return period > 0 ? problems::in_period(place, first, period) : place;
+  }
+};
+
+RecordedPlaces recorded_places(const SamplesAnswer& answer) {
+  const problems::MotionSamples& all =
+      answer.cam() != nullptr ? answer.cam()->cam.samples : answer.motion()->record.samples;
+  if (all.place.empty()) return {};
+  return {*std::min_element(all.place.begin(), all.place.end()), problems::cycle_period(all)};
+}
+
 /// What is left, and how well the samples tell the numbers apart.
-void add_residuals(const MotionFit& fit, Document& document) {
+void add_residuals(const MotionFit& fit, const RecordedPlaces& places, Document& document) {
   const optim::FitResult& found = fit.best().fit;
   const problems::MotionSamples& samples = fit.motion.samples;
   const std::string &unit = samples.unit, &place_unit = samples.place_unit;
   const double largest = std::abs(found.residuals[found.largest]);
-  const double largest_at = samples.place[found.largest];
+  const double largest_at = places.of(samples.place[found.largest]);
   document.say(fmt::format(
       "{} samples; rms {}, largest {} at {}; error of prediction {}\n", samples.place.size(),
       with_unit(number(found.rms), unit), with_unit(number(largest), unit),
@@ -118,7 +174,7 @@ void add_residuals(const MotionFit& fit, Document& document) {
   document.fact("free_directions", free_directions_json(fit.best()));
 }
 
-std::string outliers_text(const MotionFit& fit) {
+std::string outliers_text(const MotionFit& fit, const RecordedPlaces& places) {
   if (fit.outliers.samples.empty()) return "";
   constexpr std::size_t kShown = 5;
   const problems::MotionSamples& samples = fit.motion.samples;
@@ -127,7 +183,7 @@ std::string outliers_text(const MotionFit& fit) {
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const std::size_t at = fit.outliers.samples[i];
     worst.push_back(
-        fmt::format("{} by {}", with_unit(number(samples.place[at]), samples.place_unit),
+        fmt::format("{} by {}", with_unit(number(places.of(samples.place[at])), samples.place_unit),
                     with_unit(in_digits(-fit.best().fit.residuals[at], 3), samples.unit)));
   }
   return fmt::format("{} of {} samples are farther off than the {} that chance explains: {}{}\n",
@@ -136,11 +192,11 @@ std::string outliers_text(const MotionFit& fit) {
                      fmt::join(worst, ", "), count > kShown ? ", ..." : "");
 }
 
-Json outliers_json(const MotionFit& fit) {
+Json outliers_json(const MotionFit& fit, const RecordedPlaces& places) {
   const problems::MotionSamples& samples = fit.motion.samples;
   Json list = Json::array();
   for (const std::size_t i : fit.outliers.samples) {
-    list.push_back({{"abscissa", to_json(samples.place[i])},
+    list.push_back({{"abscissa", to_json(places.of(samples.place[i]))},
                     {"value", to_json(samples.value[i])},
                     {"residual", to_json(fit.best().fit.residuals[i])}});
   }
@@ -149,7 +205,7 @@ Json outliers_json(const MotionFit& fit) {
           {"samples", std::move(list)}};
 }
 
-Document motion_document(const MotionFit& fit) {
+Document motion_document(const MotionFit& fit, const RecordedPlaces& places) {
   const LawFit& best = fit.best();
   Document document;
   document.say(best.law.label() + "\n");
@@ -159,9 +215,9 @@ Document motion_document(const MotionFit& fit) {
   document.fact("from", best.from);
   document.fact("to", best.to);
   document.add(fitted_table(best.fit));
-  add_residuals(fit, document);
-  document.say(outliers_text(fit));
-  document.fact("outliers", outliers_json(fit));
+  add_residuals(fit, places, document);
+  document.say(outliers_text(fit, places));
+  document.fact("outliers", outliers_json(fit, places));
   document.fact("criterion", best.criterion);
   document.fact("criterion_name", "-2 ln evidence");
   document.fact("prediction_error", fit.prediction_error);
@@ -221,6 +277,7 @@ void draw_motion(const MotionFit& fit, Figure& figure) {
 
 Document samples_document(const SamplesAnswer& answer) {
   const std::vector<MotionFit>& fits = answer.cycle().fits;
+  const RecordedPlaces places = recorded_places(answer);
   std::vector<Document> motions;
   for (const MotionFit& fit : fits) {
     Document motion;
@@ -230,7 +287,7 @@ Document samples_document(const SamplesAnswer& answer) {
                       number(fit.best().begin),
                       with_unit(number(fit.best().end), fit.motion.samples.place_unit)));
     }
-    motion.add(motion_document(fit));
+    motion.add(motion_document(fit, places));
     motion.say("\n");
     motions.push_back(std::move(motion));
   }

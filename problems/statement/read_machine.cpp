@@ -296,7 +296,10 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
     refuse(*own, "the file names a mechanism too; drop one of the two");
   }
   const Mechanism* known = nullptr;
-  if (name != nullptr) known = located(*name, [&] { return &find_mechanism(text_of(*name)); });
+  if (name != nullptr) {
+    const std::string& text = text_of(*name);
+    known = located(*name, [&] { return &find_mechanism(text); });
+  }
   if (own == nullptr && responses == nullptr) {
     problem.mechanism = listed(*known);
   } else {

@@ -50,7 +50,8 @@ void check_part_alone(const Entry& file, const Entry& table, const ProblemStatem
 void read_choose(const Entry& choose, PartStatement& part) {
   std::vector<PartItem> kept;
   const auto keep = [&](const Entry& name) {
-    const std::size_t i = located(name, [&] { return item_named(part, text_of(name)); });
+    const std::string& text = text_of(name);
+    const std::size_t i = located(name, [&] { return item_named(part, text); });
     const bool twice = std::any_of(kept.begin(), kept.end(),
                                    [&](const auto& k) { return k.name == part.items[i].name; });
     if (twice) refuse(name, fmt::format("'{}' is listed twice", part.items[i].name));
@@ -83,7 +84,8 @@ void read_part(const Entry& file, const Entry& table, ProblemStatement& problem)
   if (const Entry* choose = find(table, "choose")) read_choose(*choose, part);
   std::size_t start = 0;
   if (const Entry* name = find(table, "start")) {
-    start = located(*name, [&] { return item_named(part, text_of(*name)); });
+    const std::string& wanted = text_of(*name);
+    start = located(*name, [&] { return item_named(part, wanted); });
   }
   problem.parts.push_back(std::move(part));
   start_with(problem, table.key, start);

@@ -184,7 +184,8 @@ std::optional<double> read_reliability(const Entry& table, const ProblemStatemen
 std::shared_ptr<const Robust> read_robust(const Entry& table, const ProblemStatement& problem) {
   const Entry* entry = find(table, "robust");
   if (entry == nullptr) return nullptr;
-  const Robust robust = located(*entry, [&] { return parse_robust(text_of(*entry)); });
+  const std::string& text = text_of(*entry);
+  const Robust robust = located(*entry, [&] { return parse_robust(text); });
   if (variations_of(problem).empty()) {
     refuse(*entry, "no variation is stated; give [variation.NAME]");
   }

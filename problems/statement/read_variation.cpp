@@ -36,7 +36,8 @@ void read_fit(const Entry& table, const Entry& fit, VariationStatement& variatio
            fmt::format("a fit is of a length in mm; {} is in {}", variation.parameter.name,
                        variation.parameter.unit == "1" ? "no unit" : variation.parameter.unit));
   }
-  variation.fit = located(fit, [&] { return parse_fit(text_of(fit)); });
+  const std::string& text = text_of(fit);
+  variation.fit = located(fit, [&] { return parse_fit(text); });
   variation.of_diameter = truth_of(table, "of_diameter");
 }
 

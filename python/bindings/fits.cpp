@@ -274,8 +274,8 @@ FoundFit constants_fitted(const std::string& constants, const StatedProblem* mac
   if (law && *law != "auto") {
     fits = problems::fit_constants(question, problems::find_any_law(*law));
     if (fits.empty()) {
-      refuse(
-          fmt::format("law {} has none of these constants, whatever its coefficients are", *law));
+      refuse(fmt::format(
+          "law {}: no coefficients with which it has any of these constants were found", *law));
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());

@@ -59,6 +59,47 @@ TEST_CASE("fit names the law behind samples, and writes its file", "[program]") 
   CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));
 }
 
+TEST_CASE("fit has one line for one motion, whatever its names", "[program]") {
+  const Folder folder;
+  const ParsedJson result =
+      ParsedJson::parse(done({"fit", written(folder, "rise.csv", rise()), "--json"}));
+  CHECK(result["law"] == "poly-3-4-5");
+  const ParsedJson& ranking = result["ranking"];
+  const ParsedJson& first = ranking[0];
+  CHECK(first["law"] == "poly-3-4-5");
+  CHECK(std::count(first["same_motion"].begin(), first["same_motion"].end(),
+                   "stoddart exponents=3,4,5") == 1);
+  double belief = 0;
+  for (const ParsedJson& law : ranking) {
+    CHECK(law["law"] != "stoddart exponents=3,4,5");
+    belief += law["belief"].get<double>();
+  }
+  CHECK(belief == Approx(1));
+}
+
+TEST_CASE("fit names angles as the record has them", "[program]") {
+  // The return goes on over the end of the record: from 300 to 30 deg.
+  const Folder folder;
+  testing::Random random(3);
+  std::string text = "angle [deg], lift [mm]\n";
+  const auto poly = [](double u) { return u * u * u * (10 - 15 * u + 6 * u * u); };
+  for (int i = 0; i < 360; ++i) {
+    const double u = i < 30 ? (i + 60) / 90.0 : (i - 300) / 90.0;
+    const double lift = i < 30 || i >= 300 ? 1 - poly(u)
+                        : i < 90           ? 0
+                        : i < 200          ? poly((i - 90) / 110.0)
+                                           : 1;
+    text += fmt::format("{}, {}\n", i, 20 * lift + 0.01 * random.normal());
+  }
+  const ParsedJson result = ParsedJson::parse(
+      done({"fit", written(folder, "cycle.csv", text), "--law", "poly-3-4-5", "--json"}));
+  REQUIRE(result["motions"].size() == 2);
+  for (const ParsedJson& motion : result["motions"]) {
+    CHECK(motion["max_residual_at"].get<double>() >= 0);
+    CHECK(motion["max_residual_at"].get<double>() < 360);
+  }
+}
+
 TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
   const Folder folder;
   std::string text = "angle [deg], lift [mm]\n";
@@ -116,6 +157,22 @@ TEST_CASE("fit says what printed constants tell and what they do not", "[program
     INFO(c.constants << " of " << c.law);
     CHECK_THAT(done({"fit", "--constants", c.constants, "--law", c.law}), Contains(c.says));
   }
+}
+
+TEST_CASE("fit claims no more of printed constants than it has found", "[program]") {
+  // No law has a peak velocity below one: that is a search's word, not a proof.
+  const std::string text =
+      done({"fit", "--constants", "C_v=1.9, C_a=2.0", "--law", "polynomial-5"});
+  CHECK_THAT(text, Contains("no values of this law that print all of them were found"));
+  CHECK_THAT(
+      failed({"fit", "--constants", "C_v=0.5", "--law", "elliptic"}, 2),
+      Contains("no coefficients with which this law gives any of these constants were found"));
+}
+
+TEST_CASE("a law says which of its derivatives jumps", "[program]") {
+  CHECK_THAT(done({"law", "b-spline degree=1 knots=0.5 coefficients=0,0.3,1"}),
+             Contains("velocity jumps; between"));
+  CHECK_THAT(done({"law", "parabolic"}), Contains("acceleration jumps; between"));
 }
 
 TEST_CASE("fit refuses what it cannot take with one line", "[program]") {

@@ -121,6 +121,24 @@ TEST_CASE("points that are there twice count once", "[measured-cam]") {
         measured_cam(table_of(points), machine).samples.value.size());
 }
 
+TEST_CASE("stroke and base radius are those of the laws, not of the noise", "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-roller");
+  constexpr double kNoise = 0.03;
+  const CamFit fit =
+      fit_cam(measured_cam(polar_table_of(measured(machine, 720, kNoise, 3)), machine),
+              {find_law("modified-sine"), find_law("cycloidal")});
+  const double stroke = constant_of(machine, "stroke"), base = constant_of(machine, "base_radius");
+  const FoundSizes sizes = found_sizes(fit);
+  CHECK(std::abs(sizes.stroke - stroke) < kNoise / 4);
+  CHECK(std::abs(sizes.base_radius - base) < kNoise / 4);
+  // The curve of the points goes over all of its noise.
+  CHECK(fit.cam.lift.stroke() > sizes.stroke + kNoise / 2);
+  const ProblemStatement program =
+      read_problem(found_program(fit, machine).problem, "program.toml");
+  CHECK(constant_of(program, "stroke") == Approx(sizes.stroke).epsilon(1e-6));
+  CHECK(constant_of(program, "base_radius") == Approx(sizes.base_radius).epsilon(1e-6));
+}
+
 TEST_CASE("each follower's program comes back from its measured cam", "[measured-cam][heavy]") {
   struct Case {
     std::string mechanism, sizes;

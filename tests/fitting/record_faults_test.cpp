@@ -155,6 +155,60 @@ TEST_CASE("sound records keep all their rows", "[record-faults]") {
   }
 }
 
+TEST_CASE("rows at a corner of the acceleration are none that are off", "[record-faults]") {
+  // Rests to 10 deg, moves by 25 mm to 90 deg and rests to 100 deg.
+  for (const char* name : {"cycloidal", "poly-3-4-5", "modified-sine", "modified-trapezoid"}) {
+    for (const double noise : {1e-6, 1e-3}) {
+      for (const bool slips : {false, true}) {
+        INFO(name << ", noise " << noise << (slips ? ", a row is off" : ""));
+        const Law<double> law = find_law(name).law();
+        Random random(4);
+        MotionRecord record;
+        record.samples.order = 2;
+        record.samples.place_unit = "deg";
+        record.samples.length_unit = "mm";
+        record.samples.unit = "mm/deg2";
+        for (int i = 0; i <= 100; ++i) {
+          const double u = (i - 10) / 80.0;
+          const double a = u < 0 || u > 1 ? 0 : 25 / 6400.0 * law(u).a;
+          record.samples.place.push_back(i);
+          record.samples.value.push_back(a + 0.02 * noise * random.normal());
+          record.lines.push_back(static_cast<std::uint32_t>(i + 2));
+        }
+        if (slips) record.samples.value[37] += 0.004;
+        const RecordedMotion found =
+            fit_recorded_motion(std::move(record), {find_law(name), find_law("cosine")});
+        REQUIRE(found.record.far.size() == (slips ? 1 : 0));
+        if (slips) CHECK(found.record.far[0].line == 39);
+        const MotionFit& fit = found.cycle.fits.front();
+        CHECK_THAT(fit.distrust, !Contains("rows lie off"));
+        CHECK(fit.motion.samples.place.size() == (slips ? 100 : 101));
+        CHECK(fit.best().begin == Approx(10).margin(0.02));
+      }
+    }
+  }
+}
+
+TEST_CASE("a law that begins backwards is one motion, and no drift", "[record-faults]") {
+  // s' = q (6 + 0.6 alpha - 3 alpha q) is below zero near the ends where alpha < -10.
+  MotionRecord record;
+  for (int i = 0; i <= 200; ++i) {
+    const double x = i / 200.0, alpha = -29;
+    const double x2 = x * x, x3 = x2 * x, x4 = x3 * x, x5 = x4 * x;
+    const double q = x2 / 2 - x3 / 3, q2 = x3 / 3 - x4 / 2 + x5 / 5;  // integrals of q and q^2
+    record.samples.place.push_back(x);
+    record.samples.value.push_back((6 + 0.6 * alpha) * q - 3 * alpha * q2);
+  }
+  record.samples.resolution = 1e-9;
+  const RecordedMotion found = fit_recorded_motion(record, {find_law("polynomial-5")});
+  REQUIRE(found.cycle.fits.size() == 1);
+  CHECK(found.faults.empty());
+  const MotionFit& fit = found.cycle.fits.front();
+  CHECK(fit.best().law.arguments.scalar(0) == Approx(-29).epsilon(1e-4));
+  CHECK(fit.best().begin == Approx(0).margin(1e-4));
+  CHECK(fit.best().end == Approx(1).epsilon(1e-4));
+}
+
 TEST_CASE("many rows that are off are not slips", "[record-faults]") {
   MotionRecord record = recorded(360, 0.005, 4);
   for (std::size_t i = 70; i < 140; i += 10) record.samples.value[i] += 3;

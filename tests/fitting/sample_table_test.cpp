@@ -120,6 +120,41 @@ TEST_CASE("units that are not stated are taken where the values leave no doubt, 
   CHECK_FALSE(goes_round(parse_samples("x,y\n1,0\n2,1\n3,2\n", "t")));
 }
 
+TEST_CASE("a column is what its heading says, however the unit is written", "[samples]") {
+  const auto record = [](const std::string& header, const std::string& rows) {
+    return motion_record(parse_samples(header + "\n" + rows, "t"));
+  };
+  const std::string rows = "0;0\n1;2\n2;3\n";
+  for (const char* header :
+       {"angle in deg;velocity in mm/deg", "angle_deg;velocity_mm/deg", "phi/deg;v/mm/deg",
+        "angle [deg];speed [mm/deg]", "Winkel in Grad;Geschwindigkeit in mm/deg"}) {
+    INFO(header);
+    const MotionRecord found = record(header, rows);
+    CHECK(found.samples.order == 1);
+    CHECK(found.samples.unit == "mm/deg");
+    CHECK(found.samples.value[1] == Approx(2));
+    CHECK(found.samples.value[2] == Approx(3));
+  }
+  const MotionRecord timed = record("Zeit in ms;Weg_in", rows);
+  CHECK(timed.samples.place_unit == "s");
+  CHECK(timed.samples.place[2] == Approx(0.002));
+  CHECK(timed.samples.unit == "mm");
+  CHECK(timed.samples.value[1] == Approx(50.8));
+  CHECK(record("time/ms;velocity [m/s]", rows).samples.value[1] == Approx(2000));
+  CHECK(record("t_ms;acceleration in m/s2", rows).samples.order == 2);
+  // What a column is taken for without a word on it is said.
+  REQUIRE(record("angle [deg];probe", rows).notes.size() == 1);
+  CHECK_THAT(record("angle [deg];probe", rows).notes[0],
+             Contains("'probe'") && Contains("displacement"));
+  CHECK_THAT(record("angle [deg];speed [mm/deg]", rows).notes.at(0), Contains("velocity"));
+  const auto refused = [&](const std::string& header) {
+    return testing::complaint([&] { record(header, rows); });
+  };
+  CHECK_THAT(refused("angle in deg;lift in thumbs"), Contains("'lift'") && Contains("'thumbs'"));
+  CHECK_THAT(refused("time;velocity [m/s]"),
+             Contains("'time' states no unit") && Contains("time [s]"));
+}
+
 TEST_CASE("names of columns give their units in several ways", "[samples]") {
   const auto named = [](const char* cell) {
     const ColumnName name = column_name(cell);
@@ -130,6 +165,24 @@ TEST_CASE("names of columns give their units in several ways", "[samples]") {
   CHECK(named("Hub in mm") == "Hub|mm");
   CHECK(named("s/mm") == "s|mm");
   CHECK(named("cam_angle_deg") == "cam_angle|deg");
+  // Of every quantity, not of lengths and angles alone.
+  CHECK(named("velocity in mm/deg") == "velocity|mm/deg");
+  CHECK(named("Geschwindigkeit in mm/s") == "Geschwindigkeit|mm/s");
+  CHECK(named("acceleration in mm/deg^2") == "acceleration|mm/deg^2");
+  CHECK(named("velocity_m/s") == "velocity|m/s");
+  CHECK(named("velocity/mm/s") == "velocity|mm/s");
+  CHECK(named("t/ms") == "t|ms");
+  CHECK(named("Zeit in ms") == "Zeit|ms");
+  CHECK(named("time_ms") == "time|ms");
+  CHECK(named("lift_in") == "lift|in");
+  CHECK(named("drive_torque in N m") == "drive_torque|N m");
+  CHECK(named("drive_torque/Nm") == "drive_torque|Nm");
+  CHECK(named("drive_torque_Nm") == "drive_torque|Nm");
+  // A quantity in something that is no unit keeps that, to be refused with it.
+  CHECK(named("lift in thumbs") == "lift|thumbs");
+  CHECK(named("time_in") == "time_in|");
+  CHECK(named("profile_x") == "profile_x|");
+  CHECK(named("m/s") == "m/s|");
   // What may as well be a name stays one: a share of the stroke, a curve of a machine.
   CHECK(named("s/h") == "s/h|");
   CHECK(named("drive_torque") == "drive_torque|");

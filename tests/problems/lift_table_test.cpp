@@ -188,6 +188,12 @@ TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
              Contains("write \"none\", \"auto\""));
   CHECK_THAT(complaint([&] { with_table(good, "smoothing = '90 mm'"); }),
              Contains("program.smoothing: no smoothing spline is exactly that far from the rows"));
+  // The distances that it calls possible are.
+  const std::string words = complaint([&] { with_table(good, "smoothing = '90 mm'"); });
+  const double least = std::stod(words.substr(words.find("are from ") + 9));
+  const double range = 24;
+  CHECK(least < 1e-6);
+  CHECK_NOTHROW(with_table(good, fmt::format("smoothing = '{} mm'", 1e-6 * range)));
   CHECK_THAT(complaint([&] { with_table(good, "segments = []"); }), Contains("segments"));
   std::string rising = "angle [deg];lift [mm]\n", plain = "angle;lift\n";
   for (int i = 0; i <= 36; ++i) {

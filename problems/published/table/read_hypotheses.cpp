@@ -122,7 +122,8 @@ StatedDeparture departure_for(const Entry& table, const std::string& value) {
   departure.laws = filled(text_table_of(find(table, "laws")), value);
   departure.responses = filled(text_table_of(find(table, "responses")), value);
   if (const Entry* peaks = find(table, "peaks")) {
-    departure.peaks = located(*peaks, [&] { return read_readout(filled(text_of(*peaks), value)); });
+    const std::string& text = text_of(*peaks);
+    departure.peaks = located(*peaks, [&] { return read_readout(filled(text, value)); });
   }
   if (const Entry* digits = find(table, "digits")) {
     const std::string& text = text_of(*digits);

@@ -39,7 +39,8 @@ PrintedText read_printed(const Entry& row) {
            "a number is given; put it in quotes as it is printed, such as \"12.30 mm\", "
            "as zeros at its end count");
   }
-  return located(*printed, [&] { return read_printed_text(text_of(*printed)); });
+  const std::string& text = text_of(*printed);
+  return located(*printed, [&] { return read_printed_text(text); });
 }
 
 /// What the row sets, in words.

@@ -31,7 +31,8 @@ Entry text_entry(const Entry& like, const std::string& key, const std::string& t
 
 bool is_moved_by_law(const Entry& file) {
   if (const Entry* name = find(file, "mechanism")) {
-    return located(*name, [&] { return find_mechanism(text_of(*name)).moved_by == MovedBy::Law; });
+    const std::string& text = text_of(*name);
+    return located(*name, [&] { return find_mechanism(text).moved_by == MovedBy::Law; });
   }
   const Entry* machine = find(file, "machine");
   const Entry* moved_by = machine == nullptr ? nullptr : find(*machine, "moved_by");
