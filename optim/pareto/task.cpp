@@ -10,6 +10,8 @@
 
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
+#include "optim/pareto/judged_again.h"
+#include "optim/pareto/part_front.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
 #include "optim/verdict/limits.h"
@@ -151,11 +153,19 @@ FrontPoint point_of(const Problem& multi, const Task& task, const Stated& stated
   return point;
 }
 
+/// A design judged as it stands: as the least of one cost with the others no greater than its own.
+FrontPoint judged_in(const Problem& multi, FrontPoint point, std::size_t sought) {
+  point.weights.assign(multi.objectives.size(), 0.0);
+  point.weights[sought] = 1;
+  return judged_again(multi, point);
+}
+
 /// Where a cost keeps clear of its limit on the way along a direction, the distance does not tell
 /// how small it could be: it is sought with the others held, eased so that there is room.
 FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
                    const OptimiseOptions& options, long& evaluations) {
   constexpr double kSlack = 1e-6;
+  bool all_sure = true;
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
     if (point.weights[i] * task.direction[i] > kSlack) continue;
     const auto room = [&](std::size_t k) {
@@ -167,13 +177,17 @@ FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
     beside.starts = {point.x};
     const Stated stated = bounded(multi, beside);
     const Found found = best_of_starts(stated.problem, multi, beside, options, evaluations);
-    const bool sound = is_certified(found) || (point.verdict != Verdict::Certified &&
-                                               found.assessment.verdict == Verdict::Feasible);
-    if (!sound) continue;
-    FrontPoint better = point_of(multi, beside, stated, found);
-    if (better.costs[i] < point.costs[i] - room(i)) point = std::move(better);
+    const bool is_sure = is_certified(found);
+    const bool has_design = is_sure || found.assessment.verdict == Verdict::Feasible;
+    FrontPoint better = has_design ? point_of(multi, beside, stated, found) : point;
+    if (better.costs[i] < point.costs[i] - room(i)) {
+      point = std::move(better);
+      all_sure = all_sure && is_sure;
+    } else if (!is_sure && all_sure) {
+      all_sure = judged_in(multi, point, i).verdict == Verdict::Certified;
+    }
   }
-  return point;
+  return all_sure ? point : doubted(std::move(point));
 }
 
 Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& options) {
@@ -197,6 +211,17 @@ Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& op
     point = pressed(std::move(point), multi, task, options, outcome.evaluations);
   }
   outcome.points.push_back(std::move(point));
+  const bool may_stay = task.kind == Task::Kind::Bounded && !task.bounds.empty() &&
+                        task.starts.size() == 1 && !is_certified(found);
+  if (may_stay) {  // the start may be the optimum that the search could not certify
+    FrontPoint start = point_of(multi, task.part, task.starts.front());
+    if (std::equal(start.costs.begin(), start.costs.end(), task.bounds.begin(),
+                   [](double cost, double bound) { return cost <= bound; })) {
+      start = judged_in(multi, std::move(start), task.sought);
+      start.solver = found.solver;
+      if (start.verdict == Verdict::Certified) outcome.points.push_back(std::move(start));
+    }
+  }
   return outcome;
 }
 
