@@ -11,7 +11,6 @@
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/judged_again.h"
-#include "optim/pareto/part_front.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
 #include "optim/verdict/limits.h"
@@ -165,7 +164,6 @@ FrontPoint judged_in(const Problem& multi, FrontPoint point, std::size_t sought)
 FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
                    const OptimiseOptions& options, long& evaluations) {
   constexpr double kSlack = 1e-6;
-  bool all_sure = true;
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
     if (point.weights[i] * task.direction[i] > kSlack) continue;
     const auto room = [&](std::size_t k) {
@@ -177,17 +175,13 @@ FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
     beside.starts = {point.x};
     const Stated stated = bounded(multi, beside);
     const Found found = best_of_starts(stated.problem, multi, beside, options, evaluations);
-    const bool is_sure = is_certified(found);
-    const bool has_design = is_sure || found.assessment.verdict == Verdict::Feasible;
-    FrontPoint better = has_design ? point_of(multi, beside, stated, found) : point;
-    if (better.costs[i] < point.costs[i] - room(i)) {
-      point = std::move(better);
-      all_sure = all_sure && is_sure;
-    } else if (!is_sure && all_sure) {
-      all_sure = judged_in(multi, point, i).verdict == Verdict::Certified;
-    }
+    const bool sound = is_certified(found) || (point.verdict != Verdict::Certified &&
+                                               found.assessment.verdict == Verdict::Feasible);
+    if (!sound) continue;
+    FrontPoint better = point_of(multi, beside, stated, found);
+    if (better.costs[i] < point.costs[i] - room(i)) point = std::move(better);
   }
-  return all_sure ? point : doubted(std::move(point));
+  return point;
 }
 
 Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& options) {
