@@ -6,7 +6,7 @@ namespace camlaw::cli {
 int status_of(const ClaimReview& review) { return review.differences.empty() ? kDone : kNotSolved; }
 
 int status_of(const problems::StoredFront& stored) {
-  return stored.faults.empty() ? kDone : kNotSolved;
+  return stored.faults.empty() ? status_of(stored.front) : kNotSolved;
 }
 
 int status_of(const optim::Front& front) {

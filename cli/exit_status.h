@@ -19,7 +19,8 @@ enum ExitStatus : int {
 int status_of(const ClaimReview& review);
 /// The status for a front.
 int status_of(const optim::Front& front);
-/// The status for a front that is read from its record: kNotSolved where that is damaged or wrong.
+/// The status for a front that is read from its record: kNotSolved too where a task of that is
+/// lost, damaged or wrong.
 int status_of(const problems::StoredFront& stored);
 
 }  // namespace camlaw::cli

@@ -104,7 +104,7 @@ int run_front(const FrontCommand& options) {
   const int status = status_of(stored);
   if (front.points.empty()) {
     print(front_document(answer), options.json);
-    return status_of(front);
+    return status;
   }
   std::vector<OutputFile> files;
   if (options.csv) files.push_back({*options.csv, front_csv(answer)});

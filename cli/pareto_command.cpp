@@ -42,7 +42,7 @@ struct ParetoCommand {
 problems::FrontSettings settings_of(const ParetoCommand& options,
                                     const std::optional<std::string>& study) {
   problems::FrontSettings settings;
-  if (options.resume && study && fs::exists(*study)) {
+  if (options.resume && study) {
     settings = problems::FrontStudy::settings_of(optim::StudyRecord::read(*study));
     settings.files = {};  // those that there are, so that others than the study's are noticed
   }
@@ -65,7 +65,7 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
 /// One that is gone on with has them already.
 problems::FrontSettings begun(const ParetoCommand& options, const std::optional<std::string>& study,
                               problems::FrontSettings settings) {
-  const bool has_them = options.resume && study && fs::exists(*study) && options.settings.empty();
+  const bool has_them = options.resume && study && options.settings.empty();
   if (!options.start || has_them) return settings;
   settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
@@ -119,6 +119,7 @@ int run_pareto(const ParetoCommand& options) {
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
   const auto path = study_file(options.db, options.out, options.resume);
+  if (options.resume) check_there(*path);
   keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
                              begun(options, path, settings_of(options, path)));

@@ -74,7 +74,8 @@ JudgedPage sweep_page(optim::StudyRecord& record, const std::string& file) {
   SweepAnswer answer(study, stored.sweep);
   answer.notes = stored.notes;
   for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
-  return {sweep_report(answer, file), stored.faults.empty() ? kDone : kNotSolved};
+  const bool is_whole = stored.faults.empty() && !answer.is_stopped;
+  return {sweep_report(answer, file), is_whole ? kDone : kNotSolved};
 }
 
 JudgedPage study_page(const std::string& file) {

@@ -19,6 +19,12 @@ std::optional<std::string> study_file(const std::optional<std::string>& db,
   return {};
 }
 
+void check_there(const std::string& study) {
+  if (fs::exists(study)) return;
+  throw std::invalid_argument(
+      fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", study));
+}
+
 void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
   const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
   for (const fs::path& output : outputs) {

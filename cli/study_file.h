@@ -16,6 +16,9 @@ namespace camlaw::cli {
 std::optional<std::string> study_file(const std::optional<std::string>& db,
                                       const std::optional<std::string>& out, bool resume);
 
+/// Throws std::invalid_argument where there is no study to resume.
+void check_there(const std::string& study);
+
 /// A study that is also one of the files of --out would be written over when it is done: throws
 /// std::invalid_argument.
 void keep_apart(const std::string& study, const std::vector<std::filesystem::path>& outputs);

@@ -42,7 +42,7 @@ problems::SweepSettings settings_of(const SweepCommand& options,
                                     const std::optional<std::string>& study) {
   const bool asks = !options.settings.empty() || options.sample || options.evaluates ||
                     options.cold || options.start || options.seed || !options.over.empty();
-  if (!asks && options.resume && study && fs::exists(*study)) {
+  if (!asks && options.resume && study) {
     const optim::StudySettings record = optim::StudyRecord::read(*study).settings();
     if (problems::SweepStudy::is_sweep(record)) {
       return problems::SweepStudy::of(record).plan().settings();
@@ -62,6 +62,7 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     throw std::invalid_argument(
         "--over is a range from which samples are drawn; say how many: --sample 'sobol 64'");
   }
+  problems::check_set_or_swept(settings, options.settings);
   if (options.start) settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
 }
@@ -136,10 +137,7 @@ int run_sweep(const SweepCommand& options) {
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
   const auto path = study_file(options.db, options.out, options.resume);
-  if (options.resume && !fs::exists(*path)) {
-    throw std::invalid_argument(
-        fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", *path));
-  }
+  if (options.resume) check_there(*path);
   keep_input(options.file);
   problems::SweepStudy study(problems::problem_text(options.file), options.file,
                              settings_of(options, path));

@@ -65,6 +65,12 @@ ProblemStatement design_of(const ToleranceCommand& options) {
     problems::set_values(point, options.settings);
     return point;
   }
+  if (problems::is_study(options.file)) {
+    throw std::invalid_argument(
+        fmt::format("{0}: a study needs --point, the number of a point of its front; 'camlaw front "
+                    "{0}' shows them",
+                    options.file));
+  }
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read);
   ProblemStatement design = read.statement;

@@ -49,11 +49,13 @@ class BoxFront final : public PartFront {
     const std::size_t other = 1 - task.sought;
     const double bound = task.bounds.empty() ? kInfinity : task.bounds[other];
     double value = kInfinity;
+    const bool is_beside = is_beside_end(task);
     for (const FrontPoint& point : outcome.points) {
       std::erase_if(facts_, [&](const Fact& fact) { return contradicts(point, fact); });
-      if (is_worth_taking(task, point)) insert(point);
+      if (!is_beside || leaves_end(task, point)) insert(point);
       value = std::min(value, point.costs[task.sought]);
     }
+    if (is_beside && !is_certified(outcome)) doubt(alone_[other]->costs);
     // A search that came to less than what is known already was stuck.
     for (const FrontPoint& known : points_) {
       if (known.costs[other] <= bound) value = std::min(value, known.costs[task.sought]);
@@ -141,19 +143,23 @@ class BoxFront final : public PartFront {
     return point.costs[1 - fact.sought] <= fact.bound && point.costs[fact.sought] < fact.value;
   }
 
-  /// Of a search beside an end: an end at which the other cost falls steeply is left for the point
-  /// beside it, which is better by a part of the range there. A point that gains less is none of
-  /// its own.
-  bool is_worth_taking(const Task& task, const FrontPoint& point) {
+  /// Whether a task is for the least of one cost where the other is at its own.
+  bool is_beside_end(const Task& task) const {
+    const std::size_t end = 1 - task.sought;
+    if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return false;
+    const Costs& at_end = alone_[end]->costs;
+    return std::isfinite(at_end[task.sought]) && task.bounds[end] == at_end[end] + slack(end);
+  }
+
+  /// An end at which the other cost falls steeply is left for the point beside it, which is better
+  /// by a part of the range there, whether that is certified or not. A point that gains less is
+  /// none of its own.
+  bool leaves_end(const Task& task, const FrontPoint& point) {
     constexpr double kWorth = 1e-3;
     const std::size_t end = 1 - task.sought;
-    if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return true;
-    const Costs &at_end = alone_[end]->costs, &opposite = alone_[task.sought]->costs;
-    if (!std::isfinite(at_end[task.sought])) return true;
-    if (task.bounds[end] != at_end[end] + slack(end)) return true;
+    const Costs at_end = alone_[end]->costs, opposite = alone_[task.sought]->costs;
     const double gain = at_end[task.sought] - point.costs[task.sought];
     if (!(gain > kWorth * (at_end[task.sought] - opposite[task.sought]))) return false;
-    if (!is_as_sound(point, *alone_[end])) return false;
     Costs corner = at_end;
     corner[task.sought] = point.costs[task.sought];
     left_.push_back(std::move(corner));

@@ -185,17 +185,22 @@ class DirectionFront final : public PartFront {
   }
 
   /// An end at which another cost falls steeply is left for the point beside it, which is better by
-  /// a part of the range there. A point that gains less is none of its own.
+  /// a part of the range there, whether that is certified or not. A point that gains less is none
+  /// of its own.
   void move_end(std::size_t which, const Task& task, const Outcome& outcome) {
     constexpr double kWorth = 1e-3;
-    if (outcome.points.empty()) return;
-    const FrontPoint& point = outcome.points.front();
     FrontPoint& end = *alone_[which];
-    const double gain = end.costs[task.sought] - point.costs[task.sought];
-    if (!(gain > kWorth * scale_[task.sought]) || !is_as_sound(point, end)) return;
-    std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
-    end = point;
-    insert(end);
+    if (!is_certified(outcome)) doubtful_.insert(which);
+    if (!outcome.points.empty()) {
+      const FrontPoint& point = outcome.points.front();
+      const double gain = end.costs[task.sought] - point.costs[task.sought];
+      if (gain > kWorth * scale_[task.sought]) {
+        std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
+        end = point;
+        insert(end);
+      }
+    }
+    if (doubtful_.count(which) > 0) doubt(end.costs);
   }
 
   Task toward(Costs origin, Costs direction, std::vector<std::vector<double>> starts) const {
@@ -349,6 +354,7 @@ class DirectionFront final : public PartFront {
   Costs scale_;
   std::vector<FrontPoint> scouted_;
   std::map<std::vector<double>, std::size_t> beside_;  ///< by bounds: searches beside which end
+  std::set<std::size_t> doubtful_;            ///< ends beside which a search was not certified
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
   std::vector<Look> looks_;
   Beyond beyond_;

@@ -143,20 +143,18 @@ std::size_t compromise(std::span<const Costs> front, const std::vector<double>& 
   return static_cast<std::size_t>(best - u.begin());
 }
 
-std::optional<double> cost_of_next(std::span<const Costs> front, std::size_t point,
-                                   std::size_t objective, double share) {
-  const std::size_t other = 1 - objective;
+std::optional<std::size_t> next_better(std::span<const Costs> front, std::size_t point,
+                                       std::size_t objective, double share) {
+  constexpr double kRounding = 1e-12;  // 0.3 less a tenth of it is 0.27
   const double here = front[point][objective];
-  const double wanted = here - share * std::abs(here);
-  for (std::size_t i = 1; i < front.size(); ++i) {
-    const Costs *low = &front[i - 1], *high = &front[i];
-    if ((*low)[objective] > (*high)[objective]) std::swap(low, high);
-    const double a = (*low)[objective], b = (*high)[objective];
-    if (!(a <= wanted && wanted <= b) || a == b) continue;
-    const double along = (wanted - a) / (b - a);
-    return (*low)[other] + along * ((*high)[other] - (*low)[other]);
+  const double wanted = here - (share - kRounding) * std::abs(here);
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const double its = front[i][objective];
+    if (!(its < here && its <= wanted)) continue;
+    if (!nearest || its > front[*nearest][objective]) nearest = i;
   }
-  return {};
+  return nearest;
 }
 
 }  // namespace camlaw::optim

@@ -65,10 +65,10 @@ std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances =
 std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights,
                        const Costs& tolerances = {});
 
-/// On a front of two objectives, sorted by the first: the other cost where cost `objective` is
-/// `share` of its size less than at the point, between neighbours in proportion; none where the
-/// front does not reach that far. The answer is what the next 10 % cost, for share = 0.1.
-std::optional<double> cost_of_next(std::span<const Costs> front, std::size_t point,
-                                   std::size_t objective, double share);
+/// The nearest point of the front at which cost `objective` is less than at `point` by `share` of
+/// its size or more; of several that cost the same the first. None where the front does not reach
+/// that far. Between points nothing is known: there may be no design.
+std::optional<std::size_t> next_better(std::span<const Costs> front, std::size_t point,
+                                       std::size_t objective, double share);
 
 }  // namespace camlaw::optim

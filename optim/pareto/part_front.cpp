@@ -111,8 +111,19 @@ double ease(double cost, double range) {
   return std::max(kShare * range, kTold * std::abs(cost));
 }
 
-bool is_as_sound(const FrontPoint& point, const FrontPoint& other) {
-  return rank(point) <= rank(other);
+bool is_certified(const Outcome& outcome) {
+  return std::any_of(outcome.points.begin(), outcome.points.end(),
+                     [](const FrontPoint& p) { return p.verdict == Verdict::Certified; });
+}
+
+FrontPoint doubted(FrontPoint point) {
+  if (point.verdict != Verdict::Certified) return point;
+  point.verdict = Verdict::Feasible;
+  point.is_global = false;
+  point.reason =
+      "every limit is met and the conditions of optimality hold, but not for all objectives: the "
+      "search for the best of another one among designs as good as this was not certified";
+  return point;
 }
 
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
@@ -171,6 +182,12 @@ void PartFront::take_repeated(const Task& task, const Outcome& outcome) {
 
 bool PartFront::has_ends() const {
   return std::all_of(alone_.begin(), alone_.end(), [](const auto& p) { return p.has_value(); });
+}
+
+void PartFront::doubt(const Costs& costs) {
+  for (FrontPoint& point : points_) {
+    if (point.costs == costs) point = doubted(std::move(point));
+  }
 }
 
 void PartFront::insert(const FrontPoint& point) {

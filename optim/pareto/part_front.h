@@ -37,8 +37,11 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& toleranc
 /// range, and no less than solvers tell apart.
 double ease(double cost, double range);
 
-/// Whether a point's verdict is as good as another's.
-bool is_as_sound(const FrontPoint& point, const FrontPoint& other);
+/// Whether a search found an optimum that is certified, or found that its start is one.
+bool is_certified(const Outcome& outcome);
+/// A point that was found as the optimum of fewer costs than there are, where the search for the
+/// least of another was not certified: the verdict of those does not hold for all of them.
+FrontPoint doubted(FrontPoint point);
 
 /// Half way from one design to another.
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b);
@@ -114,6 +117,8 @@ class PartFront {
   /// dominates go.
   void insert(const FrontPoint& point);
   void take_alone(std::size_t objective, const Outcome& outcome);
+  /// The point of these costs, if there is one, becomes doubted().
+  void doubt(const Costs& costs);
 
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost

@@ -298,6 +298,8 @@ std::optional<std::int64_t> StudyRecord::number(const Task& task) const {
 
 std::vector<std::int64_t> StudyRecord::damaged() const { return file_->tables().damaged(); }
 
+std::vector<std::int64_t> StudyRecord::lost() const { return file_->tables().lost(); }
+
 std::vector<RecordedTask> StudyRecord::whole() const {
   return reading([](StudyTables& tables) { return tables.whole(); });
 }

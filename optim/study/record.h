@@ -61,13 +61,16 @@ class StudyRecord {
   std::optional<std::int64_t> number(const Task& task) const;
   /// Tasks whose rows are not as they were written, as far as was looked, by number.
   std::vector<std::int64_t> damaged() const;
+  /// Numbers of tasks whose rows are gone: tasks are numbered from 1 without a gap, and no row of a
+  /// design is without its task.
+  std::vector<std::int64_t> lost() const;
   /// All that are, by number.
   std::vector<RecordedTask> whole() const;
 
   /// Throws std::runtime_error where it cannot be written, such as on a full disk; then nothing of
   /// the outcome is on it. `problem` is that of the task's part, for the names.
   void add(const Task& task, const Outcome& outcome, const Problem& problem);
-  /// Removes tasks, so that they are carried out again.
+  /// Removes tasks, and what is left of lost ones, so that they are carried out again.
   void forget(const std::vector<std::int64_t>& numbers);
   /// Of work that is not made of searches (recorded_hands.h): the answer to an order. None where
   /// there is none, or its row is not as it was written.

@@ -11,6 +11,18 @@
 
 namespace camlaw::optim {
 
+std::string_view to_string(RecordFault::Kind kind) {
+  switch (kind) {
+    case RecordFault::Kind::Damaged:
+      return "damaged";
+    case RecordFault::Kind::Wrong:
+      return "wrong";
+    case RecordFault::Kind::Lost:
+      break;
+  }
+  return "lost";
+}
+
 RecordedExecutor::RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others)
     : space_(&space), record_(record), others_(others) {
   forget_damaged();
@@ -23,8 +35,18 @@ RecordedExecutor::RecordedExecutor(ProblemOf problem, StudyRecord& record, Execu
 
 void RecordedExecutor::forget_damaged() {
   const std::vector<std::int64_t> damaged = record_.damaged();
-  for (const std::int64_t task : damaged) faults_[task] = {task, true, ""};
-  if (others_ != nullptr) record_.forget(damaged);
+  for (const std::int64_t task : damaged) faults_[task] = {task};
+  lost_ = record_.lost();
+  if (others_ == nullptr) return;
+  record_.forget(damaged);
+  record_.forget(lost_);  // what is left of them
+}
+
+/// Once a task is not there: what a study does not come to need it does not lack.
+void RecordedExecutor::name_lost() {
+  for (const std::int64_t task : lost_) {
+    faults_.try_emplace(task, RecordFault{task, RecordFault::Kind::Lost});
+  }
 }
 
 const Problem& RecordedExecutor::problem(std::size_t part, const Outcome& outcome) {
@@ -51,7 +73,7 @@ std::optional<Outcome> RecordedExecutor::find(const Task& task) {
       space_ == nullptr ? record_.find(task) : record_.find(task, problem(task.part, {}));
   if (!outcome) {
     for (const std::int64_t number : record_.damaged()) {
-      faults_.try_emplace(number, RecordFault{number, true, ""});
+      faults_.try_emplace(number, RecordFault{number});
     }
     return {};
   }
@@ -61,7 +83,7 @@ std::optional<Outcome> RecordedExecutor::find(const Task& task) {
   const std::string why = why_wrong(*outcome, task.part);
   if (why.empty()) return outcome;
   const std::int64_t number = record_.number(task).value_or(0);
-  faults_[number] = {number, false, why};
+  faults_[number] = {number, RecordFault::Kind::Wrong, why};
   if (others_ != nullptr) record_.forget({number});
   return {};
 }
@@ -77,6 +99,7 @@ Outcomes RecordedExecutor::run(const std::vector<Task>& tasks, const OnOutcome& 
       on_outcome(task, *outcomes.back());
     }
   }
+  if (!missing.empty()) name_lost();
   if (others_ == nullptr || missing.empty()) return outcomes;
   Outcomes fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
     record_.add(task, outcome, problem(task.part, outcome));
@@ -105,7 +128,7 @@ std::vector<Outcome> RecordedExecutor::believed() {
     if (why.empty()) {
       result.push_back(std::move(task.outcome));
     } else {
-      faults_[task.number] = {task.number, false, why};
+      faults_[task.number] = {task.number, RecordFault::Kind::Wrong, why};
     }
   }
   return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include "optim/pareto/task.h"
 #include "optim/study/record.h"
 
@@ -8,15 +10,23 @@ namespace camlaw::optim {
 
 /// A task of a record that is not believed.
 struct RecordFault {
-  std::int64_t task = 0;   ///< the number of its row
-  bool is_damaged = true;  ///< its rows are not as they were written; else what they say is wrong
-  std::string why;         ///< of what is wrong, with what is stated and what is found
+  enum class Kind {
+    Damaged,  ///< its rows are not as they were written
+    Wrong,    ///< what they say is
+    Lost,     ///< its row is gone
+  };
+  std::int64_t task = 0;  ///< the number of its row
+  Kind kind = Kind::Damaged;
+  std::string why = {};  ///< of what is wrong, with what is stated and what is found
 };
+/// "damaged", "wrong" or "lost".
+std::string_view to_string(RecordFault::Kind kind);
 
 /// What a record has is taken from it; the rest another executor carries out, and the record takes
 /// it down. Nothing in the record is believed that does not hold when its designs are evaluated
 /// again (differences()): such a task, like one whose rows are damaged, counts as not there, and is
-/// named. Without another executor the study stops at the first task that is not there.
+/// named, and so is one whose row is gone, where the study comes to lack a task. Without another
+/// executor the study stops at the first task that is not there.
 class RecordedExecutor final : public Executor {
  public:
   RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others);
@@ -34,6 +44,7 @@ class RecordedExecutor final : public Executor {
 
  private:
   void forget_damaged();
+  void name_lost();
   /// Of the designs of a task.
   const Problem& problem(std::size_t part, const Outcome& outcome);
   /// Why an outcome is not believed; empty where it is.
@@ -47,6 +58,7 @@ class RecordedExecutor final : public Executor {
   std::map<std::size_t, Problem> problems_;  ///< of each part of the space that was met
   Problem last_ = {};                        ///< that problem_of_ told
   std::map<std::int64_t, RecordFault> faults_;
+  std::vector<std::int64_t> lost_;  ///< when the record was opened
 };
 
 }  // namespace camlaw::optim

@@ -155,11 +155,13 @@ std::int64_t add_design(SQLite::Database& base, std::int64_t task, const FrontPo
 void make_tables(SQLite::Database& base) { base.exec(kTables); }
 
 TaskRows write_rows(SQLite::Database& base, const Task& task, const Outcome& outcome,
-                    const Problem& problem) {
+                    const Problem& problem, std::optional<std::int64_t> number) {
+  const std::int64_t next =
+      number ? *number : base.execAndGet("SELECT ifnull(max(id), 0) + 1 FROM task").getInt64();
   stated(base,
-         "INSERT INTO task (text, part, infeasible, evaluations, failure, died, is_global, "
-         "checksum) VALUES (?, ?, ?, ?, ?, ?, ?, 0)",
-         task.text(), static_cast<std::int64_t>(task.part), outcome.infeasible,
+         "INSERT INTO task (id, text, part, infeasible, evaluations, failure, died, is_global, "
+         "checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0)",
+         next, task.text(), static_cast<std::int64_t>(task.part), outcome.infeasible,
          static_cast<std::int64_t>(outcome.evaluations), outcome.failure, outcome.died,
          outcome.is_global)
       .exec();

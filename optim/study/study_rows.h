@@ -34,9 +34,9 @@ SQLite::Statement stated(SQLite::Database& base, const char* query, const Values
   return statement;
 }
 
-/// Writes a task and its outcome, sealed with a checksum.
+/// Writes a task and its outcome, sealed with a checksum, under a number, else the next one.
 TaskRows write_rows(SQLite::Database& base, const Task& task, const Outcome& outcome,
-                    const Problem& problem);
+                    const Problem& problem, std::optional<std::int64_t> number);
 /// Throws std::runtime_error where a row is gone, or holds words that are none of ours.
 Outcome read_rows(SQLite::Database& base, const TaskRows& rows, std::size_t part);
 void remove_rows(SQLite::Database& base, const TaskRows& rows);

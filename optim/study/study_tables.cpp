@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 namespace camlaw::optim {
@@ -39,13 +40,34 @@ void StudyTables::look_within() {
                                                 : "SELECT id, text, 0 FROM task ORDER BY id");
   while (task.executeStep()) {
     const std::int64_t id = task.getColumn(0).getInt64();
-    Entry entry{{id, std::move(designs[id])}, task.getColumn(1).getString()};
+    Entry entry{{id, designs[id]}, task.getColumn(1).getString()};
     entry.is_whole =
         !has_checksums() || task.getColumn(2).getInt64() == checksum_of(base_, entry.rows);
     entries_.push_back(std::move(entry));
+    designs.erase(id);
   }
   place();
+  find_lost(designs);
   data_version_ = data_version();
+}
+
+void StudyTables::find_lost(const std::map<std::int64_t, std::vector<std::int64_t>>& left) {
+  lost_.clear();
+  // A number of a damaged row may be damaged itself.
+  std::int64_t last = 0;
+  bool all_whole = true;
+  for (const Entry& entry : entries_) {
+    all_whole = all_whole && entry.is_whole;
+    if (entry.is_whole && has_checksums()) last = std::max(last, entry.rows.task);
+  }
+  auto next = entries_.begin();
+  for (std::int64_t number = 1; number < last; ++number) {
+    while (next->rows.task < number) ++next;
+    if (next->rows.task != number) lost_.insert(number);
+  }
+  for (const auto& [task, designs] : left) {
+    if (task > 0 && all_whole) lost_.insert(task);
+  }
 }
 
 void StudyTables::look_again_if_changed() {
@@ -145,15 +167,23 @@ void StudyTables::add(const Task& task, const Outcome& outcome, const Problem& p
     auto died = stated(base_, "SELECT died FROM task WHERE id = ?", there->rows.task);
     if (!died.executeStep() || died.getColumn(0).getInt() == 0) return;  // what is there stays
   }
+  std::optional<std::int64_t> number;  // of what it replaces, else of what is lost, else the next
+  if (!lost_.empty()) number = *lost_.begin();
   for (const Entry& entry : entries_) {
-    if (entry.text == text) remove_rows(base_, entry.rows);
+    if (entry.text != text) continue;
+    remove_rows(base_, entry.rows);
+    number = entry.rows.task;
   }
-  Entry entry{write_rows(base_, task, outcome, problem), text};
+  Entry entry{write_rows(base_, task, outcome, problem, number), text};
   all.commit();
+  lost_.erase(entry.rows.task);
+  const auto by_number = [](const Entry& a, const Entry& b) { return a.rows.task < b.rows.task; };
   const auto replaced =
       std::erase_if(entries_, [&](const Entry& other) { return other.text == text; });
+  const bool is_last = entries_.empty() || entries_.back().rows.task < entry.rows.task;
   entries_.push_back(std::move(entry));
-  if (replaced > 0) return place();
+  if (!is_last) std::sort(entries_.begin(), entries_.end(), by_number);
+  if (replaced > 0 || !is_last) return place();
   places_[text] = entries_.size() - 1;  // of a study of 10^4 tasks the others stay as they are
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ class StudyTables {
   void doubt(const std::string& text);
 
   std::vector<std::int64_t> damaged() const;
+  /// Numbers that no task has: below that of one which is whole, or named by a row of a design.
+  std::vector<std::int64_t> lost() const { return {lost_.begin(), lost_.end()}; }
   std::vector<RecordedTask> whole();
 
  private:
@@ -64,6 +67,8 @@ class StudyTables {
   void look_within();
   void place();
   void look_again_if_changed();
+  /// `left`: designs without a task, by its number.
+  void find_lost(const std::map<std::int64_t, std::vector<std::int64_t>>& left);
   std::int64_t data_version();
   void insert(const StudySettings& settings);
 
@@ -71,6 +76,7 @@ class StudyTables {
   int version_ = kStudyVersion;
   std::int64_t data_version_ = 0;
   std::vector<Entry> entries_;                 ///< by id
+  std::set<std::int64_t> lost_;                ///< they are given to the next tasks
   std::map<std::string, std::size_t> places_;  ///< of those that are whole, by text
 };
 

@@ -142,8 +142,8 @@ Json record_json(const FrontAnswer& answer) {
   Json faults = Json::array();
   for (const optim::RecordFault& fault : answer.faults) {
     faults.push_back({{"task", fault.task},
-                      {"what", fault.is_damaged ? "damaged" : "wrong"},
-                      {"why", fault.is_damaged ? Json(nullptr) : Json(fault.why)}});
+                      {"what", to_string(fault.kind)},
+                      {"why", fault.why.empty() ? Json(nullptr) : Json(fault.why)}});
   }
   return {{"faults", std::move(faults)}, {"notes", answer.notes}};
 }
@@ -240,8 +240,9 @@ Document front_document(const FrontAnswer& answer) {
   document.fact("title", title);
   document.fact("objectives", objectives_json(answer));
   document.add(points_table(answer, all));
-  document.say(all.empty() ? "no design that meets every limit was found\n"
-                           : slopes_note(answer) + "\n");
+  document.say(!all.empty()           ? slopes_note(answer) + "\n"
+               : answer.front.stopped ? "no design was found before the study was stopped\n"
+                                      : "no design that meets every limit was found\n");
   document.add(front_summary(answer));
   return document;
 }

@@ -34,7 +34,7 @@ Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
                {limit.angle ? fmt::format("{:.4g}", *limit.angle) : "", limit.angle},
                datum(limit.met),
                yes_or_no(limit.proved),
-               {shown(price, 4), price}});
+               {in_digits(price, 5), price}});
   }
   return table;
 }
@@ -98,7 +98,7 @@ std::vector<Cell> point_cells(const FrontAnswer& answer, std::size_t k) {
   std::vector<Cell> cells{fmt::format("{}", k + 1)};
   for (const double value : point.objectives) cells.push_back(in_digits(value));
   for (std::size_t i = 1; i < point.objectives.size(); ++i) {
-    cells.push_back(shown(answer.front.slope(point, i, 0), 4));
+    cells.push_back(in_digits(answer.front.slope(point, i, 0), 5));
   }
   const auto values = answer.values(point);
   const auto law = answer.study.law(point);

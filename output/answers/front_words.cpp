@@ -112,18 +112,27 @@ Document next_document(const FrontAnswer& answer, std::size_t k) {
   Json next = Json::array();
   for (std::size_t i = 0; i < 2 && objectives.size() == 2; ++i) {
     const std::size_t o = 1 - i;
-    const auto cost = optim::cost_of_next(all, k, i, kTenth);
-    const auto other = cost ? std::optional(answer.value(o, *cost)) : std::nullopt;
+    const auto at = optim::next_better(all, k, i, kTenth);
+    const auto value_at = [&](std::size_t point, std::size_t objective) {
+      return answer.front.points[point].objectives[objective];
+    };
     document.say(fmt::format(
-        "10 % better {}: {}\n", objectives[i].name,
-        other ? fmt::format("{} {} instead of {}", objectives[o].name,
-                            with_its_unit(answer, o, *other),
-                            with_its_unit(answer, o, answer.front.points[k].objectives[o]))
-              : "the front does not reach that far"));
+        "at least 10 % better {}: {}\n", objectives[i].name,
+        at ? fmt::format("the nearest such point is {}, {} instead of {}, with {} {} instead of {}",
+                         *at + 1, with_its_unit(answer, i, value_at(*at, i)),
+                         with_its_unit(answer, i, value_at(k, i)), objectives[o].name,
+                         with_its_unit(answer, o, value_at(*at, o)),
+                         with_its_unit(answer, o, value_at(k, o)))
+           : "the front does not reach that far"));
+    const auto json_at = [&](std::size_t objective) {
+      return at ? to_json(value_at(*at, objective)) : Json(nullptr);
+    };
     next.push_back({{"better", objectives[i].name},
                     {"by", kTenth},
+                    {"point", at ? Json(*at) : Json(nullptr)},
+                    {"better_value", json_at(i)},
                     {"other", objectives[o].name},
-                    {"value", json_value(other)}});
+                    {"value", json_at(o)}});
   }
   document.fact("next", next);
   return document;

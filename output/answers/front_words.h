@@ -15,7 +15,7 @@ std::string verdict_words(const optim::FrontPoint& point);
 std::string with_its_unit(const FrontAnswer& answer, std::size_t i, double value);
 /// "R 33.1 mm, F 4.2 N".
 std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs);
-/// What a tenth better of each of two objectives costs of the other.
+/// The nearest points of the front that are better by a tenth or more in each of two objectives.
 Document next_document(const FrontAnswer& answer, std::size_t point);
 
 /// "point 3", "points 1, 2 and 5", of many "17 points, the first of them 3".

@@ -66,6 +66,15 @@ std::size_t SweepAnswer::count(SweepState state) const {
       rows.begin(), rows.end(), [&](const SweepRow& row) { return row.state == state; }));
 }
 
+std::string SweepAnswer::swept_title(std::size_t name) const {
+  const problems::SweptName& swept = study.plan().names()[name];
+  return study.is_start(swept) ? "start of " + swept.name : swept.name;
+}
+
+bool SweepAnswer::has_warm() const {
+  return std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.is_warm; });
+}
+
 bool SweepAnswer::is_better(double a, double b) const {
   constexpr double kEqual = 1e-9;  // of their size: else rounding would choose between equal laws
   if (std::isnan(a) || std::isnan(b)) return std::isnan(b) && !std::isnan(a);
@@ -98,7 +107,7 @@ std::string combination_text(const SweepAnswer& answer, std::size_t row) {
   std::vector<std::string> parts;
   const auto& names = answer.study.plan().names();
   for (std::size_t k = 0; k < names.size(); ++k) {
-    parts.push_back(fmt::format("{} = {}", names[k].name, answer.rows[row].values[k].text));
+    parts.push_back(fmt::format("{} = {}", answer.swept_title(k), answer.rows[row].values[k].text));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -43,6 +43,10 @@ struct SweepAnswer {
   SweepAnswer(const problems::SweepStudy& study, const problems::Sweep& sweep);
 
   std::size_t count(SweepState state) const;
+  /// A name that is swept as tables call it: "speed", of a variable "start of base_radius".
+  std::string swept_title(std::size_t name) const;
+  /// Whether any search began at the design of a neighbour.
+  bool has_warm() const;
   /// The row with the best first objective among those that have a design; none where none has.
   std::optional<std::size_t> best() const;
   /// Among those with this value of a name.

@@ -140,13 +140,30 @@ std::string counts_text(const SweepAnswer& answer) {
     const auto feasible = static_cast<std::ptrdiff_t>(answer.count(SweepState::Design)) - certified;
     if (feasible > 0) parts.push_back(fmt::format("{} feasible", feasible));
   } else {
-    add(SweepState::Design, "meet every limit");
-    add(SweepState::Passes, "violate a limit");
+    add(SweepState::Design,
+        answer.count(SweepState::Design) == 1 ? "meets every limit" : "meet every limit");
+    add(SweepState::Passes,
+        answer.count(SweepState::Passes) == 1 ? "violates a limit" : "violate a limit");
   }
   add(SweepState::NoDesign, "without a design");
   add(SweepState::Failed, "failed");
   add(SweepState::NotDone, "not done");
   return fmt::format("{} combinations: {}\n", answer.rows.size(), fmt::join(parts, ", "));
+}
+
+/// Names that are swept, but are what the search varies.
+Document starts_document(const SweepAnswer& answer) {
+  Document document;
+  Json starts = Json::array();
+  for (const problems::SweptName& name : answer.study.plan().names()) {
+    if (!answer.study.is_start(name)) continue;
+    document.say(fmt::format(
+        "{} is a variable of the search: only its start is swept (--evaluate takes it as it is)\n",
+        name.name));
+    starts.push_back(name.name);
+  }
+  document.fact("only_start_swept", std::move(starts));
+  return document;
 }
 
 }  // namespace
@@ -155,9 +172,9 @@ Table combinations_table(const SweepAnswer& answer) {
   const auto& swept = answer.study.plan().names();
   const auto& objectives = answer.study.statement().objectives;
   Table table{.key = "combinations", .columns = {}, .shown = kShown};
-  for (const problems::SweptName& name : swept) {
-    const std::string title = named(name.name, name.unit);
-    table.columns.push_back(name.is_numeric ? numbers(title, title) : names(title, title));
+  for (std::size_t k = 0; k < swept.size(); ++k) {
+    const std::string title = named(answer.swept_title(k), swept[k].unit);
+    table.columns.push_back(swept[k].is_numeric ? numbers(title, title) : names(title, title));
   }
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     const std::string title = answer.objective_title(i);
@@ -225,13 +242,21 @@ Document sweep_document(const SweepAnswer& answer) {
         with_unit(in_digits(row.objectives.front()), stated.objectives.front().response.unit),
         combination_text(answer, *best)));
     document.fact("best", *best + 1);
+  } else {
+    document.fact("best", Json(nullptr));
   }
+  document.add(starts_document(answer));
   for (const std::string& note : answer.notes) document.say(note + "\n");
   document.say("\n");
   document.add(combinations_table(answer));
   if (answer.rows.size() > kShown) {
     document.say(fmt::format("the first {} of {} combinations; --out writes all of them\n", kShown,
                              answer.rows.size()));
+  }
+  if (answer.has_warm()) {
+    document.say(
+        "rows whose search began at a neighbour's design may miss a better one elsewhere; --cold "
+        "searches each combination on its own\n");
   }
   for (Table& table : best_tables(answer)) document.add(std::move(table));
   return document;

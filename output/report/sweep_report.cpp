@@ -44,12 +44,13 @@ std::vector<std::pair<std::string, std::string>> limits_of_rows(const SweepAnswe
   return all;
 }
 
-Json names_json(const problems::SweepPlan& plan) {
+Json names_json(const SweepAnswer& answer) {
+  const problems::SweepPlan& plan = answer.study.plan();
   Json all = Json::array();
   const auto& axes = plan.settings().axes;
   for (std::size_t k = 0; k < plan.names().size(); ++k) {
     const problems::SweptName& name = plan.names()[k];
-    Json one{{"name", name.name},
+    Json one{{"name", answer.swept_title(k)},
              {"unit", name.unit},
              {"numeric", name.is_numeric},
              {"sampled", k >= axes.size()}};
@@ -100,7 +101,7 @@ Json sweep_json(const SweepAnswer& answer) {
   }
   for (const auto& [name, unit] : limits) named.push_back({{"name", name}, {"unit", unit}});
   const problems::ObjectiveStatement& objective = answer.study.statement().objectives.front();
-  return {{"names", names_json(plan)},
+  return {{"names", names_json(answer)},
           {"axes", plan.settings().axes.size()},
           {"objective",
            {{"name", objective.response.name}, {"unit", shown_unit(objective.response.unit)}}},

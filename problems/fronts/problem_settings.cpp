@@ -133,8 +133,30 @@ void check_same_problem(const optim::StudySettings& its, const optim::StudySetti
   refuse_to_resume("the problem file is not the one that it was made with");
 }
 
+namespace {
+
+/// Refuses where a file that the problem names holds something else than it did for the study.
+void check_same_files(const optim::StudySettings& its, const optim::StudySettings& mine) {
+  for (const char* kind : {"law_files", "tables"}) {
+    const auto now = mine.find(kind), before = its.find(kind);
+    if (now == mine.end()) continue;
+    const Json kept = before == its.end() ? Json::object() : setting_of(kind, before->second);
+    const Json found = parse_json(now->second);
+    for (const auto& [name, content] : found.items()) {
+      if (kept.contains(name) && kept[name] == content) continue;
+      refuse_to_resume(
+          fmt::format("the file '{}' is not as it was when the study was made; restore it, or "
+                      "begin a new study in another file",
+                      name));
+    }
+  }
+}
+
+}  // namespace
+
 void check_same_settings(const optim::StudySettings& its, const optim::StudySettings& mine,
                          std::initializer_list<const char*> names) {
+  check_same_files(its, mine);
   check_laws(find_setting(its, "laws"), mine.at("laws"));
   for (const char* name : names) {
     if (find_setting(its, name) == mine.at(name)) continue;

@@ -42,7 +42,8 @@ void check_laws(const std::string& its, const std::string& now);
 [[noreturn]] void refuse_to_resume(const std::string& why);
 /// Refuses a study that was made with another problem file.
 void check_same_problem(const optim::StudySettings& its, const optim::StudySettings& mine);
-/// Refuses one that was made with other laws, or where one of these settings was another.
+/// Refuses one that was made with other laws, whose files beside the problem (laws, tables,
+/// catalogues) held something else, or where one of these settings was another.
 void check_same_settings(const optim::StudySettings& its, const optim::StudySettings& mine,
                          std::initializer_list<const char*> names);
 

@@ -83,10 +83,11 @@ void judge_anew(const FrontStudy& study, const std::string& version, StoredFront
 }  // namespace
 
 std::string fault_words(const optim::RecordFault& fault, const std::string& then) {
-  return fault.is_damaged
-             ? fmt::format("task {} is damaged: its rows are not as they were written; {}",
-                           fault.task, then)
-             : fmt::format("task {} is wrong: {}; {}", fault.task, fault.why, then);
+  using Kind = optim::RecordFault::Kind;
+  const std::string why = fault.kind == Kind::Damaged ? "its rows are not as they were written"
+                          : fault.kind == Kind::Lost  ? "its row is gone"
+                                                      : fault.why;
+  return fmt::format("task {} is {}: {}; {}", fault.task, to_string(fault.kind), why, then);
 }
 
 StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {

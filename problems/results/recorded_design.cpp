@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "numerics/text/file_text.h"
 #include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
 #include "problems/results/seal.h"
@@ -199,7 +198,7 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
 }
 
 ReadDesign read_design_file(const std::string& path) {
-  const std::string text = file_text(path, "problem file or a result");
+  const std::string text = text_of_file(path, "problem file or a result");
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '{') return read_result(text, path);
   return {read_problem(text, path)};

@@ -109,6 +109,7 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
   if (find_in_machine(*problem.mechanism, name.bare)) {
     return "; it is a parameter of the machine, under [constants]";
   }
+  if (problem.mechanism->moved_by == MovedBy::Nothing) return "";
   std::vector<std::string> names;
   for (const Family& family : catalogue()) {
     if (index_in(family, name.bare)) names.push_back(family.name);
@@ -121,11 +122,16 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
 [[noreturn]] void refuse_unknown(const ProblemStatement& problem, const Spelling& name) {
   std::vector<std::string> known, owners;
   bool several = false;
+  const bool has_law = problem.mechanism->moved_by != MovedBy::Nothing && !problem.laws.empty();
+  if (name.owner == Owner::Law && !has_law) {
+    throw std::invalid_argument(fmt::format("{} has no law, so there is no parameter '{}' of one",
+                                            problem.mechanism->name, name.bare));
+  }
   if (name.owner != Owner::Law) {
     owners.push_back(problem.mechanism->name);
     for (const auto& p : problem.mechanism->parameters) known.push_back(p.name);
   }
-  if (name.owner != Owner::Machine && !problem.laws.empty()) {
+  if (name.owner != Owner::Machine && has_law) {
     const bool alone = owners.empty();
     if (problem.mechanism->moved_by == MovedBy::Program) {
       owners.emplace_back(alone ? "the motion program" : "its motion program");

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
 #include "numerics/text/file_format.h"
 #include "numerics/text/file_text.h"
 #include "problems/statement/advancing_cycle.h"
@@ -67,7 +72,26 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
   return problem;
 }
 
-std::string problem_text(const std::string& path) { return file_text(path, "problem file"); }
+bool is_study(const std::string& path) {
+  constexpr std::size_t kPlace = 68;  // of the application's number in SQLite's header
+  std::array<char, kPlace + 4> head{};
+  if (!std::filesystem::is_regular_file(path)) return false;
+  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+  const std::string_view text(head.data(), head.size());
+  return text.starts_with("SQLite format 3") && text.substr(kPlace) == "caml";
+}
+
+std::string text_of_file(const std::string& path, const std::string& what) {
+  if (is_study(path)) {
+    throw std::invalid_argument(
+        fmt::format("{0}: it is a study, not a {1}; 'camlaw front {0} --point N --result FILE' "
+                    "makes a result of a point of a front",
+                    path, what));
+  }
+  return file_text(path, what);
+}
+
+std::string problem_text(const std::string& path) { return text_of_file(path, "problem file"); }
 
 ProblemStatement read_problem_file(const std::string& path) {
   return read_problem(problem_text(path), path);

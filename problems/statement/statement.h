@@ -202,6 +202,11 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source,
 ProblemStatement read_problem_file(const std::string& path);
 /// The text of such a file.
 std::string problem_text(const std::string& path);
+/// The text of a file that is a `what`, "problem file or a result". Throws std::invalid_argument as
+/// file_text does, and for a study.
+std::string text_of_file(const std::string& path, const std::string& what);
+/// Whether a file is a study, by its first bytes.
+bool is_study(const std::string& path);
 
 /// Sets a variable's start, a constant or a law's fixed parameter: "blades=21", "stroke=30 mm",
 /// "alpha=-3", "c=-1.8,0.2", "c[2]=0.2". For the values at which a design is looked at. Throws

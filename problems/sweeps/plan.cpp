@@ -11,6 +11,7 @@
 
 #include "optim/problem/problem.h"
 #include "problems/law_files/json_text.h"
+#include "problems/statement/assignment.h"
 
 namespace camlaw::problems {
 namespace {
@@ -89,6 +90,22 @@ void add_settings(SweepSettings& settings, const std::vector<std::string>& assig
     } else {
       settings.set.push_back(assignment);
     }
+  }
+}
+
+void check_set_or_swept(const SweepSettings& settings,
+                        const std::vector<std::string>& assignments) {
+  const auto is_swept = [&](std::string_view name) {
+    const auto has_name = [&](const auto& swept) { return swept.name == name; };
+    return std::any_of(settings.axes.begin(), settings.axes.end(), has_name) ||
+           (settings.sampling &&
+            std::any_of(settings.sampling->over.begin(), settings.sampling->over.end(), has_name));
+  };
+  for (const std::string& assignment : assignments) {
+    const std::string_view name = parse_assignment(assignment, "speed=60:15:120 rpm").name;
+    if (parse_axis(assignment) || !is_swept(name)) continue;
+    throw std::invalid_argument(
+        fmt::format("{} is set to one value and swept; leave out one of the two", name));
   }
 }
 

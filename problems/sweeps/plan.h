@@ -19,6 +19,8 @@ struct SweepSettings {
 
 /// Adds what `--set` says, each an axis or the same in all combinations.
 void add_settings(SweepSettings& settings, const std::vector<std::string>& assignments);
+/// Throws std::invalid_argument where one of these sets a name to one value that is swept too.
+void check_set_or_swept(const SweepSettings& settings, const std::vector<std::string>& assignments);
 /// What `--sample` and `--over` say.
 Sampling stated_sampling(const std::string& sample, std::uint64_t seed,
                          const std::vector<std::string>& over);

@@ -13,6 +13,7 @@
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
 #include "problems/statement/auto_knots.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
 #include "problems/sweeps/optimum_point.h"
 
@@ -99,6 +100,16 @@ SweepStudy SweepStudy::of(const optim::StudySettings& settings) {
   return study;
 }
 
+bool SweepStudy::is_start(const SweptName& name) const {
+  if (plan_.settings().evaluates || !name.is_numeric) return false;
+  try {
+    const NamedParameter parameter = find_parameter(statement_, name.name);
+    return find_variable(statement_, parameter, parameter.element.value_or(0)).has_value();
+  } catch (const std::invalid_argument&) {  // a bound, an angle of a segment: no parameter
+    return false;
+  }
+}
+
 optim::StudySettings SweepStudy::settings() const {
   optim::StudySettings result = problem_settings(statement_);
   result[kSweepSetting] = to_json(plan_.settings()).dump();
@@ -139,8 +150,9 @@ Possible<BoundProblem> SweepStudy::bound(std::size_t combination) const {
   }
 }
 
-/// A misspelt value is refused before anything is worked out: some combination must take it.
-void SweepStudy::check_values() const {
+/// A misspelt value is refused before anything is worked out: some combination must take it. What
+/// files the values name is read here, once.
+void SweepStudy::check_values() {
   constexpr std::size_t kValues = 100, kTries = 64;
   std::size_t step = plan_.size();
   for (const SweepAxis& axis : plan_.settings().axes) {
@@ -154,6 +166,8 @@ void SweepStudy::check_values() const {
         const std::size_t combination = k / step * block + value * step + k % step;
         const auto possible = stated(combination);
         if (possible) {
+          // A study keeps the files that swept values name, as it keeps the problem's own.
+          statement_.files = possible->files;
           why.reset();
           break;
         }
@@ -208,6 +222,13 @@ ProblemStatement SweepStudy::design(std::size_t combination, optim::Design recor
   const auto split = split_of(problem.value(), recorded);
   if (!split) throw std::invalid_argument("the design does not belong to its combination");
   return problem->at(split->options, split->x);
+}
+
+/// Not where the combination has choices of its own, or other variables than its neighbour.
+bool SweepStudy::begins_at_neighbour(const optim::Task& task) const {
+  if (task.starts.empty()) return false;
+  const auto problem = bound(task.part);
+  return problem && beginning_at(*problem, task.starts.front()).has_value();
 }
 
 optim::Outcome SweepStudy::searched(const optim::Task& task, const BoundProblem& bound,
@@ -271,7 +292,7 @@ Sweep SweepStudy::run(optim::Executor& executor,
   const optim::Sense sense = statement_.objectives.front().sense;
   const auto take = [&](const optim::Task& task, const optim::Outcome& outcome) {
     sweep.outcomes[task.part] = outcome;
-    sweep.is_warm[task.part] = !task.starts.empty();
+    sweep.is_warm[task.part] = begins_at_neighbour(task);
     ++told.done;
     for (const optim::FrontPoint& point : outcome.points) {
       const double value = point.objectives.front();

@@ -53,6 +53,8 @@ class SweepStudy {
   static bool is_sweep(const optim::StudySettings& settings);
 
   const SweepPlan& plan() const { return plan_; }
+  /// Whether a name that is swept is a variable of the search, of which only the start is swept.
+  bool is_start(const SweptName& name) const;
   /// The file with what is the same in all combinations.
   const ProblemStatement& statement() const { return statement_; }
   const optim::OptimiseOptions& options() const { return options_; }
@@ -82,8 +84,9 @@ class SweepStudy {
             const std::function<void(const SweepProgress&)>& progress = {}) const;
 
  private:
-  void check_values() const;
+  void check_values();
   Possible<BoundProblem> bound(std::size_t combination) const;
+  bool begins_at_neighbour(const optim::Task& task) const;
   optim::Outcome searched(const optim::Task& task, const BoundProblem& bound,
                           const optim::OptimiseOptions& options) const;
 

@@ -36,14 +36,6 @@ void ToleranceStudy::check_same(const optim::StudyRecord& record) const {
     refuse_to_resume(samples.empty() ? "it was begun without --samples"
                                      : fmt::format("it was begun with --samples {}", samples));
   }
-  const auto text_of = [](const optim::StudySettings& settings, const char* name) {
-    const auto at = settings.find(name);
-    return at == settings.end() ? std::string() : at->second;
-  };
-  for (const char* name : {"law_files", "tables"}) {
-    if (text_of(its, name) == text_of(settings_, name)) continue;
-    refuse_to_resume("a file that the problem names is not as it was");
-  }
 }
 
 }  // namespace camlaw::problems

@@ -25,7 +25,7 @@ using PointState = std::tuple<std::size_t, Numbers, Numbers, Numbers, Numbers, i
 /// Number, part, why.
 using FailureState = std::tuple<std::size_t, std::size_t, std::string>;
 /// A task of a record that is not believed: number, damaged, why.
-using FaultState = std::tuple<std::int64_t, bool, std::string>;
+using FaultState = std::tuple<std::int64_t, int, std::string>;
 /// Hypervolume, what it is at most, that of mixtures, largest gap.
 using SizeState = std::tuple<double, MaybeNumber, MaybeNumber, MaybeNumber>;
 /// Parts, empty ones, those without an end, tasks, evaluations.

@@ -168,7 +168,7 @@ using FrontOwnState =
 FrontOwnState own_state_of(const FoundFront& found) {
   std::vector<FaultState> faults;
   for (const auto& fault : found.stored.faults) {
-    faults.emplace_back(fault.task, fault.is_damaged, fault.why);
+    faults.emplace_back(fault.task, static_cast<int>(fault.kind), fault.why);
   }
   return {found.study.settings(),
           found.study.bound().statement().source,
@@ -188,8 +188,8 @@ FrontOwner restored(const FrontOwnState& state, const Work& work) {
                       .notes = notes,
                       .resuming = static_cast<problems::Resuming>(resuming)},
                      file});
-  for (const auto& [task, is_damaged, why] : faults) {
-    result->stored.faults.push_back({task, is_damaged, why});
+  for (const auto& [task, kind, why] : faults) {
+    result->stored.faults.push_back({task, static_cast<optim::RecordFault::Kind>(kind), why});
   }
   return answered(std::move(result), work);
 }

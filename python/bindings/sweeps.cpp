@@ -78,6 +78,7 @@ problems::SweepSettings asked_settings(const SweepWords& words,
     throw std::invalid_argument(
         "over: samples are drawn from these ranges; say how many, such as sample=\"sobol 64\"");
   }
+  problems::check_set_or_swept(settings, words.set);
   return settings;
 }
 

@@ -218,7 +218,8 @@ TEST_CASE("a study knows the law files of its problem", "[program]") {
         folder / "laws"});
   REQUIRE(read(law) != text);
   CHECK(done({"front", db, "--json"}) == expected);  // it carries its own
-  CHECK_THAT(failed(pareto(file, {"--db", db, "--resume"}), 2), Contains("law 'law' is not"));
+  CHECK_THAT(failed(pareto(file, {"--db", db, "--resume"}), 2),
+             Contains("cannot be resumed") && Contains("laws/law.json") && Contains("restore it"));
 }
 
 TEST_CASE("a study that is killed at any moment goes on to the same front", "[program]") {
@@ -236,7 +237,7 @@ TEST_CASE("a study that is killed at any moment goes on to the same front", "[pr
     std::this_thread::sleep_for(std::chrono::milliseconds(ms));
     kill(running.id(), SIGKILL);
     interrupted += running.wait().status != 0;
-    words.push_back("--resume");
+    if (fs::exists(db)) words.push_back("--resume");
     CHECK(done(words) == expected);
     CHECK(done({"front", db, "--json"}) == expected);
   }
@@ -290,8 +291,10 @@ TEST_CASE("a full disk ends a study with one line, and later it goes on", "[prog
     CHECK(outcome.status == 1);
     CHECK(lines(outcome.err) == 1);
     CHECK_THAT(outcome.err, Contains(db) && Contains("cannot be written"));
+    Words again = pareto(file, {"--points", "40", "--json", "--db", db});
+    if (fs::exists(db)) again.push_back("--resume");
     begun += fs::exists(db);
-    CHECK(done(pareto(file, {"--points", "40", "--json", "--db", db, "--resume"})) == expected);
+    CHECK(done(again) == expected);
   }
   CHECK(begun > 0);
 }
@@ -401,7 +404,8 @@ TEST_CASE("points of a front are chosen by knee, weights and number", "[program]
   CHECK(json_of({"front", db, "--json", "--weights", "0,1"})["chosen"]["compromise"]["point"] ==
         all["points"].size() - 1);
   CHECK_THAT(done({"front", db, "--point", last}),
-             Contains("point: point " + last) && Contains("10 % better minimum_cam_radius: ") &&
+             Contains("point: point " + last) &&
+                 Contains("at least 10 % better minimum_cam_radius: ") &&
                  Contains("the front does not reach that far") && Contains("alpha = "));
   CHECK_THAT(done({"front", db, "--knee"}), Contains("knee: point "));
   const std::string beyond = std::to_string(all["points"].size() + 1);

@@ -300,23 +300,28 @@ TEST_CASE("weights that are none are refused", "[front measures]") {
   CHECK_THROWS_AS(compromise(Points{}, {}), std::invalid_argument);
 }
 
-TEST_CASE("the cost of the next tenth, between neighbours in proportion", "[front measures]") {
-  const Points front{{10, 100}, {20, 60}, {30, 50}};
-  CHECK(*cost_of_next(front, 1, 0, 0.1) == Approx(60 + 40 * 0.2));  // at 18
-  CHECK(*cost_of_next(front, 2, 0, 0.1) == Approx(50 + 10 * 0.3));  // at 27
-  CHECK(*cost_of_next(front, 1, 0, 0.5) == Approx(100));            // at the end itself
-  CHECK(*cost_of_next(front, 0, 1, 0.1) == Approx(12.5));           // at 90
-  CHECK(*cost_of_next(front, 0, 1, 0.45) == Approx(25));            // over a neighbour
-  CHECK_FALSE(cost_of_next(front, 0, 0, 0.1));
-  CHECK_FALSE(cost_of_next(front, 2, 1, 0.1));
-  CHECK_FALSE(cost_of_next(front, 1, 0, 0.51));
-  CHECK_FALSE(cost_of_next(Points{{1, 1}}, 0, 0, 0.1));
+TEST_CASE("the nearest point that is better by a tenth is one of the front", "[front measures]") {
+  const Points front{{10, 100}, {19, 70}, {20, 60}, {30, 50}};
+  CHECK(next_better(front, 2, 0, 0.1) == 0);  // 19 is better by a twentieth alone
+  CHECK(next_better(front, 2, 0, 0.05) == 1);
+  CHECK(next_better(front, 3, 0, 0.1) == 2);
+  CHECK(next_better(front, 2, 0, 0.5) == 0);
+  CHECK(next_better(front, 0, 1, 0.1) == 1);
+  CHECK(next_better(front, 0, 1, 0.31) == 2);
+  CHECK(next_better(Points{{0.27, 1}, {0.3, 0}}, 1, 0, 0.1) == 0);  // but for rounding
+  CHECK_FALSE(next_better(front, 0, 0, 0.1));
+  CHECK_FALSE(next_better(front, 3, 1, 0.1));
+  CHECK_FALSE(next_better(front, 2, 0, 0.51));
+  CHECK_FALSE(next_better(Points{{1, 1}}, 0, 0, 0.1));
+  CHECK_FALSE(next_better(Points{{0, 1}, {0, 0.5}}, 1, 0, 0.1));  // no better
+  CHECK(next_better(Points{{-1, 1}, {0, 0.5}}, 1, 0, 0.1) == 0);
 }
 
 TEST_CASE("less of a negative cost is more of its size", "[front measures]") {
-  const Points front{{-30, 8}, {-20, 4}};
-  CHECK(*cost_of_next(front, 1, 0, 0.1) == Approx(4 + 4 * 0.2));  // at -22
-  CHECK_FALSE(cost_of_next(front, 0, 0, 0.1));
+  const Points front{{-30, 8}, {-21, 6}, {-20, 4}};
+  CHECK(next_better(front, 2, 0, 0.1) == 0);
+  CHECK(next_better(front, 2, 0, 0.05) == 1);
+  CHECK_FALSE(next_better(front, 0, 0, 0.1));
 }
 
 }  // namespace camlaw::optim::measures_test

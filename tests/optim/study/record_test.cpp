@@ -408,7 +408,7 @@ TEST_CASE("a study of the version before is read, and not gone on with", "[study
   pareto(space, with_points(8), recorded);
   recorded.believed();
   REQUIRE(recorded.faults().size() == 1);
-  CHECK_FALSE(recorded.faults().front().is_damaged);
+  CHECK(recorded.faults().front().kind == RecordFault::Kind::Wrong);
   CHECK_THAT(recorded.faults().front().why, Contains("evaluates to"));
 }
 
@@ -456,7 +456,7 @@ TEST_CASE("what was written wrong is found though its checksum fits, and is solv
   RecordedExecutor recorded(space, record, &direct);
   CHECK(bits(pareto(space, options, recorded)) == whole);
   REQUIRE(recorded.faults().size() == 1);
-  CHECK_FALSE(recorded.faults().front().is_damaged);
+  CHECK(recorded.faults().front().kind == RecordFault::Kind::Wrong);
   CHECK(read_study(folder / "t.db", 8) == whole);
 }
 
