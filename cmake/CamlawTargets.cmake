@@ -15,7 +15,7 @@ endfunction()
 
 # Compiles the sources as units of up to CAMLAW_UNITY files: most of a file's time goes into the headers
 # and templates that its neighbours need too (benchmarks/README.md). Sources that follow LONG take longer
-# by themselves: a unit has a third as many of them.
+# by themselves: up to four of a folder form a unit, for in a large one the compiler inlines less.
 function(camlaw_units target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" LONG)
   if(NOT CAMLAW_UNITY)
@@ -27,8 +27,17 @@ function(camlaw_units target)
   get_target_property(sources ${target} SOURCES)
   list(REMOVE_ITEM sources ${arg_LONG})
   camlaw_unit_groups(short ${CAMLAW_UNITY} ${sources})
-  math(EXPR few "(${CAMLAW_UNITY} + 2) / 3")
-  camlaw_unit_groups(long ${few} ${arg_LONG})
+  set(folders)
+  foreach(source IN LISTS arg_LONG)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER ${folder} folder)
+    list(APPEND long_${folder} ${source})
+    list(APPEND folders ${folder})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    camlaw_unit_groups(${folder} 4 ${long_${folder}})
+  endforeach()
 endfunction()
 
 # Divides sources, in their order, into as few groups of at most LARGEST as there can be, of even size.

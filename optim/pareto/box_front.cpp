@@ -55,7 +55,6 @@ class BoxFront final : public PartFront {
       if (!is_beside || leaves_end(task, point)) insert(point);
       value = std::min(value, point.costs[task.sought]);
     }
-    if (is_beside && !is_certified(outcome)) doubt(alone_[other]->costs);
     // A search that came to less than what is known already was stuck.
     for (const FrontPoint& known : points_) {
       if (known.costs[other] <= bound) value = std::min(value, known.costs[task.sought]);

@@ -190,11 +190,11 @@ class DirectionFront final : public PartFront {
   void move_end(std::size_t which, const Task& task, const Outcome& outcome) {
     constexpr double kWorth = 1e-3;
     FrontPoint& end = *alone_[which];
-    if (!is_certified(outcome)) doubtful_.insert(which);
     if (!outcome.points.empty()) {
       const FrontPoint& point = outcome.points.front();
       const double gain = end.costs[task.sought] - point.costs[task.sought];
       if (gain > kWorth * scale_[task.sought]) {
+        if (!is_certified(outcome)) doubtful_.insert(which);
         std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
         end = point;
         insert(end);
@@ -354,7 +354,7 @@ class DirectionFront final : public PartFront {
   Costs scale_;
   std::vector<FrontPoint> scouted_;
   std::map<std::vector<double>, std::size_t> beside_;  ///< by bounds: searches beside which end
-  std::set<std::size_t> doubtful_;            ///< ends beside which a search was not certified
+  std::set<std::size_t> doubtful_;            ///< ends that a search moved without a certificate
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
   std::vector<Look> looks_;
   Beyond beyond_;
