@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/solvers/small_program.h"
+#include "numerics/linear/small_program.h"
 
 namespace camlaw::problems {
 namespace {

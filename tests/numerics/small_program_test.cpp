@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small linear programs: against the best of all corners.
-#include "optim/solvers/small_program.h"
+#include "numerics/linear/small_program.h"
 
 #include <catch2/catch.hpp>
 
