@@ -184,7 +184,7 @@ Solution Agreement::ranged(const std::vector<double>& x,
       result.about.push_back(std::move(other));
     }
   };
-  // Twice, since what is reached on the way to one end may lead farther to another: from the
+  // Twice, since what is reached on the path to one end may lead farther to another: from the
   // farthest that is known, then from some others too, as an end may be one of several corners.
   constexpr std::size_t kOthers = 4;
   for (std::size_t k = 0; k < 2 * x.size(); ++k) {

@@ -16,7 +16,7 @@ namespace camlaw::problems {
 struct Solution {
   std::vector<double> x;
   std::vector<double> low, high;
-  /// Others on the way to these.
+  /// Others on the paths to these.
   std::vector<std::vector<double>> about;
 };
 

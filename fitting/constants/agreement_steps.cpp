@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/linear/small_program.h"
+#include "optim/solvers/small_program.h"
 
 namespace camlaw::problems {
 namespace {
@@ -246,14 +246,14 @@ std::vector<std::vector<double>> AgreementSteps::to_extreme(std::size_t unknown,
                                                             std::vector<double> x) const {
   constexpr int kSteps = 100, kBack = 4;
   constexpr double kEnd = 1e-7;         // of the scale
-  constexpr double kAtEdge = 1 - 1e-4;  // of the misfit: farther inside, the way would be lost
-  std::vector<std::vector<double>> way{x};
+  constexpr double kAtEdge = 1 - 1e-4;  // of the misfit: farther inside, the path would be lost
+  std::vector<std::vector<double>> path{x};
   double reach = 0.25;
   std::vector<Row> cuts;
   const double size = model_->scales()[unknown].size;
   for (int k = 0; k < kSteps; ++k) {
     const auto next = step(x, reach, rows_with(x, cuts), {unknown, sign});
-    const double least = kEnd * std::min(size, std::abs(x[unknown] - way.front()[unknown]));
+    const double least = kEnd * std::min(size, std::abs(x[unknown] - path.front()[unknown]));
     if (!next || !(next->gain > least)) {
       if (cuts.empty()) break;
       cuts.clear();  // they may have been too strict
@@ -264,7 +264,7 @@ std::vector<std::vector<double>> AgreementSteps::to_extreme(std::size_t unknown,
     if (!agrees(*there)) there = to_agreement(*there, kBack, kAtEdge);
     if (there && sign * ((*there)[unknown] - x[unknown]) > 0.1 * next->gain) {
       x = *there;
-      way.push_back(x);
+      path.push_back(x);
       reach = std::min(2 * reach, kMostReach);
       std::erase_if(cuts, is_of_peak);
       continue;
@@ -273,7 +273,7 @@ std::vector<std::vector<double>> AgreementSteps::to_extreme(std::size_t unknown,
     if (reach < kLeastReach) break;
     add_cuts(next->to, cuts);
   }
-  return way;
+  return path;
 }
 
 }  // namespace camlaw::problems

@@ -21,11 +21,11 @@ class AgreementSteps {
                  std::vector<double> lower, std::vector<double> upper);
 
   /// Where the constants agree, from a place that makes a law; none where the largest misfit
-  /// cannot be made less on the way. A misfit of `enough` is aimed at.
+  /// cannot be made less on the path. A misfit of `enough` is aimed at.
   std::optional<std::vector<double>> to_agreement(std::vector<double> x, int steps,
                                                   double enough = 0.5) const;
   /// From values that agree to others that do, of which the last have the greatest value of an
-  /// unknown, or with sign -1 the least: all on the way, those they begin with first.
+  /// unknown, or with sign -1 the least: all on the path, those they begin with first.
   std::vector<std::vector<double>> to_extreme(std::size_t unknown, double sign,
                                               std::vector<double> x) const;
 

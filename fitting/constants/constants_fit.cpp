@@ -128,7 +128,7 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
     candidates.emplace_back(question, law);
   }
   // Quick ones first, all with few constants left out before any with more: what costs more than
-  // the best found on the way is not looked for. Of explanations that leave something out only
+  // the best found on the path is not looked for. Of explanations that leave something out only
   // those count that are shorter than the print itself.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.unknowns() < b.unknowns(); });

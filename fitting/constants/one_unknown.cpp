@@ -91,7 +91,8 @@ class Finder {
     add(begin, std::max(begin, end));
   }
 
-  /// Where a function that goes one way takes a value, by Newton's steps between brackets.
+  /// Where a function that only rises, or only falls, takes a value, by Newton's steps between
+  /// brackets.
   double crossing(SlopedValue a, SlopedValue b, double target) const {
     constexpr int kSteps = 60;
     const bool rises = b.value > a.value;

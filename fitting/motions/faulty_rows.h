@@ -38,7 +38,7 @@ void leave_out_stray_places(MotionRecord& record);
 /// `period` as in find_motions.
 void leave_out_far_values(MotionRecord& record, double period);
 
-/// Takes rows back in of those whose values lay off their neighbours. How many.
+/// Takes rows back in of those whose values lay off their neighbours; returns how many.
 std::size_t put_back(MotionRecord& record, const std::function<bool(const FaultyRow&)>& is_good);
 
 /// Whether so few rows of so many lie off that the others can be relied upon: one in fifty, or

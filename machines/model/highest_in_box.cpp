@@ -156,8 +156,8 @@ Point highest_place(const std::vector<Point>& places,
 
 bool is_top(const Point& p, const Box& box, const Point& slopes) {
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (slopes[i] > 0 && p[i] != box[i].upper) return false;
-    if (slopes[i] < 0 && p[i] != box[i].lower) return false;
+    if (!(slopes[i] <= 0) && p[i] != box[i].upper) return false;
+    if (!(slopes[i] >= 0) && p[i] != box[i].lower) return false;
   }
   return true;
 }

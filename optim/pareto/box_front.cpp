@@ -129,7 +129,7 @@ class BoxFront final : public PartFront {
     return task;
   }
 
-  /// Halves the between along one cost.
+  /// Halves the room between two neighbours along one cost.
   Task split(const Between& between, std::size_t along) const {
     const double middle = between.corner[along] + between.width(along) / 2;
     Task task = bounded(1 - along, middle);
@@ -154,11 +154,10 @@ class BoxFront final : public PartFront {
   /// by a part of the range there, whether that is certified or not. A point that gains less is
   /// none of its own.
   bool leaves_end(const Task& task, const FrontPoint& point) {
-    constexpr double kWorth = 1e-3;
     const std::size_t end = 1 - task.sought;
     const Costs at_end = alone_[end]->costs, opposite = alone_[task.sought]->costs;
     const double gain = at_end[task.sought] - point.costs[task.sought];
-    if (!(gain > kWorth * (at_end[task.sought] - opposite[task.sought]))) return false;
+    if (!(gain > worth(point) * (at_end[task.sought] - opposite[task.sought]))) return false;
     Costs corner = at_end;
     corner[task.sought] = point.costs[task.sought];
     left_.push_back(std::move(corner));
@@ -193,7 +192,8 @@ class BoxFront final : public PartFront {
     return result;
   }
 
-  /// A search within the between that came to no more than one of its ends: nothing is on its side.
+  /// A search in the room between them that came to no less than one of its ends: nothing is on its
+  /// side.
   static void narrow(Between& between, const Fact& fact) {
     constexpr double kSame = 1e-6;
     const std::size_t along = 1 - fact.sought;

@@ -188,12 +188,11 @@ class DirectionFront final : public PartFront {
   /// a part of the range there, whether that is certified or not. A point that gains less is none
   /// of its own.
   void move_end(std::size_t which, const Task& task, const Outcome& outcome) {
-    constexpr double kWorth = 1e-3;
     FrontPoint& end = *alone_[which];
     if (!outcome.points.empty()) {
       const FrontPoint& point = outcome.points.front();
       const double gain = end.costs[task.sought] - point.costs[task.sought];
-      if (gain > kWorth * scale_[task.sought]) {
+      if (gain > worth(point) * scale_[task.sought]) {
         if (!is_certified(outcome)) doubtful_.insert(which);
         std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
         end = point;

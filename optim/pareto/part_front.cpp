@@ -126,6 +126,11 @@ FrontPoint doubted(FrontPoint point) {
   return point;
 }
 
+double worth(const FrontPoint& beside_end) {
+  constexpr double kCertified = 1e-3, kElse = 1e-2;
+  return beside_end.verdict == Verdict::Certified ? kCertified : kElse;
+}
+
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) / 2;

@@ -43,6 +43,10 @@ bool is_certified(const Outcome& outcome);
 /// least of another was not certified: the verdict of those does not hold for all of them.
 FrontPoint doubted(FrontPoint point);
 
+/// What a point beside an end of a front must gain to take its place, as a share of the range: more
+/// where it is not certified, since the end is.
+double worth(const FrontPoint& beside_end);
+
 /// Half way from one design to another.
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b);
 

@@ -34,12 +34,12 @@ RecordedExecutor::RecordedExecutor(ProblemOf problem, StudyRecord& record, Execu
 }
 
 void RecordedExecutor::forget_damaged() {
-  const std::vector<std::int64_t> damaged = record_.damaged();
-  for (const std::int64_t task : damaged) faults_[task] = {task};
+  std::vector<std::int64_t> gone = record_.damaged();
+  for (const std::int64_t task : gone) faults_[task] = {task};
   lost_ = record_.lost();
   if (others_ == nullptr) return;
-  record_.forget(damaged);
-  record_.forget(lost_);  // what is left of them
+  gone.insert(gone.end(), lost_.begin(), lost_.end());  // what is left of them
+  record_.forget(gone);
 }
 
 /// Once a task is not there: what a study does not come to need it does not lack.

@@ -17,7 +17,7 @@
 /// What is drawn of a cam, and cut, as curves in the plane of its own coordinates.
 namespace camlaw::problems {
 
-/// The sine of the angle from one vector to another, by their lengths.
+/// The sine of the angle from one vector to another, times their lengths.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

@@ -79,7 +79,7 @@ std::vector<std::string> others_of(const Json& result) {
     return at != result.end() && at->is_array() && !at->empty();
   };
   if (has_limits("constraints") || has_limits("limits")) {
-    others.emplace_back("units, proofs and multipliers of the limits");
+    others.emplace_back("units, places, other sides, proofs and multipliers of the limits");
   }
   return others;
 }

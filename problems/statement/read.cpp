@@ -75,7 +75,8 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
 bool is_study(const std::string& path) {
   constexpr std::size_t kPlace = 68;  // of the application's number in SQLite's header
   std::array<char, kPlace + 4> head{};
-  if (!std::filesystem::is_regular_file(path)) return false;
+  std::error_code failed;  // what cannot be read is said where it is read
+  if (!std::filesystem::is_regular_file(path, failed)) return false;
   std::ifstream(path, std::ios::binary).read(head.data(), head.size());
   const std::string_view text(head.data(), head.size());
   return text.starts_with("SQLite format 3") && text.substr(kPlace) == "caml";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small linear programs: against the best of all corners.
-#include "numerics/linear/small_program.h"
+#include "optim/solvers/small_program.h"
 
 #include <catch2/catch.hpp>
 
@@ -56,7 +56,19 @@ TEST_CASE("a small linear program ends in the best corner", "[small-program]") {
     REQUIRE(x);
     CHECK((rows * *x - limits).maxCoeff() < 1e-10);
     CHECK(x->minCoeff() >= 0);
-    CHECK(gain.dot(*x) == Approx(best_corner(gain, rows, limits)).epsilon(1e-9).margin(1e-12));
+    CHECK(gain.dot(*x) == Approx(best_corner(gain, rows, limits)).epsilon(1e-9).margin(1e-9));
+  }
+}
+
+TEST_CASE("entries that are rounding do not keep a small linear program from its corner",
+          "[small-program]") {
+  for (const double speck : {1e-18, 1e-17, -1e-16, 1e-15}) {
+    Eigen::MatrixXd rows(3, 2);
+    rows << 1, speck, 0, 1, speck, 1;
+    const auto x = greatest_gain(Eigen::Vector2d(1, 1), rows, Eigen::Vector3d(0.25, 0.5, 0.5));
+    REQUIRE(x);
+    CHECK((*x)[0] == Approx(0.25));
+    CHECK((*x)[1] == Approx(0.5));
   }
 }
 
