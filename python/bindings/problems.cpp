@@ -136,6 +136,7 @@ nb::dict dict_of(const EvaluatedResponse& response) {
 struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   cli::SidedLimits sided;
+  std::vector<std::string> required_by;  ///< of each limit (ConstraintStatement)
   problems::Buildability built;
   cli::Warnings warnings;
 };
@@ -147,6 +148,7 @@ nb::dict evaluated(const StatedProblem& problem) {
     all.responses = problems::evaluate(statement);
     cli::check_possible(statement.source, statement, all.responses);
     all.sided = cli::both_sides(statement, problems::standing(statement));
+    for (const auto& limit : statement.constraints) all.required_by.push_back(limit.required_by);
     all.built = problems::buildability(statement);
     all.warnings = cli::warnings_of(statement);
     return all;
@@ -160,6 +162,9 @@ nb::dict evaluated(const StatedProblem& problem) {
     const auto& other = found.sided.others[i];
     nb::cast<nb::dict>(limits[i])["other_side"] =
         other ? python_of(cli::side_json(*other)) : nb::none();
+    const std::string& by = found.required_by[i];
+    nb::cast<nb::dict>(limits[i])["required_by"] =
+        by.empty() ? nb::none() : nb::object(nb::cast(by));
   }
   result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));
