@@ -19,7 +19,7 @@ using problems::FoundSegment;
 using problems::LawFit;
 using problems::MotionFit;
 
-constexpr std::size_t kRanked = 10;
+constexpr std::size_t kRankedLaws = 10;
 
 std::string shortened(const std::string& label) {
   constexpr std::size_t kMost = 60;
@@ -98,7 +98,7 @@ void add_ranking(const MotionFit& fit, Document& document) {
                           numbers("belief", "belief"),
                           numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
                           numbers("largest", "max_residual")},
-              .shown = fit.ranking.size() > 1 ? kRanked : 0};
+              .shown = fit.ranking.size() > 1 ? kRankedLaws : 0};
   for (const SameMotion& motion : joined(fit.ranking)) {
     const LawFit& f = *motion.front();
     std::string label = shortened(f.law.label());
