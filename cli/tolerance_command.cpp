@@ -65,7 +65,7 @@ ProblemStatement design_of(const ToleranceCommand& options) {
     problems::set_values(point, options.settings);
     return point;
   }
-  if (problems::is_study(options.file)) {
+  if (optim::begins_as_study(options.file)) {
     throw std::invalid_argument(
         fmt::format("{0}: a study needs --point, the number of a point of its front; 'camlaw front "
                     "{0}' shows them",

@@ -90,8 +90,7 @@ Agreement::Agreement(const PrintedModel& model, std::vector<std::size_t> constan
 }
 
 bool Agreement::all_agree(std::span<const double> x) const {
-  return std::all_of(constants_.begin(), constants_.end(),
-                     [&](std::size_t c) { return model_->agrees(c, x); });
+  return model_->all_agree(constants_, x);
 }
 
 void Agreement::hold(std::size_t unknown, double value) {

@@ -55,8 +55,7 @@ double AgreementSteps::misfit(std::span<const double> x) const {
 }
 
 bool AgreementSteps::agrees(std::span<const double> x) const {
-  return std::all_of(constants_.begin(), constants_.end(),
-                     [&](std::size_t c) { return model_->agrees(c, x); });
+  return model_->all_agree(constants_, x);
 }
 
 /// Of every constant both limits, in halves of what is printed alike.

@@ -126,6 +126,12 @@ std::shared_ptr<const ConstantsAt> PrintedModel::at(std::span<const double> x) c
   return recent_.get(x, [&] { return evaluated(x); });
 }
 
+bool PrintedModel::all_agree(std::span<const std::size_t> constants,
+                             std::span<const double> x) const {
+  return std::all_of(constants.begin(), constants.end(),
+                     [&](std::size_t c) { return agrees(c, x); });
+}
+
 bool PrintedModel::agrees(std::size_t constant, std::span<const double> x) const {
   constexpr double kRounding = 1e-9;  // of the interval, which a search may end on the edge of
   const PrintedConstant& c = constants()[constant];

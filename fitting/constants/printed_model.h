@@ -44,6 +44,8 @@ class PrintedModel {
   }
   /// Whether the constant is printed so at these values.
   bool agrees(std::size_t constant, std::span<const double> x) const;
+  /// Whether each of some constants does.
+  bool all_agree(std::span<const std::size_t> constants, std::span<const double> x) const;
 
   /// What the law's parameters must leave together: from 0 to the room's own limit.
   struct LawRoom {

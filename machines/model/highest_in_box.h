@@ -25,8 +25,7 @@ Point highest_place(const std::vector<Point>& places,
 bool is_top(const Point& p, const Box& box, const Point& slopes);
 
 /// Of one parameter: the top between a place, the highest of these with a slope that is not 0, and
-/// its neighbour uphill. None where the slope does not fall to 0
-/// there, or the value is lower.
+/// its neighbour uphill. None where the slope does not fall to 0 there, or the value is lower.
 struct Rise {
   double value, slope;
 };

@@ -193,7 +193,7 @@ class DirectionFront final : public PartFront {
       const FrontPoint& point = outcome.points.front();
       const double gain = end.costs[task.sought] - point.costs[task.sought];
       if (gain > worth(point) * scale_[task.sought]) {
-        if (!is_certified(outcome)) doubtful_.insert(which);
+        if (point.verdict != Verdict::Certified) doubtful_.insert(which);
         std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
         end = point;
         insert(end);

@@ -111,11 +111,6 @@ double ease(double cost, double range) {
   return std::max(kShare * range, kTold * std::abs(cost));
 }
 
-bool is_certified(const Outcome& outcome) {
-  return std::any_of(outcome.points.begin(), outcome.points.end(),
-                     [](const FrontPoint& p) { return p.verdict == Verdict::Certified; });
-}
-
 FrontPoint doubted(FrontPoint point) {
   if (point.verdict != Verdict::Certified) return point;
   point.verdict = Verdict::Feasible;

@@ -37,8 +37,6 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& toleranc
 /// range, and no less than solvers tell apart.
 double ease(double cost, double range);
 
-/// Whether a search found an optimum that is certified, or found that its start is one.
-bool is_certified(const Outcome& outcome);
 /// A point that was found as the optimum of fewer costs than there are, where the search for the
 /// least of another was not certified: the verdict of those does not hold for all of them.
 FrontPoint doubted(FrontPoint point);

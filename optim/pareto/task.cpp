@@ -10,7 +10,6 @@
 
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
-#include "optim/pareto/judged_again.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
 #include "optim/verdict/limits.h"
@@ -152,13 +151,6 @@ FrontPoint point_of(const Problem& multi, const Task& task, const Stated& stated
   return point;
 }
 
-/// A design judged as it stands: as the least of one cost with the others no greater than its own.
-FrontPoint judged_in(const Problem& multi, FrontPoint point, std::size_t sought) {
-  point.weights.assign(multi.objectives.size(), 0.0);
-  point.weights[sought] = 1;
-  return judged_again(multi, point);
-}
-
 /// Where a cost keeps clear of its limit on the way along a direction, the distance does not tell
 /// how small it could be: it is sought with the others held, eased so that there is room.
 FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
@@ -205,17 +197,6 @@ Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& op
     point = pressed(std::move(point), multi, task, options, outcome.evaluations);
   }
   outcome.points.push_back(std::move(point));
-  const bool may_stay = task.kind == Task::Kind::Bounded && !task.bounds.empty() &&
-                        task.starts.size() == 1 && !is_certified(found);
-  if (may_stay) {  // the start may be the optimum that the search could not certify
-    FrontPoint start = point_of(multi, task.part, task.starts.front());
-    if (std::equal(start.costs.begin(), start.costs.end(), task.bounds.begin(),
-                   [](double cost, double bound) { return cost <= bound; })) {
-      start = judged_in(multi, std::move(start), task.sought);
-      start.solver = found.solver;
-      if (start.verdict == Verdict::Certified) outcome.points.push_back(std::move(start));
-    }
-  }
   return outcome;
 }
 

@@ -18,9 +18,25 @@
 #include "optim/study/study_tables.h"
 
 namespace camlaw::optim {
-namespace {
 
 namespace fs = std::filesystem;
+
+bool begins_as_study(const std::string& path) {
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  constexpr std::size_t kPlace = 68;  // of the application's number, its highest byte first
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) return false;
+  std::array<char, kPlace + 4> head{};
+  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+  if (std::string_view(head.data(), kMagic.size()) != kMagic) return false;
+  int application = 0;
+  for (std::size_t i = kPlace; i < head.size(); ++i) {
+    application = application << 8 | static_cast<unsigned char>(head[i]);
+  }
+  return application == kStudyApplication;
+}
+
+namespace {
 
 constexpr int kPatience = 60000;  // ms, for another who reads or writes
 
@@ -48,21 +64,6 @@ std::string why(const SQLite::Exception& error) {
 }
 
 constexpr const char* kForeign = "it is not a camlaw study; it was left unchanged";
-
-/// Whether the file begins as a study does. Found out without SQLite, which may make files beside
-/// it.
-bool begins_as_study(const std::string& path) {
-  constexpr std::string_view kMagic("SQLite format 3\0", 16);
-  constexpr std::size_t kPlace = 68;  // of the application's number, its highest byte first
-  std::array<char, kPlace + 4> head{};
-  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
-  if (std::string_view(head.data(), kMagic.size()) != kMagic) return false;
-  int application = 0;
-  for (std::size_t i = kPlace; i < head.size(); ++i) {
-    application = application << 8 | static_cast<unsigned char>(head[i]);
-  }
-  return application == kStudyApplication;
-}
 
 /// Where a study is begun: beside its place. What an earlier beginning has left there goes; what
 /// is someone else's is not touched.

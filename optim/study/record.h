@@ -24,6 +24,9 @@ struct RecordedTask {
   Outcome outcome;
 };
 
+/// Whether a file begins as a study does. Found out without SQLite, which may make files beside it.
+bool begins_as_study(const std::string& path);
+
 class StudyRecord {
  public:
   /// Makes a new file. Throws std::invalid_argument where there is one already, std::runtime_error

@@ -100,7 +100,7 @@ void add_statement(const ProblemStatement& statement, Document& document) {
       .shown = 0};
   for (const auto& c : statement.constraints) {
     constraints.add({datum(c.response.name), datum(c.response.unit), datum(c.lower), datum(c.upper),
-                     datum(c.required_by.empty() ? Json(nullptr) : Json(c.required_by))});
+                     datum(c.required_by)});
   }
   document.fact("title", statement.title);
   document.fact("mechanism", statement.mechanism->name);

@@ -131,8 +131,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
     cells.push_back(datum(sided.others[i] ? side_json(*sided.others[i]) : Json(nullptr)));
-    const std::string& by = design.constraints[i].required_by;
-    cells.push_back(datum(by.empty() ? Json(nullptr) : Json(by)));
+    cells.push_back(datum(design.constraints[i].required_by));
     table.add(std::move(cells));
   }
   return table;

@@ -79,9 +79,9 @@ void add_limits(const Answer& answer, Document& document) {
   document.add(std::move(table));
   if (!prices.empty()) document.add(sides_table(sided, design, priced ? "price" : "", prices));
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
-    const std::string& by = design.constraints[i].required_by;
-    if (by.empty()) continue;
-    document.say(fmt::format("{} is a limit because {} requires it\n", sided.limits[i].name, by));
+    const auto& by = design.constraints[i].required_by;
+    if (!by) continue;
+    document.say(fmt::format("{} is a limit because {} requires it\n", sided.limits[i].name, *by));
   }
 }
 

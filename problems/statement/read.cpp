@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "numerics/text/file_format.h"
 #include "numerics/text/file_text.h"
+#include "optim/study/record.h"
 #include "problems/statement/advancing_cycle.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/reading.h"
@@ -72,18 +70,8 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
   return problem;
 }
 
-bool is_study(const std::string& path) {
-  constexpr std::size_t kPlace = 68;  // of the application's number in SQLite's header
-  std::array<char, kPlace + 4> head{};
-  std::error_code failed;  // what cannot be read is said where it is read
-  if (!std::filesystem::is_regular_file(path, failed)) return false;
-  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
-  const std::string_view text(head.data(), head.size());
-  return text.starts_with("SQLite format 3") && text.substr(kPlace) == "caml";
-}
-
 std::string text_of_file(const std::string& path, const std::string& what) {
-  if (is_study(path)) {
+  if (optim::begins_as_study(path)) {
     throw std::invalid_argument(
         fmt::format("{0}: it is a study, not a {1}; 'camlaw front {0} --point N --result FILE' "
                     "makes a result of a point of a front",

@@ -102,8 +102,8 @@ struct ConstraintStatement {
   std::optional<double> searched_share = {};
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
   /// Of a limit that the file does not state: the response that has a meaning only while it is met,
-  /// or "the mechanism"; else empty.
-  std::string required_by = {};
+  /// or "the mechanism".
+  std::optional<std::string> required_by = {};
 };
 
 /// What a problem says of whether its machine can be built.
@@ -205,8 +205,6 @@ std::string problem_text(const std::string& path);
 /// The text of a file that is a `what`, "problem file or a result". Throws std::invalid_argument as
 /// file_text does, and for a study.
 std::string text_of_file(const std::string& path, const std::string& what);
-/// Whether a file is a study, by its first bytes.
-bool is_study(const std::string& path);
 
 /// Sets a variable's start, a constant or a law's fixed parameter: "blades=21", "stroke=30 mm",
 /// "alpha=-3", "c=-1.8,0.2", "c[2]=0.2". For the values at which a design is looked at. Throws

@@ -281,7 +281,7 @@ std::string constraint_sentence(const ConstraintStatement& c) {
                                 ? fmt::format("{} for {:.6g} % of all parts",
                                               several ? ", each bound" : "", 100 * *c.reliability)
                                 : "";
-  const std::string by = c.of_check ? "[buildable]" : c.required_by;
+  const std::string by = c.of_check ? "[buildable]" : c.required_by.value_or("");
   return fmt::format("{} must be {}{}{}{}{}.\n", c.response.name, limits_text(c),
                      everywhere ? " over the whole cycle" : "", share,
                      tolerance_note(c.tolerance, c.response.unit),

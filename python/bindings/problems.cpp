@@ -136,7 +136,7 @@ nb::dict dict_of(const EvaluatedResponse& response) {
 struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   cli::SidedLimits sided;
-  std::vector<std::string> required_by;  ///< of each limit (ConstraintStatement)
+  std::vector<std::optional<std::string>> required_by;  ///< of each limit (ConstraintStatement)
   problems::Buildability built;
   cli::Warnings warnings;
 };
@@ -162,9 +162,8 @@ nb::dict evaluated(const StatedProblem& problem) {
     const auto& other = found.sided.others[i];
     nb::cast<nb::dict>(limits[i])["other_side"] =
         other ? python_of(cli::side_json(*other)) : nb::none();
-    const std::string& by = found.required_by[i];
-    nb::cast<nb::dict>(limits[i])["required_by"] =
-        by.empty() ? nb::none() : nb::object(nb::cast(by));
+    const auto& by = found.required_by[i];
+    nb::cast<nb::dict>(limits[i])["required_by"] = by ? nb::object(nb::cast(*by)) : nb::none();
   }
   result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));
