@@ -14,7 +14,6 @@ set(CAMLAW_HEADERS
   kinematics/laws/build.h
   kinematics/laws/catalogue.h
   kinematics/laws/phases.h
-  kinematics/limits.h
   kinematics/peaks.h
   kinematics/piece.h
   kinematics/program/program.h
@@ -38,7 +37,6 @@ set(CAMLAW_HEADERS
   optim/verdict/assessment.h
   machines/model/mechanism.h
   machines/registry.h
-  machines/spine_cutter/spine_cutter.h
   problems/fronts/front_study.h
   problems/fronts/study_worker.h
   problems/law_files/law_file.h

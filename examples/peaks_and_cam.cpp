@@ -3,10 +3,27 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/phases.h"
-#include "kinematics/limits.h"
 #include "kinematics/peaks.h"
-#include "machines/spine_cutter/spine_cutter.h"
 #include "numerics/scalar/dual.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+
+const char* const kCam = R"(
+mechanism = "disc-cam-roller"
+constants = { stroke = "30 mm", roller_radius = "8 mm", speed = "200 rpm" }
+variables.base_radius = { lower = "15 mm", upper = "150 mm", start = "40 mm" }
+objective.minimize = "base_radius"
+constraints = [
+  { response = "pressure_angle", lower = "-30 deg", upper = "30 deg" },
+  { response = "undercut", upper = 0.8 },
+]
+program.segments = [
+  { name = "rise", angle = "80 deg", law = "modified-sine" },
+  { name = "high", angle = "60 deg" },
+  { name = "return", angle = "100 deg", law = "cycloidal" },
+  { name = "low" },
+]
+)";
 
 int main() {
   using namespace camlaw;
@@ -19,11 +36,12 @@ int main() {
   std::printf("C_a is proved to lie in [%.12f, %.12f]\n", proof.max_acceleration().lower(),
               proof.max_acceleration().upper());
 
-  const SpineCutter<double> cutter{.stroke = 0.030, .block_speed = 0.5};
-  std::printf("cam radius %.2f mm, peak force %.2f N\n",
-              1e3 * cutter.minimum_cam_radius(peak.max_velocity()),
-              cutter.peak_inertia_force(peak.max_acceleration()));
-
   const Dual a(0.25, 0), b(0.0), c(0.75);  // derivatives by the share of the sine ramps
   std::printf("dC/da = %.6f\n", peaks(scca(a, b, c)).max_acceleration().v[0]);
+
+  const problems::BoundProblem cam(problems::read_problem(kCam, "cam.toml"));
+  const auto optimum = optim::optimise(cam.space());
+  const auto& found = optimum.found.assessment;
+  std::printf("least base radius %.2f mm: %s\n", found.objective.value,
+              found.verdict == optim::Verdict::Certified ? "certified" : found.reason.c_str());
 }

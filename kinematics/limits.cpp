@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/limits.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "kinematics/peaks.h"
 
 namespace camlaw {
 

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <memory>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "kinematics/shape.h"
 #include "optim/problem/problem.h"
 #include "output/document/formatting.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "kinematics/program/segment_merits.h"
 #include "optim/crew/crew.h"
 

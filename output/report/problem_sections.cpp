@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/profile_output.h"

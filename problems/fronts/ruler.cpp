@@ -7,7 +7,6 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 
-#include "kinematics/limits.h"
 #include "kinematics/peaks.h"
 #include "machines/model/law_binding.h"
 #include "optim/cycle/sizes.h"

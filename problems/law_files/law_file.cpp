@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "kinematics/laws/lone_law.h"
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "kinematics/shape.h"
 #include "numerics/scalar/dual.h"
 #include "numerics/text/file_text.h"

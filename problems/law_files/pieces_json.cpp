@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "kinematics/limits.h"
 #include "kinematics/peaks.h"
 #include "problems/law_files/json_text.h"
 

@@ -14,7 +14,6 @@
 #include <tuple>
 
 #include "kinematics/laws/lone_law.h"
-#include "kinematics/limits.h"
 #include "kinematics/peaks.h"
 #include "kinematics/shape.h"
 #include "numerics/text/units.h"

@@ -5,7 +5,7 @@
 
 #include "kinematics/laws/phases.h"
 #include "kinematics/laws/trigonometric.h"
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "kinematics/shape.h"
 #include "numerics/scalar/dual.h"
 

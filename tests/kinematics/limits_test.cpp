@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/limits.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -9,6 +7,7 @@
 #include "kinematics/laws/phases.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
+#include "kinematics/peaks.h"
 
 namespace camlaw::limits_test {
 namespace {

@@ -8,7 +8,6 @@
 #include <random>
 #include <set>
 
-#include "kinematics/limits.h"
 #include "kinematics/peaks.h"
 #include "problems/law_files/pieces_json.h"
 #include "tests/kinematics/reference_data.h"

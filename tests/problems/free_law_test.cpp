@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "machines/follower_train/follower_train.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
 #include "tests/problems/front_files.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
 #include "optim/pareto/dominance.h"
 #include "optim/search/deadline.h"
 
