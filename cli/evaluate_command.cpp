@@ -89,7 +89,7 @@ int run_evaluate(const EvaluateOptions& options) {
   if (!options.sensitivity && (!options.over.empty() || options.samples)) {
     throw std::invalid_argument("--over and --samples go with --sensitivity");
   }
-  keep_standard_output({options.curves, options.svg, options.profile}, options.json);
+  keep_plain_outputs({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read);
@@ -97,6 +97,7 @@ int run_evaluate(const EvaluateOptions& options) {
   const int status = status_of(review);
   ProblemStatement statement = read.statement;
   problems::set_in_design(statement, read, options.settings);
+  say_first_law(options.file, statement);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);

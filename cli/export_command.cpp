@@ -24,7 +24,7 @@ namespace {
 }
 
 int run_export(const ExportOptions& options) {
-  keep_standard_output({options.out}, options.json);
+  keep_plain_outputs({options.out}, options.json);
   if (options.json && !options.out) {
     throw std::invalid_argument("--json reports on the file that was written, so it needs --out");
   }
@@ -37,6 +37,7 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_in_design(design.statement, design, options.settings);
+  say_first_law(options.file, design.statement);
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);

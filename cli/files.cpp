@@ -121,6 +121,17 @@ void keep_standard_output(const std::vector<std::optional<std::string>>& outputs
   standard_output = kept;
 }
 
+void keep_plain_outputs(const std::vector<std::optional<std::string>>& outputs, bool prints_json) {
+  for (const auto& output : outputs) {
+    const std::string ending = output ? ending_of(*output) : "";
+    if (ending != ".toml" && ending != ".db") continue;
+    throw std::invalid_argument(
+        fmt::format("{}: {} is the ending of {}; the output needs another name", *output, ending,
+                    ending == ".db" ? "studies" : "problem files"));
+  }
+  keep_standard_output(outputs, prints_json);
+}
+
 void write_files(const std::vector<OutputFile>& files) {
   const std::vector<Pending> pending = locate_all(files);
   {

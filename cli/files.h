@@ -26,6 +26,12 @@ inline constexpr const char* kStandardStream = "-";
 void keep_standard_output(const std::vector<std::optional<std::string>>& outputs,
                           bool prints_json = false);
 
+/// The same of outputs that are tables, pictures, pages and results: they are not named as what
+/// people write themselves, problem files (.toml), or as studies (.db). Throws
+/// std::invalid_argument.
+void keep_plain_outputs(const std::vector<std::optional<std::string>>& outputs,
+                        bool prints_json = false);
+
 /// Writes files whole or not at all, together (cli/replacing.h). Missing folders are made, links
 /// followed, permissions kept; what is not a regular file, and all below /dev and /proc, is written
 /// to as it is when the others are in place, and "-" is standard output.

@@ -93,7 +93,7 @@ Json point_result(const FrontAnswer& answer, std::size_t k) {
 }
 
 int run_front(const FrontCommand& options) {
-  keep_standard_output({options.csv, options.svg, options.result}, options.json);
+  keep_plain_outputs({options.csv, options.svg, options.result}, options.json);
   keep_input(options.file);
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);

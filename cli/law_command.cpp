@@ -35,7 +35,7 @@ double read_quantity(std::string_view text, const Parameter& parameter, const st
 }
 
 int show_law(const LawOptions& options) {
-  keep_standard_output({options.csv, options.svg}, options.json);
+  keep_plain_outputs({options.csv, options.svg}, options.json);
   keep_law(options.name);
   Member member = problems::find_any_law(options.name, "", read_quantity);
   for (const std::string& assignment : options.parameters) {

@@ -22,7 +22,7 @@ int list_laws(const LawsOptions& options) {
     print_data(markdown_of(laws_page()));
     return kDone;
   }
-  keep_standard_output({options.csv}, options.json);
+  keep_plain_outputs({options.csv}, options.json);
   std::vector<Member> laws = catalogue_laws();
   for (Member& law : problems::own_laws()) laws.push_back(std::move(law));
   std::vector<OutputFile> files;

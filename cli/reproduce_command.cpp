@@ -90,7 +90,7 @@ int run_reproduce(const ReproduceOptions& options) {
   if (options.n) return run_size(options);
   std::vector<std::string> names = options.names;
   const bool json = options.json;
-  keep_standard_output({options.report}, json);
+  keep_plain_outputs({options.report}, json);
   if (names.empty()) {
     for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
   }

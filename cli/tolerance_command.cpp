@@ -103,7 +103,7 @@ int run_tolerance(const ToleranceCommand& options) {
   }
   const std::optional<double> limit = time_limit_of(options.limits);
   const auto path = study_file(options.db, {}, options.resume);
-  const ProblemStatement design = design_of(options);
+  const ProblemStatement design = problems::restated_design(design_of(options));
   const problems::ProfileErrors errors = profile_errors(options, design);
   std::optional<problems::ProfileAnswer> profile;
   if (errors.any()) profile = problems::profile_answer(design, errors);

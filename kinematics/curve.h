@@ -74,8 +74,13 @@ T rising(const F& f, const T& y) {
 /// The half-ellipse's height sqrt(1 - y^2), as a product: no cancellation near the ends.
 template <class T>
 T ellipse_height(const T& y) {
-  using std::sqrt;
-  return sqrt((number<T>(1) - y) * (number<T>(1) + y));
+  const T product = (number<T>(1) - y) * (number<T>(1) + y);
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Interval>) {
+    using std::sqrt;
+    return sqrt(product);
+  } else {
+    return real_power(product, 0.5);  // it has a derivative where y does not move at an end
+  }
 }
 
 /// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y

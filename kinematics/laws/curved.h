@@ -6,22 +6,32 @@
 /// Laws that are not polynomial plus harmonics. Equations: docs/theory.md, "Curves".
 namespace camlaw {
 
+// Each arc is two pieces, which count from the arc's ends: there its derivatives have no bound, and
+// an end that stays where it is must not seem to move by rounding.
+
 /// Half-ellipse of velocity: s' = (4 / pi) sqrt(1 - (2x - 1)^2). The acceleration has no bound at
 /// the ends.
 template <class T>
 Law<T> half_ellipse_velocity() {
-  const T zero = number<T>(0), one = number<T>(1), two = number<T>(2);
-  return Law<T>({{zero, one, zero, {}, {}, {{two / pi<T>(), two, -one, HalfEllipse<T>{1}}}}}, {});
+  const T zero = number<T>(0), half = ratio<T>(1, 2), one = number<T>(1), two = number<T>(2);
+  const T level = two / pi<T>();
+  const HalfEllipse<T> arc{1};
+  return Law<T>({{zero, half, zero, {}, {}, {{level, two, -one, arc}}},
+                 {half, one, one, {}, {}, {{level, two, one, arc}}}},
+                {});
 }
 
 /// Half-ellipses of acceleration: s'' = (16 / pi) sqrt(1 - (4x - 1)^2) up to 1/2, then mirrored.
 template <class T>
 Law<T> half_ellipse_acceleration() {
-  const T zero = number<T>(0), half = ratio<T>(1, 2), one = number<T>(1);
+  const T zero = number<T>(0), half = ratio<T>(1, 2), one = number<T>(1), four = number<T>(4);
+  const T first = ratio<T>(1, 4), second = ratio<T>(3, 4);
   const T level = one / pi<T>();
   const HalfEllipse<T> arc{2};
-  return Law<T>({{zero, half, zero, {}, {}, {{level, number<T>(4), -one, arc}}},
-                 {half, one, zero, {one}, {}, {{-level, number<T>(-4), number<T>(3), arc}}}},
+  return Law<T>({{zero, first, zero, {}, {}, {{level, four, -one, arc}}},
+                 {first, half, half, {}, {}, {{level, four, one, arc}}},
+                 {half, second, half, {one}, {}, {{-level, -four, one, arc}}},
+                 {second, one, one, {one}, {}, {{-level, -four, -one, arc}}}},
                 {});
 }
 

@@ -9,6 +9,7 @@
 #include "machines/model/mean_number.h"
 #include "machines/model/peak_number.h"
 #include "numerics/scalar/by_side.h"
+#include "numerics/scalar/where_positive.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
@@ -133,7 +134,8 @@ std::vector<MechanismResponse> follower_numbers() {
                          follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio),
                          optim::Part::Highest, [](const auto&, const auto& ratio) {
                            using std::sqrt;
-                           return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
+                           using X = std::decay_t<decltype(ratio)>;
+                           return where_positive(ratio, X(number<X>(1) / sqrt(ratio)));
                          })};
 }
 

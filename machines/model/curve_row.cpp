@@ -42,10 +42,24 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
   return law;
 }
 
+void leave_used(const std::array<bool, 4>& uses, MotionDerivatives& motion) {
+  for (std::vector<Four>* all : {&motion.gradient, &motion.hessian}) {
+    for (Four& four : *all) {
+      for (std::size_t m = 0; m < 4; ++m) {
+        if (!uses[m]) four[m] = 0;
+      }
+    }
+  }
+}
+
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
                          const Stretch& stretch, const LawPlace& place,
                          const std::array<bool, 4>& uses)
-    : law_(std::move(law)), stretch_(stretch), part_(cycle.part_of(stretch_)), place_(place) {
+    : law_(std::move(law)),
+      stretch_(stretch),
+      part_(cycle.part_of(stretch_)),
+      place_(place),
+      uses_(uses) {
   if (!law_->is_linear()) {
     for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
     return;
@@ -63,11 +77,13 @@ PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cyc
 }
 
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
-                         std::size_t stretch, std::size_t piece, Side side)
+                         std::size_t stretch, std::size_t piece, Side side,
+                         const std::array<bool, 4>& uses)
     : law_(std::move(law)),
       stretch_(cycle.stretches[stretch]),
       part_(cycle.part_of(stretch_)),
       place_{0, side},
+      uses_(uses),
       joint_(piece) {
   for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
 }
@@ -83,11 +99,11 @@ MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
 }
 
 MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
-  if (joint_) {
-    return follower_motion(stretch_, law_->joint_motion(*joint_, place_.side, values, order));
-  }
-  if (law_->is_linear()) return linear_at(values);
-  return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
+  if (!joint_ && law_->is_linear()) return linear_at(values);
+  MotionDerivatives motion = joint_ ? law_->joint_motion(*joint_, place_.side, values, order)
+                                    : law_->motion(place_.x, place_.side, values, order);
+  leave_used(uses_, motion);
+  return follower_motion(stretch_, std::move(motion));
 }
 
 std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Bounds> box) const {

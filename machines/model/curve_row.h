@@ -16,6 +16,11 @@ namespace camlaw::problems {
 MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law);
 MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law);
 
+/// Sets the derivatives of those of s, v, a, j to 0 that do not matter: a formula's derivative by
+/// them is 0, and where they have no bound, as the jerk of an ellipse at its end, the product would
+/// not be a number.
+void leave_used(const std::array<bool, 4>& uses, MotionDerivatives& motion);
+
 /// The follower's motion at one place of the cycle, as a function of the law's variables.
 class PlaceMotion {
  public:
@@ -24,12 +29,12 @@ class PlaceMotion {
               const LawPlace& place, const std::array<bool, 4>& uses);
   /// Where a piece of the law meets the next one, wherever that is.
   PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, std::size_t stretch,
-              std::size_t piece, Side side);
+              std::size_t piece, Side side, const std::array<bool, 4>& uses);
 
   /// The law's variables that the motion here depends on: of a linear law only those whose
   /// derivatives are not all zero, such as the few coefficients of a spline.
   const std::vector<std::size_t>& variables() const { return variables_; }
-  /// At values of these variables.
+  /// At values of these variables. Derivatives of what does not matter are 0.
   MotionDerivatives at(std::span<const double> values, int order) const;
   /// The place in the whole cycle, from 0 to 1, in [0] of value, gradient and hessian: it moves
   /// where the place is a joint.
@@ -52,6 +57,7 @@ class PlaceMotion {
   Stretch stretch_;
   Cycle::Part part_;
   LawPlace place_;
+  std::array<bool, 4> uses_;
   std::optional<std::size_t> joint_ = {};  ///< the piece that ends there
   std::vector<std::size_t> variables_;
   std::vector<double> origin_;   ///< of a linear law: values at which ...

@@ -33,8 +33,8 @@ class Halving {
 
   void look_at(const Point& point) {
     const Bounds here = at_(point);
-    found_.lower = std::max(found_.lower, here.lower);
-    found_.upper = std::max(found_.upper, here.upper);
+    see(point, here.lower);
+    found_.value.upper = std::max(found_.value.upper, here.upper);
   }
 
   void go_through(const Box& box, int halvings) {
@@ -64,18 +64,24 @@ class Halving {
     }
     upper += 2e-15 * sizes;
     if (!(upper <= whole.value.upper)) upper = whole.value.upper;
-    found_.lower = std::max(found_.lower, here.lower);
-    if (upper <= found_.upper) return;
+    see(centre, here.lower);
+    if (upper <= found_.value.upper) return;
     if (halvings == 0 || parts_ <= 0) {
-      found_.upper = upper;
+      found_.value.upper = upper;
       return;
     }
     halve(narrow, halvings);
   }
 
-  Bounds found() const { return found_; }
+  const Highest& found() const { return found_; }
 
  private:
+  void see(const Point& point, double lower) {
+    if (!(lower > found_.value.lower)) return;
+    found_.value.lower = lower;
+    found_.place = point;
+  }
+
   /// Where the box is widest, as a share of the whole one.
   void halve(const Box& box, int halvings) {
     std::size_t widest = 0;
@@ -96,8 +102,24 @@ class Halving {
   int parts_;  ///< that may still be looked at
   const std::function<Bounds(const Point&)>& at_;
   const std::function<OverBox(const Box&)>& over_;
-  Bounds found_{-optim::kInfinity, -optim::kInfinity};
+  Highest found_{{-optim::kInfinity, -optim::kInfinity}, {}};
 };
+
+constexpr std::size_t kGridOf = 3;  // parameters; of more only the middle is looked at
+
+int steps_of(const Box& box) {
+  constexpr int kSteps[] = {kStepsOfOne, 4, 2};
+  return kSteps[std::min(box.size(), kGridOf) - 1];
+}
+
+/// Whether two places of a grid are neighbours, across corners too.
+bool are_beside(const Box& box, const Point& a, const Point& b) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const double step = (box[i].upper - box[i].lower) / steps_of(box);
+    if (std::abs(a[i] - b[i]) > 1.01 * step) return false;
+  }
+  return true;
+}
 
 /// All combinations of these values for each parameter.
 std::vector<Point> combinations(const std::vector<std::vector<double>>& values) {
@@ -118,11 +140,8 @@ std::vector<Point> combinations(const std::vector<std::vector<double>>& values) 
 }  // namespace
 
 std::vector<Point> places_of(const Box& box) {
-  // Of one, two and three parameters; of more the middle.
-  constexpr int kSteps[] = {kStepsOfOne, 4, 2};
-  const std::size_t known = std::min<std::size_t>(box.size(), 3);
-  const int steps = kSteps[known - 1];
-  const bool is_large = box.size() > known;
+  const int steps = steps_of(box);
+  const bool is_large = box.size() > kGridOf;
   std::vector<std::vector<double>> ends, even;
   for (const Bounds& b : box) {
     ends.push_back(is_point(b) ? Point{b.lower} : Point{b.lower, b.upper});
@@ -142,16 +161,36 @@ std::vector<Point> places_of(const Box& box) {
   return all;
 }
 
-Point highest_place(const std::vector<Point>& places,
-                    const std::function<double(const Point&)>& value) {
-  const Point* best = &places.front();
-  double highest = -optim::kInfinity;
+std::vector<Point> tops_of(const Box& box, const std::vector<Point>& places,
+                           const std::function<double(const Point&)>& value) {
+  constexpr std::size_t kMost = 4;
+  constexpr double kLow = 0.5;  // of the range of the values: others are not climbed from
+  std::vector<double> values;
   for (const Point& place : places) {
-    const double here = value(place);
-    if (std::isnan(here)) return place;
-    if (here > highest) highest = here, best = &place;
+    values.push_back(value(place));
+    if (std::isnan(values.back())) return {place};
   }
-  return *best;
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const auto best = static_cast<std::size_t>(highest - values.begin());
+  std::vector<std::size_t> tops{best};
+  if (box.size() <= kGridOf) {
+    const double low = *highest - kLow * (*highest - *lowest);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i == best || !(values[i] > low)) continue;
+      bool is_highest = true;
+      for (std::size_t k = 0; k < places.size() && is_highest; ++k) {
+        const bool is_above = values[k] > values[i] || (values[k] == values[i] && k < i);
+        is_highest = !(is_above && are_beside(box, places[i], places[k]));
+      }
+      if (is_highest) tops.push_back(i);
+    }
+  }
+  std::stable_sort(tops.begin(), tops.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  if (tops.size() > kMost) tops.resize(kMost);
+  std::vector<Point> result;
+  for (const std::size_t top : tops) result.push_back(places[top]);
+  return result;
 }
 
 bool is_top(const Point& p, const Box& box, const Point& slopes) {
@@ -222,9 +261,9 @@ Point climbed(Point from, const Box& box, const std::function<Slopes(const Point
   return from;
 }
 
-Bounds highest_within(const Box& box, const Division& division,
-                      const std::function<Bounds(const Point&)>& at,
-                      const std::function<OverBox(const Box&)>& over) {
+Highest highest_within(const Box& box, const Division& division,
+                       const std::function<Bounds(const Point&)>& at,
+                       const std::function<OverBox(const Box&)>& over) {
   Halving search(box, division.parts, at, over);
   constexpr std::size_t kFew = 3;  // of more parameters the corners are many
   std::vector<std::vector<double>> ends;

@@ -17,9 +17,11 @@ using Point = std::vector<double>;
 /// Places of a box at which a highest value is looked for: its corners first, then some within.
 std::vector<Point> places_of(const Box& box);
 
-/// The first of the places where a value is highest; where one is not a number, the first such.
-Point highest_place(const std::vector<Point>& places,
-                    const std::function<double(const Point&)>& value);
+/// Those of a box's places from which a climb may lead to the highest value: the highest first, and
+/// of up to three parameters some others that are higher than all beside them. Where a value is not
+/// a number, the first such place alone.
+std::vector<Point> tops_of(const Box& box, const std::vector<Point>& places,
+                           const std::function<double(const Point&)>& value);
 
 /// Whether no step within the box leads uphill from a place with these slopes.
 bool is_top(const Point& p, const Box& box, const Point& slopes);
@@ -52,10 +54,16 @@ struct Division {
   int parts;
 };
 
-/// Numbers between which the highest value over a box is proved to lie, by halving the box: where a
-/// slope has one sign, that parameter stands at an end. `at` bounds the value at a point.
-optim::Bounds highest_within(const Box& box, const Division& division,
-                             const std::function<optim::Bounds(const Point&)>& at,
-                             const std::function<OverBox(const Box&)>& over);
+/// What halving a box tells of the highest value over it.
+struct Highest {
+  optim::Bounds value;  ///< numbers between which it is proved to lie
+  Point place;          ///< where it is the lower of them, at least; empty where nothing bounds it
+};
+
+/// By halving the box: where a slope has one sign, that parameter stands at an end. `at` bounds the
+/// value at a point.
+Highest highest_within(const Box& box, const Division& division,
+                       const std::function<optim::Bounds(const Point&)>& at,
+                       const std::function<OverBox(const Box&)>& over);
 
 }  // namespace camlaw::problems

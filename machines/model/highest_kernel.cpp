@@ -176,7 +176,18 @@ Bounds HighestKernel::enclose(std::span<const double> u) const {
   return range(box).value;
 }
 
-optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
+std::shared_ptr<const optim::Kernel> HighestKernel::proved() const {
+  if (!is_enclosed()) return nullptr;
+  return std::make_shared<HighestKernel>(asking_proof());
+}
+
+HighestKernel HighestKernel::asking_proof() const {
+  HighestKernel result = *this;
+  result.asks_proof_ = is_enclosed();
+  return result;
+}
+
+Highest HighestKernel::highest_over(std::span<const Bounds> box) const {
   constexpr Division kDivision{.halvings = 14, .parts = 1000};
   const auto over = [&](const Box& ranges) {
     const optim::BoxRange all = f_.range(widened_box(box, ranges));
@@ -191,9 +202,13 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
     for (const double value : p) point.push_back({value, value});
     return times(sign_, f_.range(widened_box(box, point)).value);
   };
+  return highest_within(box_over(box), kDivision, at, over);
+}
+
+optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
   optim::BoxRange result;
   const Box all = box_over(box);
-  Bounds highest = highest_within(all, kDivision, at, over);
+  Bounds highest = highest_over(box).value;
   if (moves(box)) highest.lower = largest_lower(box);
   result.value = times(sign_, highest);
   const optim::BoxRange whole = f_.range(widened_box(box, all));
@@ -226,9 +241,32 @@ std::string HighestKernel::why_undefined(std::span<const double> u) const {
 }
 
 Point HighestKernel::worst(std::span<const double> u) const {
-  return climb(highest_place(places_of(box_at(u)),
-                             [&](const Point& p) { return sign_ * f_.value(design(u, p)); }),
-               u);
+  const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };
+  const Point found = climbed_highest(places_of(box_at(u)), height, u);
+  if (!asks_proof_ || std::isnan(height(found))) return found;
+  Box here;
+  for (const double value : u) here.push_back({value, value});
+  const Point place = highest_over(here).place;
+  if (place.empty() || !(height(place) > height(found))) return found;
+  return climb(place, u);
+}
+
+Point HighestKernel::climbed_highest(const std::vector<Point>& places,
+                                     const std::function<double(const Point&)>& value,
+                                     std::span<const double> u) const {
+  const std::vector<Point> tops = tops_of(box_at(u), places, value);
+  Point best = climb(tops.front(), u);
+  if (tops.size() == 1) return best;
+  const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };
+  double highest = height(best);
+  for (std::size_t i = 1; i < tops.size() && !std::isnan(highest); ++i) {
+    Point other = climb(tops[i], u);
+    const double there = height(other);
+    if (!(there > highest) && !std::isnan(there)) continue;
+    highest = there;
+    best = std::move(other);
+  }
+  return best;
 }
 
 double HighestKernel::settled(std::span<const double> u, const Point& p, double value) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -68,16 +70,25 @@ class HighestKernel final : public optim::Kernel {
   optim::BoxRange range(std::span<const optim::Bounds> box) const override;
   bool is_enclosed() const override { return f_.is_enclosed(); }
   bool is_searched() const override { return true; }
+  /// With the place that the proof comes upon besides: a search from a grid may miss it.
+  std::shared_ptr<const optim::Kernel> proved() const override;
+  HighestKernel asking_proof() const;
   std::string why_undefined(std::span<const double> u) const override;
 
   /// The place in the ranges; where a value is not a number, the first such place.
   Point worst(std::span<const double> u) const;
-  /// From a place in the ranges to the highest value nearby.
-  Point climb(const Point& from, std::span<const double> u) const;
+  /// From some of these places to the highest value nearby; `value` is that at a place, to be made
+  /// highest.
+  Point climbed_highest(const std::vector<Point>& places,
+                        const std::function<double(const Point&)>& value,
+                        std::span<const double> u) const;
   /// The value at the worst place, not a number beside a pole.
   double settled(std::span<const double> u, const Point& p, double value) const;
 
  private:
+  /// From a place in the ranges to the highest value nearby.
+  Point climb(const Point& from, std::span<const double> u) const;
+  Highest highest_over(std::span<const optim::Bounds> box) const;
   std::vector<double> design(std::span<const double> u, const Point& p) const;
   /// The value at a place, turned so that the highest is sought, and its slopes by the ranges.
   double uphill(const Point& p, std::span<const double> u, Point& slopes) const;
@@ -97,6 +108,7 @@ class HighestKernel final : public optim::Kernel {
   Box box_;
   double sign_;
   OwnInputs own_;
+  bool asks_proof_ = false;
 };
 
 /// That of a function over a widened design, as a function of the design.

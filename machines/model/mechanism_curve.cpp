@@ -101,7 +101,7 @@ PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
             parts_->uses};
   }
   return {law_, parts_->cycle, stretch_of(place.joint), piece_of(place.joint),
-          place.from_left ? Side::Left : Side::Right};
+          place.from_left ? Side::Left : Side::Right, parts_->uses};
 }
 
 const AffineCurve* MechanismCurve::affine() const {
@@ -142,8 +142,13 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto [at, side] = law_place(stretch, place);
   const std::vector<double> values = law_->values_at(x);
-  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
-  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
+  MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
+  MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
+  leave_used(parts_->uses, motion);
+  leave_used(parts_->uses, rate);
+  for (std::size_t m = 0; m < 4; ++m) {
+    if (!parts_->uses[m]) rate.value[m] = 0;
+  }
   const std::size_t machine = variables_.size();
   const std::size_t inner = machine + (parts_->uses_place ? 5 : 4);
   std::vector<double> u = arguments_at(variables_, x);

@@ -73,7 +73,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
     };
     over->worst = [kernel, sign](const Binding& binding, Design x, const Place*) {
       const auto [f, wide] = kernel(binding);
-      const HighestKernel own(f, wide, sign);
+      const HighestKernel own = HighestKernel(f, wide, sign).asking_proof();
       std::vector<double> u;
       for (const std::size_t input : own.own_inputs()) u.push_back(x[input]);
       return told(f, wide, x, own.worst(u));

@@ -57,11 +57,11 @@ class RangeTrace final : public optim::Trace {
     const int halvings =
         std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
     const double sign = parts_->sign;
-    const Bounds found = highest_within(
+    const Highest found = highest_within(
         box_, {halvings, kParts},
         [&](const Point& p) { return times(sign, at_place(p).enclose(from, to)); },
         [&](const Box& box) { return over(box).over(from, to, sign); });
-    return times(sign, found);
+    return times(sign, found.value);
   }
 
   std::string why_unbounded() const override { return at_place(places_.front()).why_unbounded(); }
@@ -81,9 +81,8 @@ class RangeTrace final : public optim::Trace {
     return row;
   }
   Point worst(Place place, const Row& row) const {
-    const Point best = highest_place(
-        places_, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; });
-    return row.highest.climb(best, row.u);
+    return row.highest.climbed_highest(
+        places_, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; }, row.u);
   }
   const optim::Trace& at_place(const Point& p) const {
     auto& known = traces_[p];

@@ -122,7 +122,8 @@ ceres::Jet<T, N> real_power(const ceres::Jet<T, N>& x, double p) {
   ceres::Jet<T, N> result(real_power(x.a, p));
   if (p == 0) return result;
   const T slope = number<T>(p) * real_power(x.a, p - 1);
-  for (int i = 0; i < N; ++i) result.v[i] = slope * x.v[i];
+  // What does not move at all does not move the power either, where the slope has no bound.
+  for (int i = 0; i < N; ++i) result.v[i] = is_number(x.v[i], 0) ? x.v[i] : slope * x.v[i];
   return result;
 }
 

@@ -10,12 +10,22 @@
 namespace camlaw::optim {
 namespace {
 
-bool is_wanted(const Problem& multi, const ParetoOptions& options) {
+bool is_there(const ParetoOptions& options) {
+  return options.scouts ? *options.scouts : has_nsga2();
+}
+
+/// Whether NSGA-II is to look at a problem, be it there or not.
+bool may_help(const Problem& multi, const ParetoOptions& options) {
   const bool varies = std::any_of(multi.variables.begin(), multi.variables.end(),
                                   [](const Variable& v) { return v.lower < v.upper; });
   if (options.method != ParetoMethod::Automatic)
     return varies && options.method == ParetoMethod::Nsga2;
-  return varies && !searches_are_convex(multi) && (options.scouts ? *options.scouts : has_nsga2());
+  return varies && !searches_are_convex(multi);
+}
+
+bool is_wanted(const Problem& multi, const ParetoOptions& options) {
+  return may_help(multi, options) &&
+         (options.method == ParetoMethod::Nsga2 || is_there(options));
 }
 
 Task scout_task(std::size_t part, const ParetoOptions& options) {
@@ -72,6 +82,14 @@ Scouted scout_parts(Sweep& sweep) {
   }
   sweep.report();
   return scouted;
+}
+
+bool lacks_scout(const Sweep& sweep) {
+  if (sweep.options.method != ParetoMethod::Automatic || is_there(sweep.options)) return false;
+  for (std::size_t part = 0; part < sweep.parts.size(); ++part) {
+    if (may_help(sweep.space.problem(sweep.space.options(part)), sweep.options)) return true;
+  }
+  return false;
 }
 
 std::vector<std::vector<double>> starts_of(const std::vector<FrontPoint>& found) {

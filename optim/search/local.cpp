@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
-#include "optim/cycle/extremes.h"
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
 #include "optim/search/convex_part.h"
 #include "optim/search/from_start.h"
+#include "optim/search/hopeless.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/proof.h"
 #include "optim/search/told.h"
@@ -37,51 +37,15 @@ void judge_alone(const Problem& problem, Trail& trail) {
   if (blame.verdict == Verdict::Infeasible) found.assessment = blame;
 }
 
-bool is_constant(const Function& f, const Problem& problem) {
-  return std::all_of(f.inputs().begin(), f.inputs().end(), [&](std::size_t i) {
-    return problem.variables[i].lower == problem.variables[i].upper;
-  });
-}
-
-/// A response at the start; of a curve, where it is highest or lowest. Not a number where something
-/// that varies moves it there.
-double settled_value(const Response& response, bool highest, const Problem& problem) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> start = problem.start();
-  if (!response.is_curve()) {
-    const Function& f = response.function();
-    return is_constant(f, problem) ? f.value(start) : kNone;
-  }
-  const Curve& curve = response.curve();
-  const auto trace = curve.trace(start);
-  if (!is_constant(curve.at({trace->breaks().front()}), problem)) return kNone;
-  const Extreme worst = extreme_of(*trace, highest ? Part::Highest : Part::Lowest);
-  return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
-}
-
-/// Looks for a limit that is passed and that nothing moves which varies; nullptr where there is
-/// none.
-const Constraint* passed_for_good(const Problem& problem, const Sizes& sizes) {
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    const Constraint& c = problem.constraints[i];
-    const double tolerance = sizes.constraints[i].tolerance;
-    const bool passed =
-        (c.upper && settled_value(c.response, true, problem) > *c.upper + tolerance) ||
-        (c.lower && settled_value(c.response, false, problem) < *c.lower - tolerance);
-    if (passed) return &c;
-  }
-  return nullptr;
-}
-
-/// Where a limit is passed for good, there is no need to search.
-void blame(const std::string& limit, const Problem& problem, const Sizes& sizes, Found& found) {
+/// Where a limit is passed whatever the design, there is no need to search.
+void blame(const Hopeless& hopeless, const Problem& problem, const Sizes& sizes, Found& found) {
   found.x = problem.start();
   found.starts = found.agreed = found.planned_starts = 1;
   found.assessment = assess(problem, sizes, found.x, false);
   found.assessment.verdict = Verdict::Infeasible;
-  found.assessment.blamed = {limit};
-  found.assessment.reason = fmt::format("{} cannot be met: no variable changes it", limit);
-  found.assessment.global = fmt::format("{} is the same for every design", limit);
+  found.assessment.blamed = {hopeless.limit};
+  found.assessment.reason = fmt::format("{} cannot be met: {}", hopeless.limit, hopeless.why);
+  found.assessment.global = hopeless.global;
 }
 
 int count_of_starts(const Setting& setting) {
@@ -274,9 +238,9 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
       return true;
     }
   }
-  const Constraint* passed = passed_for_good(problem, trail.sizes);
-  if (passed != nullptr) blame(passed->response.name, problem, trail.sizes, trail.found);
-  return passed != nullptr;
+  const auto hopeless = hopeless_limit(problem, trail.sizes);
+  if (hopeless) blame(*hopeless, problem, trail.sizes, trail.found);
+  return hopeless.has_value();
 }
 
 /// Carries out all stages in turn.

@@ -2,16 +2,20 @@
 #include "optim/search/optimise.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "optim/crew/crew.h"
 #include "optim/search/combinations.h"
 #include "optim/search/discrete.h"
+#include "optim/search/hopeless.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -21,8 +25,21 @@ namespace {
 struct Tally {
   std::size_t combinations = 0, solved = 0;
   bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
-  std::string stopped = {};  ///< why the search ended early, where it did
+  std::string stopped = {};                 ///< why the search ended early, where it did
+  std::vector<std::string> unsettled = {};  ///< combinations of choices, in words
 };
+
+/// "; rise=half-ellipse was not", for some of several.
+std::string unsettled_words(const std::vector<std::string>& unsettled) {
+  constexpr std::size_t kShown = 3;
+  if (unsettled.empty()) return {};
+  const std::size_t shown = std::min(kShown, unsettled.size());
+  std::string words = fmt::format(
+      "; {}",
+      fmt::join(unsettled.begin(), unsettled.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < unsettled.size()) words += fmt::format(" and {} more", unsettled.size() - shown);
+  return words + (unsettled.size() == 1 ? " was not" : " were not");
+}
 
 /// What a search over combinations adds to the verdict of the best one.
 void judge_combinations(const Tally& tally, Assessment& a) {
@@ -34,7 +51,8 @@ void judge_combinations(const Tally& tally, Assessment& a) {
                                      tally.combinations, tally.solved);
   if (!tally.complete && a.verdict == Verdict::Certified) {
     a.verdict = Verdict::Feasible;
-    a.reason = fmt::format("not all of the {} combinations were settled", tally.combinations);
+    a.reason = fmt::format("not all of the {} combinations were settled{}", tally.combinations,
+                           unsettled_words(tally.unsettled));
     if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
     a.global.reset();
     return;
@@ -95,6 +113,7 @@ class Optimiser {
     tally_.combinations += search.combinations;
     tally_.solved += search.solved;
     tally_.complete = tally_.complete && search.complete;
+    if (!search.complete && !part.options.empty()) tally_.unsettled.push_back(words_of(part));
     tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
     tally_.enumerated = tally_.enumerated && search.enumerated;
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
@@ -109,6 +128,18 @@ class Optimiser {
     best_.found = std::move(part.outcome.found);
   }
 
+  /// The options of a combination, as a person chooses them.
+  std::string words_of(const SearchedPart& part) const {
+    std::string words;
+    for (std::size_t i = 0; i < part.options.size(); ++i) {
+      const Choice& choice = desk_->space().choices[i];
+      const std::string& option = choice.options[part.options[i]];
+      words += words.empty() ? "" : " ";
+      words += choice.values.empty() ? option : fmt::format("{}={}", choice.name, option);
+    }
+    return words;
+  }
+
   /// The winner, solved once more with its integer variables fixed, and proved.
   void settle() {
     tally_.combinations += combinations_.not_looked_at();
@@ -119,6 +150,7 @@ class Optimiser {
     if (!combinations_.lost().empty()) tally_.complete = false;
     if (tally_.stopped.empty()) tally_.stopped = combinations_.lost();
     Found& found = best_.found;
+    blame_fewest();
     if (combinations_.is_of_one()) return say_lost(found.assessment);
     if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
       Problem fixed = with_integers_fixed(best_.problem, found.x);
@@ -144,6 +176,17 @@ class Optimiser {
     if (a.verdict == Verdict::Feasible && !told) {
       a.reason = fmt::format("{}; {}", tally_.stopped, a.reason);
     }
+  }
+
+  void blame_fewest() {
+    Found& found = best_.found;
+    if (found.assessment.verdict != Verdict::Infeasible || deadline_.passed()) return;
+    narrow_blame(
+        with_integers_fixed(best_.problem, found.x),
+        [&](const Problem& others) {
+          return search_continuous(others, options_, deadline_, false).assessment;
+        },
+        found.assessment);
   }
 
   /// Where the process of a start has died its answer might have been better.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "output/answers/law_output.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
 #include "problems/results/judged_design.h"
@@ -37,6 +38,14 @@ void say_review(const std::string& file, const ClaimReview& review) {
   for (const std::string& words : review.words()) {
     warn(fmt::format("{}: {}", file, words));
   }
+}
+
+void say_first_law(const std::string& file, const problems::ProblemStatement& statement) {
+  if (!statement.chooses_law()) return;
+  warn(fmt::format("{}: this is the first of {} laws to choose from, {}; --set takes another, and "
+                   "'camlaw optimize' finds the best",
+                   file, statement.laws.size(),
+                   law_in_words(statement.laws.front(), statement.mechanism->moved_by)));
 }
 
 }  // namespace camlaw::cli

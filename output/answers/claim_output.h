@@ -30,5 +30,7 @@ std::string record_text(const std::vector<std::string>& words);
 Json review_json(const ClaimReview& review);
 /// The same on standard error, for commands whose output is for other programs.
 void say_review(const std::string& file, const ClaimReview& review);
+/// Of a problem with several laws to choose from: that its first is looked at, on standard error.
+void say_first_law(const std::string& file, const problems::ProblemStatement& statement);
 
 }  // namespace camlaw::cli

@@ -234,8 +234,9 @@ Document law_document(const Member& member) {
 }
 
 LongList law_samples(const Law<double>& law, int count) {
-  return {"samples", static_cast<std::size_t>(count), [law, count](std::size_t i) {
-            const auto [x, m] = motion_sample(law, count, static_cast<int>(i));
+  const auto samples = std::make_shared<EvenSamples>(law, count);
+  return {"samples", static_cast<std::size_t>(count), [samples](std::size_t i) {
+            const auto [x, m] = samples->at(static_cast<int>(i));
             return Json{{"x", x},
                         {"s", to_json(m.s)},
                         {"v", to_json(m.v)},

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,15 @@ void say_bridging(const WaveEffects& waves, Document& document) {
       short_digits(*waves.bridged_from)));
 }
 
+void say_left_out(const WaveEffects& waves, Document& document) {
+  constexpr double kWorthSaying = 1e-3, kTooMuch = 0.05;
+  if (waves.effects.empty() || waves.left_out < kWorthSaying) return;
+  document.say(fmt::format(
+      "  waves of this height are not small beside the cam: the changes may be off by about {:.2g} "
+      "%{}\n",
+      100 * waves.left_out, waves.left_out > kTooMuch ? ", so that nothing is proved" : ""));
+}
+
 void add_waviness(const ProfileAnswer& answer, Document& document) {
   const WaveEffects& waves = *answer.waviness;
   document.say(fmt::format(
@@ -74,6 +84,8 @@ void add_waviness(const ProfileAnswer& answer, Document& document) {
                            short_digits(waves.displacement), answer.displacement_unit));
   say_lost(waves, document);
   say_bridging(waves, document);
+  say_left_out(waves, document);
+  document.fact("waviness_left_out", waves.left_out);
   document.fact("waviness_displacement", waves.displacement);
   document.fact("waviness_valley_share", waves.valley_share);
   document.fact("waviness_bridged_from", waves.bridged_from);
@@ -102,6 +114,8 @@ void add_form(const ProfileAnswer& answer, Document& document) {
   }
   say_lost(form, document);
   say_bridging(form, document);
+  say_left_out(form, document);
+  document.fact("form_left_out", form.left_out);
 }
 
 void add_chords(const ProfileAnswer& answer, Document& document) {
@@ -128,7 +142,8 @@ void add_shop(const ProfileAnswer& answer, Document& document) {
       .key = "shop",
       .columns = {by_length ? numbers("waves, mm", "wavelength") : numbers("waves a turn", "waves"),
                   words("for the", "of"), numbers("amplitude, um", "amplitude"),
-                  numbers("profile tolerance, um", "form"), words("proved", "proved")}};
+                  numbers("profile tolerance, um", "form"), words("proved", "proved"),
+                  words("", "by_theory")}};
   for (const problems::ShopLimit& limit : answer.shop) {
     const double length = by_length ? *limit.wavelength : *limit.waves;
     table.add({{in_digits(length, 6), length},
@@ -136,9 +151,17 @@ void add_shop(const ProfileAnswer& answer, Document& document) {
                {short_digits(limit.amplitude), limit.amplitude},
                {limit.form ? short_digits(*limit.form) : "",
                 limit.form ? Json(*limit.form) : Json(nullptr)},
-               yes_or_no(limit.proved)});
+               yes_or_no(limit.proved),
+               {limit.by_theory ? "or more" : "", limit.by_theory}});
   }
   document.add(std::move(table));
+  const bool any_more = std::any_of(answer.shop.begin(), answer.shop.end(),
+                                    [](const auto& limit) { return limit.by_theory; });
+  if (any_more) {
+    document.say(
+        "  or more: up to this amplitude the theory of small waves holds, and the peak allows "
+        "more\n");
+  }
   document.say(
       "  amplitude: of such waves; profile tolerance: width of the zone for any error without "
       "shorter ones\n");

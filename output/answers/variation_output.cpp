@@ -268,7 +268,9 @@ Document variation_document(const VariedDesign& varied, const ToleranceAnswer& a
   }
   document.fact("cut_short", answer.cut_short);
   if (!answer.cut_short.empty()) {
-    document.say(fmt::format("stopped early: {}\n", answer.cut_short));
+    document.say(answer.cut_short == "stopped"
+                     ? std::string("stopped early\n")
+                     : fmt::format("stopped early: {}\n", answer.cut_short));
   }
   return document;
 }

@@ -10,6 +10,7 @@
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::cli {
 namespace {
@@ -17,6 +18,25 @@ namespace {
 void add_cautions(const problems::ProblemStatement& design, Warnings& warnings) {
   for (const problems::Caution& caution : problems::cautions(design)) {
     warnings.push_back(caution.text());
+  }
+}
+
+/// A fit's deviations follow from the size, by steps. A search takes those of the size that it
+/// began with, whatever it finds.
+void add_fits_of_other_sizes(const problems::ProblemStatement& begun,
+                             const problems::ProblemStatement& design, Warnings& warnings) {
+  for (const problems::VariationStatement& variation : problems::variations_of(begun)) {
+    if (!variation.fit) continue;
+    const double from = problems::meant_value(begun, variation);
+    const double to = problems::meant_value(design, variation);
+    const optim::Variation taken = variation.at(from), own = variation.at(to);
+    if (taken.lower == own.lower && taken.upper == own.upper) continue;
+    const std::string& unit = variation.parameter.unit;
+    warnings.push_back(fmt::format(
+        "the fit of {0} was taken at its start of {1}, {2:+.4g} and {3:+.4g} {7}; at {4} it is "
+        "{5:+.4g} and {6:+.4g} {7}: search again with this start",
+        variation.name(), problems::with_unit(from, unit), taken.upper, taken.lower,
+        problems::with_unit(to, unit), own.upper, own.lower, unit));
   }
 }
 
@@ -44,7 +64,11 @@ Warnings warnings_of(const Answer& answer) {
   const bool has_design =
       verdict == optim::Verdict::Certified || verdict == optim::Verdict::Feasible;
   Warnings warnings;
-  if (has_design) add_cautions(answer.bound.at(optimum.options, optimum.found.x), warnings);
+  if (has_design) {
+    const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
+    add_fits_of_other_sizes(answer.bound.statement(), design, warnings);
+    add_cautions(design, warnings);
+  }
   const Warnings doubts = problems::doubtful_limits(answer.bound);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   return warnings;

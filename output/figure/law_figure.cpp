@@ -95,18 +95,34 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
   return figure;
 }
 
-MotionSample motion_sample(const Law<double>& law, int count, int i) {
-  const double x = i / (count - 1.0);
-  return {x, law(x, i + 1 == count ? Side::Left : Side::Right)};
+EvenSamples::EvenSamples(Law<double> law, int count) : law_(std::move(law)), count_(count) {
+  if (count < 2) throw std::invalid_argument("samples: at least 2 are needed");
+}
+
+MotionSample EvenSamples::at(int i) {
+  if (i / kBlock != block_) {
+    block_ = i / kBlock;
+    const int first = block_ * kBlock;
+    const auto size = static_cast<std::size_t>(std::min(kBlock, count_ - first));
+    for (std::size_t k = 0; k < size; ++k) {
+      numbers_[0][k] = (first + static_cast<int>(k)) / (count_ - 1.0);
+    }
+    const auto part = [&](std::size_t number) {
+      return std::span<double>(numbers_[number]).first(size);
+    };
+    evaluate(law_, part(0), {part(1), part(2), part(3), part(4)});
+  }
+  const auto k = static_cast<std::size_t>(i % kBlock);
+  return {numbers_[0][k], {numbers_[1][k], numbers_[2][k], numbers_[3][k], numbers_[4][k]}};
 }
 
 void motion_csv(const Law<double>& law, int count,
                 const std::function<bool(std::string_view)>& take) {
-  if (count < 2) throw std::invalid_argument("samples: at least 2 are needed");
+  EvenSamples samples(law, count);
   constexpr std::size_t kPiece = 1000;  // rows
   std::vector<std::vector<std::string>> rows{{"x", "s", "v", "a", "j"}};
   for (int i = 0; i < count; ++i) {
-    const auto [x, m] = motion_sample(law, count, i);
+    const auto [x, m] = samples.at(i);
     rows.push_back({exact(x), exact(m.s), exact(m.v), exact(m.a), exact(m.j)});
     if (rows.size() < kPiece && i + 1 < count) continue;
     if (!take(to_csv(rows))) return;

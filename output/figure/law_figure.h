@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -28,8 +29,20 @@ struct MotionSample {
   Motion<double> motion;
 };
 
-/// The i-th of `count` even points from 0 to 1, at least 2; from the right at breaks.
-MotionSample motion_sample(const Law<double>& law, int count, int i);
+/// A law at `count` even points from 0 to 1, at least 2; from the right at breaks. A block of them
+/// is worked out at a time, by evaluate(): a table has the bits that arrays of points have.
+class EvenSamples {
+ public:
+  EvenSamples(Law<double> law, int count);
+  MotionSample at(int i);
+
+ private:
+  static constexpr int kBlock = 512;
+  Law<double> law_;
+  int count_;
+  int block_ = -1;
+  std::array<std::array<double, kBlock>, 5> numbers_;  ///< x, s, v, a, j
+};
 
 /// All of them as CSV: x, s, v, a, j.
 std::string motion_csv(const Law<double>& law, int count);

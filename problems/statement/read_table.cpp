@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include "kinematics/laws/lone_law.h"
@@ -29,7 +31,8 @@ constexpr double kWidestGap = 30;  // deg between rows
 /// A lift over the turn: places from 0 to 1, increasing.
 struct TurnTable {
   std::vector<double> x, lift;
-  std::string unit;  ///< of the lift; "1" where the table states none
+  std::string unit;          ///< of the lift; "1" where the table states none
+  std::size_t left_out = 0;  ///< rows without one of the two numbers
 };
 
 /// The angle and the lift of a table, whatever else it holds.
@@ -40,11 +43,62 @@ SampleTable lift_columns(const SampleTable& table) {
   return numbers_of(table, {&angle, lift});
 }
 
+/// Rows may begin anywhere and overlap a little; over more than a turn they are of another unit, or
+/// of several turns.
+void check_one_turn(const std::vector<double>& places) {
+  const auto [first, last] = std::minmax_element(places.begin(), places.end());
+  if (!(*last - *first > kTurnDegrees + kWidestGap)) return;
+  throw std::invalid_argument(fmt::format(
+      "its angles run from {:.6g} to {:.6g} deg, over {:.3g} turns; give one turn, and the angle's "
+      "unit as it is",
+      *first, *last, (*last - *first) / kTurnDegrees));
+}
+
+/// A row that stands out of its neighbours far more than any other does of its own: of the place
+/// between those before and behind it, by the cubic through two of each, it is at least a fiftieth
+/// of the range away, and ten times as far as any row that does not count it as a neighbour.
+std::optional<std::size_t> slip_of(const TurnTable& turn, double range) {
+  constexpr double kShare = 0.02, kTimes = 10;
+  const std::size_t rows = turn.x.size();
+  if (rows < 12) return {};
+  std::vector<double> off(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto place = [&](std::size_t k) { return turn.x[k] - turn.x[i]; };
+    std::array<std::size_t, 4> near{};
+    std::array<double, 4> x{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      near[k] = (i + rows + k + (k < 2 ? 0 : 1) - 2) % rows;
+      x[k] = place(near[k]);
+      if (k < 2 && x[k] > 0) x[k] -= 1;
+      if (k >= 2 && x[k] < 0) x[k] += 1;
+    }
+    double expected = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      double weight = 1;
+      for (std::size_t m = 0; m < 4; ++m) {
+        if (m != k) weight *= x[m] / (x[m] - x[k]);
+      }
+      expected += weight * turn.lift[near[k]];
+    }
+    off[i] = std::abs(turn.lift[i] - expected);
+  }
+  const auto worst =
+      static_cast<std::size_t>(std::max_element(off.begin(), off.end()) - off.begin());
+  double others = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t apart = i > worst ? i - worst : worst - i;
+    if (std::min(apart, rows - apart) > 2) others = std::max(others, off[i]);
+  }
+  if (!(off[worst] > kShare * range && off[worst] > kTimes * others)) return {};
+  return worst;
+}
+
 /// The rows in their order round the turn, one at each place.
 TurnTable turn_of(const SampleTable& table, const std::string& unit) {
   SampleColumn angle = table.columns[0];
   if (angle.unit.empty()) angle.unit = "deg";
   const std::vector<double> places = in_unit(table, angle, {"deg"}).values;
+  check_one_turn(places);
   const UnitValues lift = in_unit(table, table.columns[1], {unit, "1"});
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), 0);
@@ -62,7 +116,7 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
         "at {:.6g} deg the lift is {} and {}; give one turn of a motion that returns",
         x[i] * kTurnDegrees, with_unit(known, lift.unit), with_unit(lift.values[i], lift.unit)));
   };
-  TurnTable turn{{}, {}, lift.unit};
+  TurnTable turn{{}, {}, lift.unit, table.left_out};
   for (const std::size_t i : order) {
     // The beginning is often there twice, as 0 and as 360 deg.
     if (!turn.x.empty() && x[i] - turn.x.back() < kSamePlace) {
@@ -111,14 +165,21 @@ TableSmoothing read_smoothing(const Entry& program, const std::string& unit, dou
   return {Smoothing::Deviation, deviation / range};
 }
 
-std::string words_of(const std::string& name, std::size_t rows, const TableMotion& motion,
-                     double range, const std::string& unit) {
-  if (motion.greatest == 0) return fmt::format("the lift of {}, through all {} rows", name, rows);
+std::string words_of(const std::string& name, const TurnTable& turn, const TableMotion& motion,
+                     double range) {
+  const std::size_t rows = turn.x.size();
+  const std::string left_out =
+      turn.left_out == 0
+          ? ""
+          : fmt::format(" ({} without a number left out)",
+                        turn.left_out == 1 ? "1 row" : fmt::format("{} rows", turn.left_out));
+  if (motion.greatest == 0)
+    return fmt::format("the lift of {}, through all {} rows{}", name, rows, left_out);
   return fmt::format(
-      "the lift of {}, {} rows, smoothed: it is {} from them (root mean square), at most {}, and "
+      "the lift of {}, {} rows{}, smoothed: it is {} from them (root mean square), at most {}, and "
       "its greatest acceleration is {:.3g} of that of the curve through all rows",
-      name, rows, with_unit(motion.deviation * range, unit),
-      with_unit(motion.greatest * range, unit), motion.acceleration_kept);
+      name, rows, left_out, with_unit(motion.deviation * range, turn.unit),
+      with_unit(motion.greatest * range, turn.unit), motion.acceleration_kept);
 }
 
 }  // namespace
@@ -177,10 +238,16 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   for (const double lift : turn.lift) s.push_back((lift - *lowest) / range);
   const TableSmoothing smoothing = read_smoothing(program, turn.unit, range);
   const Entry* stated_smoothing = find(program, "smoothing");
+  const auto slip = stated_smoothing == nullptr ? slip_of(turn, range) : std::nullopt;
+  if (slip) {
+    refuse(name, fmt::format("the row at {:.6g} deg, {}, is far from where its neighbours lead; "
+                             "correct it, or state the smoothing to keep it",
+                             turn.x[*slip] * kTurnDegrees, with_unit(turn.lift[*slip], turn.unit)));
+  }
   const TableMotion motion = located(stated_smoothing != nullptr ? *stated_smoothing : name,
                                      [&] { return table_motion(turn.x, s, smoothing); });
   problem.laws = {
-      lone_law({"table " + name.text, words_of(name.text, turn.x.size(), motion, range, turn.unit),
+      lone_law({"table " + name.text, words_of(name.text, turn, motion, range),
                 "periodic", "a table"},
                motion.law)};
 }

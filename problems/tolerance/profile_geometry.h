@@ -134,17 +134,24 @@ ProfilePlace<T> ProfileGeometry::place(const std::vector<CurveJet<T>>& jets) con
   return p;
 }
 
-/// What waves of the amplitude 1 m make of the follower's acceleration at worst, whatever their
-/// phase, by omega^2 (PE4); of any error within 1 m without shorter waves (PE8).
+/// What is made of the follower's displacement: inertia * delta'' + spring * delta. The
+/// acceleration is (omega^2, 0), the force (m omega^2, c).
+struct WaveFactors {
+  double inertia, spring = 0;
+};
+
+/// That of waves of the amplitude 1 m at worst, whatever their phase (PE4, PE11); of any error
+/// within 1 m without shorter waves (PE8).
 template <class T>
-struct WaveAcceleration {
+struct WaveSize {
   T either;  ///< away from the cam and towards it
-  T steep;   ///< q k^2, the part that the roller sharpens in the valleys
+  T steep;   ///< inertia * q k^2, the part that the roller sharpens in the valleys
   T number;  ///< k, by radian of the cam angle
 };
 
 template <class T>
-WaveAcceleration<T> wave_acceleration(const ProfilePlace<T>& p, const Waves& waves, bool any) {
+WaveSize<T> wave_size(const ProfilePlace<T>& p, const Waves& waves, bool any,
+                      const WaveFactors& of) {
   using profile::square, std::sqrt;
   T k(waves.in_turn.value_or(0)), dk(0);
   if (!waves.in_turn) {
@@ -152,11 +159,12 @@ WaveAcceleration<T> wave_acceleration(const ProfilePlace<T>& p, const Waves& wav
     k = by_arc * p.arc;
     dk = by_arc * p.arc_slope;
   }
-  const T steep = p.lift.value * square(k);
-  const T across = T(2) * p.lift.slope * k + p.lift.value * dk;
-  const T along = p.lift.bend - steep;
-  if (any) return {absolute(p.lift.bend) + steep + absolute(across), steep, k};
-  return {sqrt(square(along) + square(across)), steep, k};
+  const T inertia(of.inertia);
+  const T steep = inertia * p.lift.value * square(k);
+  const T across = inertia * (T(2) * p.lift.slope * k + p.lift.value * dk);
+  const T smooth = inertia * p.lift.bend + T(of.spring) * p.lift.value;
+  if (any) return {absolute(smooth) + steep + absolute(across), steep, k};
+  return {sqrt(square(smooth - steep) + square(across)), steep, k};
 }
 
 /// chi = A k^2 / K (PE5): 1 where the roller, or the face, does not reach into the valleys.
@@ -165,22 +173,30 @@ T valley_share(const ProfilePlace<T>& p, const T& k, double amplitude) {
   return p.stiffness ? T(amplitude) * profile::square(k) / *p.stiffness : T(0);
 }
 
-/// The follower's acceleration with waves at worst, away from the cam and towards it (PE6), m/s^2
-/// or rad/s^2. Where chi reaches 1 it is infinite or NaN.
+/// By how much it grows at worst, away from the cam, with waves of an amplitude (PE6). Where chi
+/// reaches 1 it is infinite or NaN.
 template <class T>
 T worst_away(const ProfilePlace<T>& p, const Waves& waves, bool any, double amplitude,
-             double speed) {
-  const WaveAcceleration<T> w = wave_acceleration(p, waves, any);
+             const WaveFactors& of) {
+  const WaveSize<T> w = wave_size(p, waves, any, of);
   const T chi = valley_share(p, w.number, amplitude);
   const T left = T(1) - chi;
   const T sharper = w.steep * chi / where_positive(left, left);
-  return p.acceleration + T(speed * speed * amplitude) * (w.either + sharper);
+  return T(amplitude) * (w.either + sharper);
 }
+/// The same towards the cam.
 template <class T>
 T worst_towards(const ProfilePlace<T>& p, const Waves& waves, bool any, double amplitude,
-                double speed) {
-  const WaveAcceleration<T> w = wave_acceleration(p, waves, any);
-  return T(speed * speed * amplitude) * w.either - p.acceleration;
+                const WaveFactors& of) {
+  return T(amplitude) * wave_size(p, waves, any, of).either;
+}
+
+/// Of what waves change the share that the theory leaves out, in size: (A k / |p'|)^2 + A |kappa|.
+template <class T>
+T left_out(const ProfilePlace<T>& p, const Waves& waves, double amplitude) {
+  const T slope =
+      T(amplitude) * (waves.in_turn ? T(*waves.in_turn) / p.arc : T(2) * pi<T>() / T(waves.length));
+  return profile::square(slope) + T(amplitude) * absolute(p.curvature);
 }
 
 /// Where over the cycle a formula of the profile's places is highest.

@@ -14,7 +14,8 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr double kFine = 1e-3;  // of a change: how closely a peak is proved
+constexpr double kFine = 1e-3;         // of a change: how closely a peak is proved
+constexpr double kMostLeftOut = 0.05;  // of a change: beyond it the theory says too little
 
 /// The higher one of two peaks.
 CyclePeak higher(const CyclePeak& a, const CyclePeak& b) {
@@ -33,13 +34,22 @@ AccelerationPeaks peaks_as_drawn(const ProfileGeometry& geometry) {
   return peaks(1e-6 * higher(rough.away, rough.towards).value);
 }
 
+WaveFactors acceleration_of(const ProfileGeometry& geometry) {
+  return {geometry.speed() * geometry.speed()};
+}
+WaveFactors force_of(const ProfileGeometry& geometry) {
+  return {geometry.mass() * geometry.speed() * geometry.speed(), geometry.spring()};
+}
+
 CyclePeak peak_with(const ProfileGeometry& geometry, const Waves& waves, bool any, double amplitude,
                     double accuracy) {
-  const double speed = geometry.speed();
+  const WaveFactors of = acceleration_of(geometry);
   return higher(highest(geometry, accuracy,
-                        [&](const auto& p) { return worst_away(p, waves, any, amplitude, speed); }),
+                        [&](const auto& p) {
+                          return p.acceleration + worst_away(p, waves, any, amplitude, of);
+                        }),
                 highest(geometry, accuracy, [&](const auto& p) {
-                  return worst_towards(p, waves, any, amplitude, speed);
+                  return worst_towards(p, waves, any, amplitude, of) - p.acceleration;
                 }));
 }
 
@@ -47,7 +57,7 @@ CyclePeak peak_with(const ProfileGeometry& geometry, const Waves& waves, bool an
 std::optional<double> bridged_from(const ProfileGeometry& geometry, const Waves& waves) {
   if (geometry.contact() == ProfileContact::Edge) return {};
   const auto chi = [&](const auto& p) {
-    return valley_share(p, wave_acceleration(p, waves, false).number, 1);
+    return valley_share(p, wave_size(p, waves, false, {1}).number, 1);
   };
   const CyclePeak rough = highest(geometry, kInfinite, chi);
   return 1 / highest(geometry, kFine * rough.value, chi).at_most;
@@ -67,27 +77,19 @@ ForcePeaks forces_as_drawn(const ProfileGeometry& geometry, double accuracy) {
 
 ForcePeaks forces_with(const ProfileGeometry& geometry, const Waves& waves, bool any,
                        double amplitude, double accuracy) {
-  const double speed = geometry.speed(), mass = geometry.mass();
-  const double moved = geometry.spring() * amplitude;
-  return {highest(geometry, accuracy,
-                  [&](const auto& p) {
-                    using T = std::decay_t<decltype(p.force)>;
-                    return p.force +
-                           T(mass) *
-                               (worst_away(p, waves, any, amplitude, speed) - p.acceleration) +
-                           T(moved) * p.lift.value;
-                  }),
-          highest(geometry, accuracy, [&](const auto& p) {
-            using T = std::decay_t<decltype(p.force)>;
-            return T(mass) * (worst_towards(p, waves, any, amplitude, speed) + p.acceleration) +
-                   T(moved) * p.lift.value - p.force;
-          })};
+  const WaveFactors of = force_of(geometry);
+  return {
+      highest(geometry, accuracy,
+              [&](const auto& p) { return p.force + worst_away(p, waves, any, amplitude, of); }),
+      highest(geometry, accuracy, [&](const auto& p) {
+        return worst_towards(p, waves, any, amplitude, of) - p.force;
+      })};
 }
 
 /// Of the contact, relative to what it is as drawn: its square, at a phase of the waves (PE7).
 double stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>& p,
                     const Waves& waves, double amplitude, double phase) {
-  const WaveAcceleration<double> w = wave_acceleration(p, waves, false);
+  const WaveSize<double> w = wave_size(p, waves, false, {1});
   const double chi = valley_share(p, w.number, amplitude);
   const double c = std::cos(phase), s = std::sin(phase);
   const double q = p.lift.value, k = w.number;
@@ -180,6 +182,9 @@ WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn
     *result.bridged_from *= 1e6;
     if (result.valley_share >= 1) return result;
   }
+  result.left_out = highest(geometry, kInfinite, [&](const auto& p) {
+                      return left_out(p, *waves, amplitude);
+                    }).value;
   const double rough = peak_with(geometry, *waves, any, amplitude, kInfinite).value;
   const double accuracy = std::max(kFine * (rough - drawn.value), 1e-6 * rough);
   const CyclePeak peak = peak_with(geometry, *waves, any, amplitude, accuracy);
@@ -191,6 +196,9 @@ WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn
                             geometry.mass() * peak.value, peak.at, peak.proved && drawn.proved});
   for (ProfileEffect& effect : force_effects(geometry, *waves, any, amplitude)) {
     result.effects.push_back(std::move(effect));
+  }
+  if (result.left_out > kMostLeftOut) {
+    for (ProfileEffect& effect : result.effects) effect.proved = false;
   }
   if (geometry.stress() != nullptr && !any) {
     result.effects.push_back(stress_effect(geometry, stress_places(geometry), *waves, amplitude));
@@ -219,14 +227,14 @@ class Shop {
       : geometry_(geometry), loss_(loss), acceleration_(acceleration) {
     const double rough = forces_as_drawn(geometry, kInfinite).size().value;
     force_ = forces_as_drawn(geometry, 0.1 * kFine * loss * rough).size();
-    lift_ = highest(geometry, kInfinite, [](const auto& p) { return p.lift.value; }).value;
     if (geometry.stress() != nullptr) stress_ = stress_places(geometry);
     for (const StressPlace& p : stress_) drawn_stress_ = std::max(drawn_stress_, p.as_drawn);
   }
 
   std::vector<ShopLimit> limits(const Waves& waves) const {
     constexpr double kMicro = 1e6;
-    const double most = bridged_from(geometry_, waves).value_or(1);
+    const double small = small_enough(waves);
+    const double most = std::min(bridged_from(geometry_, waves).value_or(1), small);
     const Amplitudes own = proved_amplitudes(waves, false, most);
     const Amplitudes form = proved_amplitudes(waves, true, most);
     std::vector<ShopLimit> result;
@@ -243,10 +251,23 @@ class Shop {
       result.push_back(
           {.of = kStress, .amplitude = kMicro * for_stress(waves, tried, most), .proved = false});
     }
+    for (ShopLimit& limit : result) {
+      limit.by_theory = limit.amplitude >= (1 - 2 * kFine) * kMicro * small;
+    }
     return result;
   }
 
  private:
+  /// Up to which the theory is known to hold, m: s A^2 + c A = kMostLeftOut.
+  double small_enough(const Waves& waves) const {
+    const double both =
+        highest(geometry_, kInfinite, [&](const auto& p) { return left_out(p, waves, 1); }).value;
+    const double bent =
+        highest(geometry_, kInfinite, [](const auto& p) { return absolute(p.curvature); }).value;
+    const double c = bent, s = std::max(both, 1e-300);
+    return 2 * kMostLeftOut / (c + std::sqrt(c * c + 4 * s * kMostLeftOut));
+  }
+
   /// In m.
   struct Amplitudes {
     double for_acceleration, for_force;
@@ -254,13 +275,15 @@ class Shop {
 
   /// At which the peaks are proved not to exceed what is allowed.
   Amplitudes proved_amplitudes(const Waves& waves, bool any, double most) const {
-    // By how much the acceleration grows at most, by the amplitude, as long as chi is small.
-    const auto steep = highest(geometry_, kInfinite, [&](const auto& p) {
-      return wave_acceleration(p, waves, any).either;
-    });
-    const double growth = geometry_.speed() * geometry_.speed() * steep.value;
+    // By how much a peak grows at most, by the amplitude, as long as chi is small.
+    const auto growth_of = [&](const WaveFactors& of) {
+      return highest(geometry_, kInfinite,
+                     [&](const auto& p) { return wave_size(p, waves, any, of).either; })
+          .value;
+    };
+    const double growth = growth_of(acceleration_of(geometry_));
+    const double force_growth = growth_of(force_of(geometry_));
     const double spare = loss_ * acceleration_.value, spare_force = loss_ * force_.value;
-    const double force_growth = geometry_.mass() * growth + geometry_.spring() * lift_;
     return {largest_that_holds(
                 spare / growth, most,
                 [&](double amplitude) {
@@ -285,7 +308,6 @@ class Shop {
   double loss_;
   CyclePeak acceleration_, force_;
   std::vector<StressPlace> stress_;
-  double lift_ = 0;
   double drawn_stress_ = 0;
 };
 

@@ -18,7 +18,8 @@ struct ProfileEffect {
   std::string name, unit;
   double as_drawn = 0, worst = 0;
   std::optional<double> at = {};  ///< deg; none: it has no place
-  /// Nothing is worse, to a thousandth of the change, proved over the cycle by intervals.
+  /// Nothing is worse in the theory's first order, to a thousandth of the change, proved over the
+  /// cycle by intervals; and that order leaves out no more than a twentieth.
   bool proved = false;
 };
 
@@ -29,6 +30,7 @@ struct WaveEffects {
   double displacement = 0;             ///< of the follower, at most, um or millidegrees
   double valley_share = 0;             ///< chi (PE5); 1: the follower no longer reaches the valleys
   std::optional<double> bridged_from{};  ///< the amplitude at which that begins, um
+  double left_out = 0;  ///< of what the waves change the share that the theory leaves out, in size
 };
 
 /// What the shop must hold for the stated loss of one peak, of so many waves.
@@ -39,6 +41,8 @@ struct ShopLimit {
   /// Width of the zone of any error, um, at most; none of the stress, which is that of waves.
   std::optional<double> form = {};
   bool proved = true;
+  /// Up to there the theory is known to hold; the peak may allow more.
+  bool by_theory = false;
 };
 
 struct ProfileAnswer {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -32,11 +34,20 @@ struct Workshop {
   optim::PartsDrawer drawer;
 };
 
-/// Whether two designs are the same machine with the same law, to the last bit.
+/// Whether two designs are the same machine with the same law. A value that a search has left a
+/// rounding away from its bound is read as that bound.
 bool same_design(const ProblemStatement& a, const ProblemStatement& b) {
+  constexpr double kRounding = 2e-12;
+  const auto is_same = [](double x, double y) {
+    return x == y || std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));
+  };
+  const auto are_same = [&](const auto& all, const auto& others) {
+    return std::equal(all.begin(), all.end(), others.begin(), others.end(), is_same);
+  };
   const Member &mine = a.laws.front(), &its = b.laws.front();
-  return a.constants == b.constants && mine.name() == its.name() &&
-         mine.arguments.values() == its.arguments.values();
+  const auto &own = mine.arguments.values(), &other = its.arguments.values();
+  return are_same(a.constants, b.constants) && mine.name() == its.name() &&
+         std::equal(own.begin(), own.end(), other.begin(), other.end(), are_same);
 }
 
 }  // namespace

@@ -11,8 +11,9 @@
 /// Yields sent to processes that are started afresh (problems/fronts/study_worker.h).
 namespace camlaw::problems {
 
-/// A design as its problem's text and settings give it: what can be sent, and recorded. Throws
-/// std::invalid_argument where they give another one.
+/// A design as its problem's text and settings give it: what can be sent, and recorded. All that is
+/// worked out of its parts is of this one. Throws std::invalid_argument where they give another
+/// one, by more than rounding.
 ProblemStatement restated_design(const ProblemStatement& design);
 
 /// How a process is started that counts parts of a design. `tolerances` as asked_variations() takes

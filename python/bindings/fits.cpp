@@ -292,8 +292,12 @@ FoundFit fit_constants(const std::string& constants, const StatedProblem* machin
       [&](const Work& work) { return constants_fitted(constants, machine, law, work); });
 }
 
-/// The law of the largest motion; of a recorded curve the machine's own.
+/// The law of the largest motion; of a recorded curve the machine's own; of printed constants that
+/// which explains them best, with the simplest coefficients.
 std::optional<NamedLaw> law_of(const FoundFit& fit) {
+  if (const auto* printed = std::get_if<std::vector<problems::ConstantsFit>>(&fit.answer)) {
+    return NamedLaw(printed->front().law);
+  }
   if (const auto* samples = fit.samples()) {
     return NamedLaw(problems::read_law_text(cli::samples_law(*samples).dump(), "fitted law"));
   }

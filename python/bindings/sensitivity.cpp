@@ -56,7 +56,7 @@ nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::stri
   const Labour labour{workers_of(workers), carrier};
   return tuple_of(run_whole(
       [&](Work& work) {
-        const problems::ProblemStatement& design = problem.statement;
+        const problems::ProblemStatement design = problems::restated_design(problem.statement);
         const optim::Deadline deadline(time_limit, work.stop());
         const problems::ProfileErrors errors = problems::profile_errors_of(design);
         std::optional<problems::ProfileAnswer> profile;

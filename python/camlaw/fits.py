@@ -77,7 +77,8 @@ class Fit(Answer):
     @property
     def law(self) -> Law | None:
         """The law of the largest motion with its fitted coefficients: a spline if no named law follows
-        the samples; the machine's own law if the table is a recorded curve."""
+        the samples; the machine's own law if the table is a recorded curve; the law that explains printed
+        constants best."""
         found = self._native.law()
         return None if found is None else Law(found)
 

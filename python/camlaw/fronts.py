@@ -14,7 +14,7 @@ from .arguments import path as checked_path
 from .errors import InputError
 from .evaluations import Check
 from .native import native
-from .outputs import written
+from .outputs import rendered
 from .problems import Problem
 from .results import Result
 
@@ -101,7 +101,7 @@ class Front(Answer):
 
     def csv(self, path: str | Path | None = None) -> str:
         """The front as CSV with every digit; written to `path` if that is given."""
-        return written(self._native.csv(), path)
+        return rendered(self._native.csv(), path, self._native.file)
 
     def plot(self) -> Any:
         """Draws a front of two or three objectives with matplotlib; returns the axes."""
@@ -114,11 +114,12 @@ class Front(Answer):
         """The same as a picture in SVG, as 'camlaw front --svg' draws it; written to `path` if given."""
         if not self._native.figure()["panels"]:
             raise InputError("svg draws fronts of two or three objectives")
-        return written(self._native.svg(), path)
+        return rendered(self._native.svg(), path, self._native.file)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser with the front and the curves of its designs; written to `path` if given."""
-        return written(self._native.report(self._native.file or "front"), path)
+        page = self._native.report(self._native.file or "front")
+        return rendered(page, path, self._native.file, page=True)
 
     def __str__(self) -> str:
         return self._native.text()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import namedtuple
 from html import escape
 from pathlib import Path
@@ -15,7 +16,7 @@ from .arguments import flag, numbers, text, whole, word
 from .arguments import path as checked_path
 from .errors import Error, InputError
 from .native import native
-from .outputs import written
+from .outputs import rendered, written
 
 Place = namedtuple("Place", ["value", "at"])
 
@@ -195,7 +196,8 @@ class Law:
 
     def samples(self, count: int = 361) -> Any:
         """A table of x, s, v, a, j at evenly spaced points."""
-        x = np.linspace(0, 1, whole(count, "count", 2, _MOST_SAMPLES))
+        last = whole(count, "count", 2, _MOST_SAMPLES) - 1
+        x = np.arange(last + 1) / last  # as 'camlaw law --samples' has them
         motion = self(x)
         return tables.of_columns(
             {"x": x, "s": motion.s, "v": motion.v, "a": motion.a, "j": motion.j}
@@ -207,7 +209,7 @@ class Law:
 
     def svg(self, path: str | Path | None = None) -> str:
         """The same as a picture in SVG, as 'camlaw law --svg' draws it; written to `path` if given."""
-        return written(self._native.svg(), path)
+        return rendered(self._native.svg(), path)
 
     def save(self, path: str | Path, title: str = "") -> None:
         """Writes the law to a file, which law_file(path) and problem files read."""
@@ -256,6 +258,9 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
     if isinstance(name, Law) and not coefficients:
         return Law(name._native)
     known = name_of(name, "law") if isinstance(name, Law) else word(name, "law")
+    for twice in coefficients:
+        if not isinstance(name, Law) and re.search(rf"(?:^|\s){re.escape(twice)}\s*=", known):
+            raise InputError(f"law: {twice} is given twice, in '{known}' and beside it")
     return Law(native.law(known, units.settings_of(coefficients)))
 
 

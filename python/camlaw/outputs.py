@@ -38,6 +38,35 @@ def written(content: _Content, path: str | Path | None) -> _Content:
     return content
 
 
+#: Endings of files that people write or that took long to make, and what these are.
+_KEPT = {".toml": "problem files", ".db": "studies"}
+
+
+def rendered(
+    content: _Content, path: str | Path | None, read_from: str = "", page: bool = False
+) -> _Content:
+    """Writes a picture, a table, a drawing or a page where a path is given; returns it. Raises InputError
+    where that is the file that the answer was read from, or has the ending of one that is not replaced;
+    a page must be named as one."""
+    if path is not None:
+        named = checked_path(path)
+        ending = Path(named).suffix.lower()
+        if page and ending not in (".html", ".htm"):
+            raise InputError(
+                f"path: {named}: a report is a page for the browser, whose name ends in .html or .htm"
+            )
+        if ending in _KEPT:
+            raise InputError(
+                f"path: {named}: {ending} is the ending of {_KEPT[ending]}; the output needs another name"
+            )
+        if read_from and os.path.exists(read_from) and os.path.exists(named):
+            if os.path.samefile(read_from, named):
+                raise InputError(
+                    f"path: {named} is the file that was read; the output needs another name"
+                )
+    return written(content, path)
+
+
 def _bytes_of(content: str | bytes) -> bytes:
     return content.encode("utf-8") if isinstance(content, str) else content
 
@@ -62,12 +91,12 @@ def _replace(place: Path, content: bytes) -> None:
         beside.unlink(missing_ok=True)
 
 
-def exported(found: tuple[str, list[str]], path: str | Path | None) -> str:
+def exported(found: tuple[str, list[str]], path: str | Path | None, read_from: str = "") -> str:
     """The text of an export, written where a path is given; warns of limits that are not met."""
     text, unmet = found
     for limit in unmet:
         warnings.warn(limit, stacklevel=3)
-    return written(text, path)
+    return rendered(text, path, read_from)
 
 
 #: What is True or False.

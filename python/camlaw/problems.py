@@ -24,7 +24,7 @@ from .evaluations import Check, Evaluation, Range
 from .formulas import Machine
 from .motion_laws import Law, name_of
 from .native import native
-from .outputs import export_options, exported, written
+from .outputs import export_options, exported, rendered, written
 from .searches import Searches
 from .stating import Held, problem_table
 from .toml_text import toml_text
@@ -305,15 +305,16 @@ class Problem(Searches):
         """Every curve over the cycle as a picture in SVG; written to `path` if given. profile: the cam's
         profile, its pitch curve and the cutter-centre path instead."""
         native_svg = self._native.profile_svg if flag(profile, "profile") else self._native.curves_svg
-        return written(native_svg(), path)
+        return rendered(native_svg(), path, self._native.source)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser about the design at the variables' starts; written to `path` if given."""
-        return written(native.report_of_problem(self._native), path)
+        return rendered(native.report_of_problem(self._native), path, self._native.source, page=True)
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam's curves, motion or law as the text of a file; see Result.export."""
-        return exported(native.export_problem(self._native, export_options(path, options)), path)
+        found = native.export_problem(self._native, export_options(path, options))
+        return exported(found, path, self._native.source)
 
     def __eq__(self, other: object) -> bool:
         """Whether the other states the same: text, files, what was set, and the design at its starts."""

@@ -13,7 +13,7 @@ from .arguments import flag, mapping, optional_whole, text, whole
 from .arguments import path as checked_path
 from .kept import Kept
 from .native import native
-from .outputs import written
+from .outputs import rendered
 from .progress import Progress, shown
 
 
@@ -46,7 +46,7 @@ class Reproduction(Answer):
         return tables.of_rows(self.facts.get("values") or [])
 
     def report(self, path: str | Path | None = None) -> str:
-        return written(native.report_of_reproductions([self._native]), path)
+        return rendered(native.report_of_reproductions([self._native]), path, page=True)
 
     def __str__(self) -> str:
         return self._native.text()

@@ -14,7 +14,7 @@ from .arguments import path as checked_path
 from .errors import InputError
 from .motion_laws import Law
 from .native import native
-from .outputs import export_options, exported, written
+from .outputs import export_options, exported, rendered, written
 from .problems import Problem
 
 
@@ -216,7 +216,7 @@ class Result(Answer):
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser, without a network: verdict, limits, curves, the machine in motion. It
         is returned, and written to `path` if given."""
-        return written(self._native.report(), path)
+        return rendered(self._native.report(), path, self._native.file, page=True)
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam for drawing, cutting or control, as the text of a file; written to `path` if given, whose
@@ -230,7 +230,8 @@ class Result(Answer):
         decimals, tool, feed, clearance, depth, width, slave and others; drawing and decimal_comma are True or
         False. Warns of each limit that the design does not meet.
         """
-        return exported(native.export_result(self._native, export_options(path, options)), path)
+        found = native.export_result(self._native, export_options(path, options))
+        return exported(found, path, self._native.file)
 
     def __str__(self) -> str:
         text = self._native.text

@@ -94,6 +94,16 @@ def constraint_tables(constraints: Any) -> list[Any]:
     return [mapping(table, "constraints") for table in sequence(constraints, "constraints", _CONSTRAINTS)]
 
 
+def constants_table(constants: Any) -> dict[str, Any] | None:
+    stated = mapping(constants, "constants", "{'stroke': '30 mm'}")
+    for name, value in stated.items():
+        if value is None:
+            raise InputError(
+                f"constants.{name}: None is not a value; leave the name out for its default"
+            )
+    return stated or None
+
+
 def objective_table(objective: Any, what: str) -> Any:
     """The name of what is to be least, or a table."""
     if objective is None or isinstance(objective, Mapping):
@@ -180,7 +190,7 @@ def problem_table(
         "title": optional_text(title, "title"),
         "mechanism": optional_text(mechanism, "mechanism"),
         "machine": machine.table() if machine is not None else None,
-        "constants": mapping(constants, "constants", "{'stroke': '30 mm'}") or None,
+        "constants": constants_table(constants),
         "responses": stated or None,
         "law": law_table(law, held) if law is not None else None,
         "free": mapping(free, "free") or None,

@@ -14,7 +14,7 @@ from .arguments import path as checked_path
 from .errors import InputError
 from .motion_laws import Law, name_of
 from .native import native
-from .outputs import written
+from .outputs import rendered
 from .problems import Problem
 
 
@@ -104,18 +104,18 @@ class Sweep(Answer):
 
     def csv(self, path: str | Path | None = None) -> str:
         """The table as CSV; written to `path` if given."""
-        return written(self._native.csv(), path)
+        return rendered(self._native.csv(), path)
 
     def parquet(self, path: str | Path | None = None) -> bytes:
         """The table as Parquet; written to `path` if given. Numbers are doubles with their unit in the
         field's metadata, words are strings, and what a combination does not have is null. Raises
         MissingPackage without pyarrow."""
         about = {"title": str(self.facts["title"]), "program": native.version()}
-        return written(parquet.of_rows(self.facts["combinations"], about), path)
+        return rendered(parquet.of_rows(self.facts["combinations"], about), path)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser with a map of which setting is best where; written to `path` if given."""
-        return written(self._native.report("sweep"), path)
+        return rendered(self._native.report("sweep"), path, page=True)
 
     def __str__(self) -> str:
         return self._native.text()

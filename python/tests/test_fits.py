@@ -63,6 +63,8 @@ def test_printed_constants_give_the_law():
     assert same(
         found.facts, program_json("fit", "--constants", "C_v=1.6125, C_a=4.66", "--law", "polynomial-5")
     )
+    assert found.law.C_v == pytest.approx(1.6125, abs=5e-5)
+    assert found.law.C_a == pytest.approx(4.66, abs=5e-3)
 
 
 def test_wrong_tables_are_refused():

@@ -176,3 +176,19 @@ def test_writing_to_a_pipe_goes_through_it(tmp_path):
     (tmp_path / "loop").symlink_to(tmp_path / "loop")
     with pytest.raises(OSError):
         cl.law("cycloidal").save(tmp_path / "loop")
+
+
+def test_a_coefficient_is_given_once():
+    with pytest.raises(cl.InputError, match="alpha is given twice"):
+        cl.law("polynomial-5 alpha=-4", alpha=-3)
+    assert cl.law("polynomial-5", alpha=-3) == cl.law("polynomial-5 alpha=-3")
+
+
+@pytest.mark.parametrize("name", ["poly-3-4-5", "modified-sine", "scca a=0.3 b=0.2 c=0.5"])
+def test_samples_are_the_programs_to_the_last_bit(name):
+    table = program_json("law", name, "--samples", 1001)["samples"]
+    motion = cl.law(name)([row["x"] for row in table])
+    for letter, values in zip("svaj", motion):
+        assert values.tolist() == [row[letter] for row in table]
+    samples = cl.law(name).samples(1001)
+    assert list(np.asarray(samples["x"])) == [row["x"] for row in table]

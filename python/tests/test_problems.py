@@ -382,3 +382,8 @@ def test_pictures_are_those_of_the_program(tmp_path):
     for wrong in (lambda: cl.law("x\n"), lambda: problem.set(stroke="30 mm\n")):
         with pytest.raises(cl.InputError, match="control characters"):
             wrong()
+
+
+def test_none_is_not_a_constant():
+    with pytest.raises(cl.InputError, match="constants.stroke: None is not a value"):
+        cl.Problem(mechanism="disc-cam-roller", constants={"stroke": None}, law="cycloidal")

@@ -182,3 +182,28 @@ def test_a_changed_file_shows_what_its_design_is(tmp_path):
     assert false.facts["best_possible"] is None
     whole = cl.Result.load(tmp_path / "r.json")
     assert whole.certified and whole.review == []
+
+
+def test_an_output_replaces_no_file_of_another_kind(roller, tmp_path):
+    (tmp_path / "mine.toml").write_text(
+        (PROBLEMS / "cams/roller_least_base.toml").read_text()
+    )
+    plain = tmp_path / "plain"
+    plain.write_text((tmp_path / "mine.toml").read_text())
+    roller.save(tmp_path / "result.json")
+    kept = {file: file.read_bytes() for file in tmp_path.iterdir()}
+    problem, named = cl.Problem.load(tmp_path / "mine.toml"), cl.Problem.load(plain)
+    result = cl.Result.load(tmp_path / "result.json")
+    for call, why in (
+        (lambda: problem.export(tmp_path / "mine.toml", format="csv"), "ending of problem files"),
+        (lambda: problem.svg(tmp_path / "mine.toml"), "ending of problem files"),
+        (lambda: cl.law("cycloidal").svg(tmp_path / "mine.toml"), "ending of problem files"),
+        (lambda: problem.report(tmp_path / "mine.toml"), "ends in .html"),
+        (lambda: result.report(tmp_path / "result.json"), "ends in .html"),
+        (lambda: result.export(tmp_path / "study.db", format="csv"), "ending of studies"),
+        (lambda: result.export(tmp_path / "result.json"), "is the file that was read"),
+        (lambda: named.export(plain, format="csv"), "is the file that was read"),
+    ):
+        with pytest.raises(cl.InputError, match=why):
+            call()
+    assert {file: file.read_bytes() for file in tmp_path.iterdir()} == kept

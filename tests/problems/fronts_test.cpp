@@ -184,6 +184,7 @@ TEST_CASE("a study that was made without NSGA-II is read without it", "[fronts]"
   optim::RecordedExecutor recorded(without.space(), record, &direct);
   const optim::Front front = without.run(recorded);
   REQUIRE(front.points.size() > 2);
+  CHECK_THAT(front.remark, Catch::Contains("NSGA-II") && Catch::Contains("is not installed"));
   CHECK(record.scouted() == false);
   CHECK(FrontStudy::settings_of(record).scouts == false);
   CHECK_NOTHROW(study.check_same(record));

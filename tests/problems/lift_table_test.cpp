@@ -211,11 +211,33 @@ TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
                set_value(table, "stroke=44 mm");
              }),
              Contains("stroke: the motion is stated in mm"));
+  // 5 deg apart and called rad, the rows run over 56 turns.
+  std::string radians = table_of(program(), 5, 0, 6);
+  radians.replace(radians.find("deg"), 3, "rad");
+  CHECK_THAT(complaint([&] { with_table(radians); }),
+             Contains("its angles run from 0 to 20340 deg, over 56.5 turns"));
   CHECK_THAT(complaint([] {
                read_problem("mechanism = 'disc-cam-roller'\n[program]\ntable = 'none.csv'\n",
                             "f.toml");
              }),
              Contains("none.csv"));
+}
+
+TEST_CASE("a slip in a table is named, a row without a number counted", "[lift_table]") {
+  const std::string good = table_of(program(), 5, 0, 6);
+  const std::size_t row = good.find("\n100.000;") + 9;
+  const std::size_t length = good.find('\n', row) - row;
+  std::string slipped = good, lacking = good;
+  slipped.replace(row, length, "32.5");
+  lacking.replace(row, length, "");
+  CHECK_THAT(complaint([&] { with_table(slipped); }),
+             Contains("the row at 100 deg, 32.5 mm, is far from where its neighbours lead"));
+  CHECK(complaint([&] { with_table(slipped, "smoothing = 'none'"); }) == "accepted");
+  CHECK_THAT(in_words(with_table(lacking)), Contains("71 rows (1 row without a number left out)"));
+  CHECK_THAT(in_words(with_table(good)), !Contains("left out"));
+  // Neither is noise a slip, nor a rise in as few rows as are taken.
+  CHECK(complaint([&] { with_table(table_of(program(), 5, 0, 6, 0.3)); }) == "accepted");
+  CHECK(complaint([&] { with_table(table_of(program(), 29, 0, 6)); }) == "accepted");
 }
 
 }  // namespace camlaw::problems::lift_table_test

@@ -191,7 +191,7 @@ TEST_CASE("Bounds over a box hold the highest value and close on it") {
     const double value = f(p[0], p[1]);
     return optim::Bounds{value - 1e-14, value + 1e-14};
   };
-  const optim::Bounds bounds = highest_within(box, {30, 100000}, at, over);
+  const optim::Bounds bounds = highest_within(box, {30, 100000}, at, over).value;
   CHECK(bounds.lower <= highest + 1e-4);
   CHECK(bounds.upper >= highest);
   CHECK(bounds.upper - bounds.lower < 1e-6);

@@ -155,4 +155,29 @@ TEST_CASE("where no design of a box can be made the answer is infeasible and say
   CHECK(some.assessment.verdict == Verdict::Certified);
 }
 
+TEST_CASE("a limit that a dwell violates whatever the design is blamed alone, with the place",
+          "[limits]") {
+  // In the dwells the pressure angle is 0, whatever the cam.
+  const auto cam = [](const std::string& lower) {
+    return solved(
+        "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '30 mm'\n"
+        "[[program.segments]]\nname = 'rise'\nangle = '90 deg'\nlaw = 'cycloidal'\n"
+        "[[program.segments]]\nname = 'high'\nangle = '60 deg'\n"
+        "[[program.segments]]\nname = 'return'\nangle = '100 deg'\nlaw = 'modified-sine'\n"
+        "[[program.segments]]\nname = 'low'\n"
+        "[objective]\nminimize = 'base_radius'\n"
+        "[variables.base_radius]\nlower = '10 mm'\nstart = '40 mm'\nupper = '120 mm'\n"
+        "[[constraints]]\nresponse = 'pressure_angle'\nupper = '28 deg'\nlower = '-35 deg'\n"
+        "[[constraints]]\nresponse = 'pressure_angle'\nlower = '" +
+        lower + "'\n");
+  };
+  const optim::Assessment none = cam("30 deg").assessment;
+  CHECK(none.verdict == Verdict::Infeasible);
+  CHECK(none.blamed == std::vector<std::string>{"pressure_angle (2)"});
+  CHECK_THAT(none.reason, Catch::Contains("pressure_angle (2) cannot be met: at ") &&
+                              Catch::Contains("whatever the variables"));
+  CHECK(none.global);
+  CHECK(cam("-30 deg").assessment.verdict == Verdict::Certified);
+}
+
 }  // namespace camlaw::problems::vanishing_limits_test

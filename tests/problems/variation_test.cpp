@@ -458,4 +458,51 @@ TEST_CASE("A part that passes a limit is found in whatever unit its variation is
   }
 }
 
+TEST_CASE("The worst part is found where it lies within, though a corner is a top as well",
+          "[variation]") {
+  // c (1 + sin^2(2.85 b)) is 2 at most, at b = 0.5512 and c = 1; the corner b = -1.5 has 1.82.
+  const std::string text =
+      "[machine]\n[machine.parameters.b]\ndefault = -0.25\nlower = -20\nupper = 20\n"
+      "[machine.parameters.c]\ndefault = 0\nlower = -20\nupper = 20\n"
+      "[machine.parameters.d]\ndefault = 1.9\nlower = -20\nupper = 20\n"
+      "[responses.g]\nformula = 'd - c * (1 + sin(2.85 * b)^2)'\n"
+      "[variation.b]\nplus = 1.25\nminus = 1.25\n[variation.c]\nplus = 1\n"
+      "[variables.d]\nlower = -5\nupper = 5\nstart = 1.9\n[objective]\nminimize = 'd'\n"
+      "[[constraints]]\nresponse = 'g'\nlower = 0\n";
+  const auto worst = worst_parts(varied(text));
+  REQUIRE(worst.size() == 1);
+  CHECK(worst[0].value == Approx(-0.1).epsilon(1e-9));
+  CHECK(worst[0].holds == Holds::Broken);
+  CHECK(std::abs(worst[0].part[0]) == Approx(std::asin(1) / 2.85).epsilon(1e-6));
+  CHECK(worst[0].part[1] == 1);
+  const optim::Assessment found =
+      optim::optimise(BoundProblem(read(text)).space()).found.assessment;
+  CHECK(found.verdict == optim::Verdict::Certified);
+  CHECK(found.objective.value == Approx(2).epsilon(1e-6));
+}
+
+TEST_CASE("What is printed of the worst part lies within what is proved of it", "[variation]") {
+  // Waves too narrow for the search's grid: the proof comes upon them.
+  for (const double waves : {2.0, 3.7, 5.3, 7.1, 9.9, 13.0}) {
+    const std::string text = fmt::format(
+        "[machine]\n[machine.parameters.b]\ndefault = 0.1\nlower = -20\nupper = 20\n"
+        "[machine.parameters.c]\ndefault = 0\nlower = -20\nupper = 20\n"
+        "[responses.g]\nformula = '(1 + c) * sin({} * b)^2 - 0.1 * b'\n"
+        "[variation.b]\nplus = 1.9\nminus = 1.3\n[variation.c]\nplus = 1\nminus = 0.5\n"
+        "[[constraints]]\nresponse = 'g'\nupper = 3\n",
+        waves);
+    double most = -1e9;
+    for (int i = 0; i <= 200000; ++i) {
+      const double b = -1.2 + 3.2 * i / 200000;
+      most = std::max(most, 2 * std::sin(waves * b) * std::sin(waves * b) - 0.1 * b);
+    }
+    INFO(waves);
+    const auto worst = worst_parts(varied(text));
+    REQUIRE(worst.size() == 1);
+    CHECK(worst[0].value == Approx(most).epsilon(1e-6));
+    CHECK(worst[0].holds == Holds::Proved);
+    CHECK(worst[0].slack < 1e-3);
+  }
+}
+
 }  // namespace camlaw::problems::variation_test

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/hopeless.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "optim/cycle/extremes.h"
+
+namespace camlaw::optim {
+namespace {
+
+bool is_constant(const Function& f, const Problem& problem) {
+  return std::all_of(f.inputs().begin(), f.inputs().end(), [&](std::size_t i) {
+    return problem.variables[i].lower == problem.variables[i].upper;
+  });
+}
+
+/// A response at the start; of a curve, where it is highest or lowest. Not a number where something
+/// that varies moves it there.
+double settled_value(const Response& response, bool highest, const Problem& problem) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> start = problem.start();
+  if (!response.is_curve()) {
+    const Function& f = response.function();
+    return is_constant(f, problem) ? f.value(start) : kNone;
+  }
+  const Curve& curve = response.curve();
+  const auto trace = curve.trace(start);
+  if (!is_constant(curve.at({trace->breaks().front()}), problem)) return kNone;
+  const Extreme worst = extreme_of(*trace, highest ? Part::Highest : Part::Lowest);
+  return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
+}
+
+/// The variables' bounds; empty where one is infinite.
+std::vector<Bounds> whole_box(const Problem& problem) {
+  std::vector<Bounds> box;
+  for (const Variable& v : problem.variables) {
+    if (!std::isfinite(v.lower) || !std::isfinite(v.upper)) return {};
+    box.push_back({v.lower, v.upper});
+  }
+  return box;
+}
+
+/// A place at which a curve is the same for every design.
+struct StillPlace {
+  double place;
+  Bounds value;
+};
+
+/// Whether slopes within these bounds change nothing over the box but rounding.
+bool is_still(const std::vector<Bounds>& slopes, const Function& f, const std::vector<Bounds>& box,
+              double tolerance) {
+  constexpr double kRounding = 1e-3;  // of a limit's tolerance
+  double change = 0;
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    const Bounds& range = box[f.inputs()[k]];
+    change += std::max(std::abs(slopes[k].lower), std::abs(slopes[k].upper)) *
+              (range.upper - range.lower);
+  }
+  return change <= kRounding * tolerance;
+}
+
+/// Of the places where its smooth stretches begin those at which the slopes by all variables are
+/// enclosed as zero over the whole box: the pressure angle in a dwell.
+std::vector<StillPlace> still_places(const Response& response, const Problem& problem,
+                                     const std::vector<Bounds>& box, double tolerance) {
+  std::vector<StillPlace> still;
+  if (!response.is_curve() || box.empty()) return still;
+  const Curve& curve = response.curve();
+  for (const double place : curve.trace(problem.start())->breaks()) {
+    const Function f = curve.at({place});
+    const BoxRange range = f.range(box);
+    if (is_still(range.slopes, f, box, tolerance)) still.push_back({place, range.value});
+  }
+  return still;
+}
+
+Hopeless beyond(const Response& response, const StillPlace& still, bool is_upper) {
+  const std::string unit = response.unit == "1" ? "" : " " + response.unit;
+  const double nearest = is_upper ? still.value.lower : still.value.upper;
+  const std::string there = fmt::format("at {:.6g} it is {:.6g}{}", still.place, nearest, unit);
+  return {response.name, there + " whatever the variables",
+          fmt::format("{}: {} for every design", response.name, there)};
+}
+
+/// Whether an answer blames this limit and something else.
+bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
+  return answer.blamed.size() > 1 &&
+         std::count(answer.blamed.begin(), answer.blamed.end(), limit.response.name) > 0;
+}
+
+}  // namespace
+
+std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes) {
+  const std::vector<Bounds> box = whole_box(problem);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const Constraint& c = problem.constraints[i];
+    const double tolerance = sizes.constraints[i].tolerance;
+    const double above = c.upper ? *c.upper + tolerance : kInfinity;
+    const double below = c.lower ? *c.lower - tolerance : -kInfinity;
+    if ((c.upper && settled_value(c.response, true, problem) > above) ||
+        (c.lower && settled_value(c.response, false, problem) < below)) {
+      return Hopeless{c.response.name, "no variable changes it",
+                      fmt::format("{} is the same for every design", c.response.name)};
+    }
+    for (const StillPlace& still : still_places(c.response, problem, box, tolerance)) {
+      if (still.value.lower > above) return beyond(c.response, still, true);
+      if (still.value.upper < below) return beyond(c.response, still, false);
+    }
+  }
+  return {};
+}
+
+void narrow_blame(Problem problem, const SearchAgain& search, Assessment& answer) {
+  for (std::size_t i = 0; i < problem.constraints.size();) {
+    if (!is_one_of_several(problem.constraints[i], answer)) {
+      ++i;
+      continue;
+    }
+    Problem others = problem;
+    others.constraints.erase(others.constraints.begin() + static_cast<std::ptrdiff_t>(i));
+    const Assessment without = search(others);
+    if (without.verdict != Verdict::Infeasible || without.blamed.empty()) {
+      ++i;
+      continue;
+    }
+    answer.blamed = without.blamed;
+    answer.reason = without.reason;
+    if (without.global) answer.global = without.global;
+    problem = std::move(others);
+    i = 0;
+  }
+}
+
+}  // namespace camlaw::optim
