@@ -2,6 +2,7 @@
 #include "optim/search/local.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,22 @@ const Constraint* passed_for_good(const Problem& problem, const Sizes& sizes) {
   return nullptr;
 }
 
+/// "base_radius is fixed at 20 mm by its bounds", of those whose bounds are equal; else that none
+/// changes a limit. An integer is fixed by the search, one value after the other.
+std::string why_settled(const Problem& problem) {
+  constexpr std::size_t kListed = 4;
+  std::vector<std::string> fixed;
+  for (const Variable& v : problem.variables) {
+    if (v.integer || v.lower != v.upper || fixed.size() == kListed) continue;
+    fixed.push_back(fmt::format("{} is fixed at {:.6g}{} by its bounds", v.name, v.lower,
+                                v.unit.empty() || v.unit == "1" ? "" : " " + v.unit));
+  }
+  if (fixed.empty()) return "no variable changes it";
+  return fmt::format(
+      "{}{}", fmt::join(fixed, ", "),
+      fixed.size() < problem.variables.size() ? ", and no other variable changes it" : "");
+}
+
 /// Where a limit is passed for good, there is no need to search.
 void blame(const std::string& limit, const Problem& problem, const Sizes& sizes, Found& found) {
   found.x = problem.start();
@@ -80,7 +97,7 @@ void blame(const std::string& limit, const Problem& problem, const Sizes& sizes,
   found.assessment = assess(problem, sizes, found.x, false);
   found.assessment.verdict = Verdict::Infeasible;
   found.assessment.blamed = {limit};
-  found.assessment.reason = fmt::format("{} cannot be met: no variable changes it", limit);
+  found.assessment.reason = fmt::format("{} cannot be met: {}", limit, why_settled(problem));
   found.assessment.global = fmt::format("{} is the same for every design", limit);
 }
 

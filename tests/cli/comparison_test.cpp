@@ -171,7 +171,9 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   CHECK_THAT(tiles, Contains("Least radius of the profile"));
   CHECK_THAT(tiles, Contains("The design is at its upper limit of 30 deg, the nearer of the "
                              "two; easing it by 1 deg would reduce base radius by 2.95 mm."));
-  CHECK_THAT(tiles, Contains("At 1 the profile is undercut; the design keeps 0.615 from"));
+  CHECK_THAT(
+      tiles,
+      Contains("At 1 the profile is undercut; the design is 0.615 below its upper limit of"));
 }
 
 TEST_CASE("each constant of a law has a sentence on what it decides", "[cli][report]") {

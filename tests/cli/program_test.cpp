@@ -28,7 +28,7 @@ TEST_CASE("bad input ends with status 2 and one line that says what is accepted"
       {{"lwas"}, "lwas", "laws"},
       {{"zigzag"}, "zigzag", "study"},
       {{"--frobnicate"}, "--frobnicate", "--help"},
-      {{}, "subcommand", "--help"},
+      {{}, "a command is required", "'camlaw --help' lists them"},
       {{"laws", "--jsn"}, "--jsn", "--help"},
       {{"laws", "cubic"}, "cubic", "--help"},
       {{"laws", "--jsn", "--mrkdown"}, "laws does not take '--jsn --mrkdown'", "near: --json"},
