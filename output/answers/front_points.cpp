@@ -38,15 +38,17 @@ Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
                           words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
                           words("proved", "proved"), numbers("price", "multiplier")},
               .shown = point.limits.size()};
+  constexpr double kResolved = 1e-3;  // in any unit: a millionth of it is what rounding leaves
   for (const optim::Standing& limit : point.limits) {
     const double price = answer.front.price(point, limit);
-    table.add({limit.name,
-               {fmt::format("{:.4g}", limit.margin), limit.margin},
-               limit.unit,
-               {limit.angle ? place_of(answer, limit) : "", limit.angle},
-               datum(limit.met),
-               yes_or_no(limit.proved),
-               {price != 0 ? in_digits(price, 5) : "", price}});
+    table.add(
+        {limit.name,
+         {significant(limit.margin, std::max(std::abs(limit.margin), kResolved), 4), limit.margin},
+         limit.unit,
+         {limit.angle ? place_of(answer, limit) : "", limit.angle},
+         datum(limit.met),
+         yes_or_no(limit.proved),
+         {price != 0 ? in_digits(price, 5) : "", price}});
   }
   return table;
 }
