@@ -174,6 +174,21 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   CHECK_THAT(
       tiles,
       Contains("At 1 the profile is undercut; the design is 0.615 below its upper limit of"));
+  // Names of people keep their spelling.
+  const std::string values = section_of(page_of(folder / "out/result.json", folder), "values");
+  CHECK_THAT(values, Contains("Young&apos;s modulus</td>") &&
+                         Contains("Poisson&apos;s ratio</td>") && !Contains("youngs"));
+}
+
+TEST_CASE("a curve that is not defined has no place where it is highest", "[cli]") {
+  std::istringstream lines(done({"evaluate", kRoller}));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("end_deviation ") && !line.starts_with("train_force ")) continue;
+    CHECK_THAT(line, Contains(" - ") && !Contains(" deg "));
+    ++count;
+  }
+  CHECK(count == 2);
 }
 
 TEST_CASE("each constant of a law has a sentence on what it decides", "[cli][report]") {
