@@ -19,7 +19,7 @@ namespace takes {
 inline constexpr const char *kFile = "FILE", *kResult = "RESULT", *kFolder = "FOLDER",
                             *kLaw = "LAW", *kMechanism = "MECHANISM", *kSolver = "SOLVER",
                             *kSystem = "SYSTEM", *kNumber = "N", *kSampling = "METHOD N",
-                            *kSetting = "NAME=VALUE", *kNothing = "";
+                            *kSetting = "NAME=VALUE", *kRange = "NAME=LOWER:UPPER", *kNothing = "";
 }
 
 /// An option or a positional argument.

@@ -87,6 +87,9 @@ std::string usage_error(const Program& program, const CLI::App& app, const CLI::
                                              word, program.name)
                                : with_near_commands(program, word);
   }
+  if (commands.empty() && word.empty()) {
+    return fmt::format("a command is required; '{} --help' lists them", program.name);
+  }
   std::string what = error.what();
   constexpr std::string_view kOverride = " was given a disallowed flag override";
   if (what.ends_with(kOverride)) {

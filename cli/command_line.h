@@ -20,7 +20,7 @@ struct Program {
 std::vector<Option> common_options(bool* quiet);
 inline constexpr const char *kVersionOption = "--version",
                             *kVersionHelp =
-                                "Print the versions of the program and of the libraries behind it",
+                                "Print the versions of the program and of the libraries it uses",
                             *kHelpHelp = "Print this help message and exit";
 
 /// Sets what the options of a command line are for. The command that it calls; none where it asked

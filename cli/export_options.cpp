@@ -42,7 +42,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        "and law), "
        "gcode (cutter-centre path), inspection (points and normals to be measured), table (master "
        "and slave for a controller, PLC or servo drive), or the motion as a drive's own file: "
-       "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the ending "
+       "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the "
+       "extension "
        "of --out decides"},
       {"--out", &o.out, takes::kFile, "write to this file instead of standard output"},
       {"--curve", &o.curve, curve_words(),
@@ -97,8 +98,8 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--cycle", &o.cycle, "TIME",
        "duration of a cycle, with --master ms, or its increments, with --master increments"},
       {"--columns", &o.columns, "LETTERS",
-       "table: the columns: s, then any of its derivatives v, a and j by the master, such as "
-       "s,v,a"},
+       "table: the columns: s, then any of its derivatives v, a and j with respect to the master, "
+       "such as s,v,a"},
       {"--separator", &o.separator, "CHARACTER",
        "table: separator of columns: ',', ';', tab or space (',', with --decimal-comma ';')"},
       {"--decimal-comma", &o.decimal_comma, takes::kNothing, "table: write 0,5 instead of 0.5"},

@@ -186,6 +186,10 @@ void check_folder(const std::optional<std::string>& folder) {
     throw std::invalid_argument(
         "--out needs a folder's name; '-' is standard output, which takes one file");
   }
+  std::error_code ignored;
+  if (folder && fs::exists(*folder, ignored) && !fs::is_directory(*folder, ignored)) {
+    throw std::invalid_argument(fmt::format("--out needs a folder; {} is a file", *folder));
+  }
 }
 
 std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {

@@ -292,6 +292,7 @@ int run_fit(const FitCommand& options) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"C_v=1.6125,C_a=4.66\"");
   }
+  check_folder(options.out);
   const auto work = [](const FitCommand& own) {
     own.data ? fit_table(own) : fit_constants(own);
     return int{kDone};
@@ -345,7 +346,7 @@ Command fit_command() {
            {"--loss", &options->loss, "{none,huber,cauchy}",
             "how the weight of outliers is limited: none (not at all), huber or cauchy"},
            workers_option(options->workers),
-           time_limit_option(options->limits),
+           time_limit_option(options->limits, "what is known"),
            json_switch(options->json),
            {"--out", &options->out, takes::kFolder,
             "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "

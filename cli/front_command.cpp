@@ -41,6 +41,9 @@ std::vector<double> parse_weights(const std::string& text) {
   return weights;
 }
 
+/// How a point is chosen that is named by its number, which its own words begin with.
+constexpr const char* kNumbered = "point";
+
 /// In words, and which of the front's.
 using ChosenPoints = std::vector<std::pair<std::string, std::size_t>>;
 
@@ -62,7 +65,7 @@ ChosenPoints chosen(const FrontCommand& options, const FrontAnswer& answer) {
   if (options.point) {
     const auto number = problems::parse_integer(*options.point, 1,
                                                 static_cast<std::int64_t>(all.size()), "--point");
-    result.emplace_back("point", static_cast<std::size_t>(number - 1));
+    result.emplace_back(kNumbered, static_cast<std::size_t>(number - 1));
   }
   return result;
 }
@@ -74,7 +77,7 @@ Document chosen_document(const FrontAnswer& answer, const ChosenPoints& points,
   document.take_facts(json_of(front_document(answer)));
   document.say(record_text(answer.notes));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    chosen.say(points[i].first + ": ");
+    if (points[i].first != kNumbered) chosen.say(points[i].first + ": ");
     chosen.add(points[i].first, std::move(designs[i]));
   }
   document.add("chosen", std::move(chosen));

@@ -15,7 +15,8 @@ namespace camlaw::cli {
 
 Option executor_option(std::optional<std::string>& executor) {
   return {"--executor", &executor, "{processes,mpi}",
-          "what does the work: processes of this machine, or the ranks that mpirun has started"};
+          "where the work is done: in processes of this machine, or in the ranks that mpirun has "
+          "started"};
 }
 
 std::unique_ptr<optim::MpiRanks> ranks_of(const std::optional<std::string>& executor,

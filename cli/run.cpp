@@ -59,7 +59,7 @@ Program camlaw_program() {
            man_command()},
           {{"camlaw laws", "every motion law with its constants"},
            {"camlaw law modified-sine", "one law: its peaks, proved"},
-           {"camlaw new disc-cam-roller", "a problem file of one's own to begin with"},
+           {"camlaw new disc-cam-roller", "a problem file of your own to start from"},
            {"camlaw optimize problems/spine_cutter/least_radius.toml",
             "the best design of a problem file, and a verdict on it"},
            {"camlaw optimize --help", "what a command takes, with examples"}},

@@ -12,9 +12,9 @@
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
-Option time_limit_option(RunLimits& limits) {
+Option time_limit_option(RunLimits& limits, const std::string& answer) {
   return {"--time-limit", &limits.time_limit, "TIME",
-          "such as 30, \"30 s\" or \"1 min\": the best design up to then is the answer"};
+          "such as 30, \"30 s\" or \"1 min\": " + answer + " by then is the answer"};
 }
 
 Option memory_option(RunLimits& limits) {

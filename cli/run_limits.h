@@ -21,7 +21,8 @@ struct NotSolved : std::runtime_error {
 };
 
 /// --time-limit, --memory.
-Option time_limit_option(RunLimits& limits);
+/// `answer`: what there is when the time is over.
+Option time_limit_option(RunLimits& limits, const std::string& answer = "the best design");
 Option memory_option(RunLimits& limits);
 
 /// Seconds of --time-limit; none where it is not given. Throws std::invalid_argument.

@@ -181,7 +181,7 @@ Command sweep_command() {
             "'law=all'; one value is the same in all combinations"},
            {"--sample", &options->sample, takes::kSampling,
             "draw samples from the ranges of --over: 'sobol 64' or 'lhs 64'"},
-           {"--over", &options->over, takes::kSetting,
+           {"--over", &options->over, takes::kRange,
             "a range for --sample: 'base_radius=30:60 mm'"},
            {"--seed", &options->seed, takes::kNumber, "seed of samples by lhs, an integer from 0"},
            {"--evaluate", &options->evaluates, takes::kNothing,

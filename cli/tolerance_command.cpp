@@ -165,13 +165,13 @@ Command tolerance_command() {
            {"--form", &options->profile["form"], "LENGTH",
             "width of the profile's tolerance zone (ISO 1101), such as '0.02 mm'"},
            {"--chord", &options->profile["chord"], "LENGTH",
-            "the profile is cut in chords within this deviation, such as '5 um'"},
+            "the profile is cut as chords deviating by no more than this, such as '5 um'"},
            {"--chord-step", &options->profile["chord_step"], "ANGLE",
-            "the profile is cut in chords of this cam angle, such as '0.5 deg', in place of "
+            "the profile is cut as chords of this cam angle, such as '0.5 deg', in place of "
             "--chord"},
            {"--loss", &options->profile["loss"], "SHARE",
-            "find what the shop must hold if the peaks of acceleration, force and contact stress "
-            "may grow by this share, such as '10 %'"},
+            "find the tolerance the shop must hold if the peaks of acceleration, force and contact "
+            "stress may grow by this share, such as '10 %'"},
            {"--samples", &options->samples, takes::kNumber,
             "number of parts from which the yield is estimated (100000; fewer where a limit must "
             "be "
@@ -183,7 +183,7 @@ Command tolerance_command() {
             "record in this file which parts of the yield have been counted"},
            {"--resume", &options->resume, takes::kNothing,
             "resume the study of --db; damaged parts are counted again"},
-           time_limit_option(options->limits),
+           time_limit_option(options->limits, "what is known"),
            json_switch(options->json)},
       .examples =
           {{"camlaw tolerance problems/cams/tolerances.toml",

@@ -35,7 +35,7 @@ int run_verify(const VerifyOptions& options) {
 Command verify_command() {
   const auto options = std::make_shared<VerifyOptions>();
   return {.name = "verify",
-          .help = "Check what a result claims of its design: verdict, bound, margins",
+          .help = "Check what a result claims about its design: verdict, bound, margins",
           .options = {{.names = "FILE",
                        .target = &options->file,
                        .takes = takes::kFile,

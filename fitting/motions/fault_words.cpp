@@ -58,7 +58,10 @@ std::string words_of(const FaultTest& test, const std::string& unit, bool can_ce
 }  // namespace
 
 std::string told(const FaultyRow& row, const MotionSamples& samples) {
-  const std::string at = quantity(row.place, samples.place_unit, 6);
+  const auto& kept = samples.place;
+  const bool is_repeated = std::find(kept.begin(), kept.end(), row.place) != kept.end();
+  const std::string at =
+      quantity(row.place, samples.place_unit, 6) + (is_repeated ? ", a repeated place" : "");
   const std::string by = quantity(std::abs(row.distance), samples.unit);
   return row.line > 0 ? fmt::format("line {} ({}) by {}", row.line, at, by)
                       : fmt::format("{} by {}", at, by);

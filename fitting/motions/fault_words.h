@@ -7,7 +7,8 @@
 /// Faults of a record in words.
 namespace camlaw::problems {
 
-/// A row as people look for it: "line 57 (30 deg) by 5 mm".
+/// A row as people look for it: "line 57 (30 deg) by 5 mm"; of a place that another sample has too
+/// it says so.
 std::string told(const FaultyRow& row, const MotionSamples& samples);
 
 /// Why a motion is not trusted in which many rows lie off; the farthest first.

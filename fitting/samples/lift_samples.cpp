@@ -114,11 +114,14 @@ Possible<std::vector<double>> misses(std::span<const double> x, std::span<const 
   return sizes;
 }
 
-/// Whether any of the misses is larger than a normal deviation makes likely.
-bool has_suspects(const std::vector<double>& sizes, double least_noise) {
+/// The size of a miss beyond which a normal deviation does not make it likely.
+double suspect_from(const std::vector<double>& sizes, double least_noise) {
   constexpr double kSuspect = 5;
-  const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
-  return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * noise;
+  return kSuspect * std::max(optim::median(sizes) / 0.6745, least_noise);
+}
+
+bool has_suspects(const std::vector<double>& sizes, double least_noise) {
+  return *std::max_element(sizes.begin(), sizes.end()) > suspect_from(sizes, least_noise);
 }
 
 /// What a sample misses a cubic by that goes through the four nearest of those that are not left
@@ -279,12 +282,16 @@ Possible<LiftSamples> lift_samples(std::span<const double> phi, std::span<const 
   LiftSamples kept;
   std::vector<std::pair<std::size_t, double>> outlying;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (off[i] != 0) {
-      for (const std::size_t k : groups[i].samples)
-        outlying.emplace_back(k, s[k] - all.s[i] + off[i]);
-    } else {
-      kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
+    std::vector<double> good;
+    for (const std::size_t k : groups[i].samples) {
+      const double by = off[i] == 0 ? 0 : s[k] - all.s[i] + off[i];
+      if (std::abs(by) <= suspect_from(*sizes, least_noise)) {
+        good.push_back(s[k]);  // of a place that is there twice, perhaps with one slip
+      } else {
+        outlying.emplace_back(k, by);
+      }
     }
+    if (!good.empty()) kept.phi.push_back(all.phi[i]), kept.s.push_back(optim::median(good));
   }
   std::sort(outlying.begin(), outlying.end());
   for (const auto& [sample, by] : outlying) kept.outlying.push_back(sample), kept.off.push_back(by);

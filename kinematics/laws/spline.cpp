@@ -138,8 +138,8 @@ namespace camlaw {
 std::vector<Family> spline_families() {
   using detail::linear;
   const std::vector<double> tenths{0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
-  std::vector<double> rise;  // samples of the 3-4-5
-  for (const double x : tenths) rise.push_back(x * x * x * (10 + x * (-15 + 6 * x)));
+  const std::vector<double> rise{0,       0.00856, 0.05792, 0.16308, 0.31744, 0.5,
+                                 0.68256, 0.83692, 0.94208, 0.99144, 1};  // of the 3-4-5
   const char* de_boor = "de Boor, A Practical Guide to Splines";
   return {
       {"b-spline",

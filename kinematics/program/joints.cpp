@@ -80,10 +80,10 @@ std::optional<Impossible> bad_joint(const StatedProgram& program,
     joint.right = law.derivatives<3>(at, Side::Right);
     if (i == 0) joint.left[0] -= program.advance;
     if (const auto k = jump_of(joint.left, joint.right, joint.rate, program.matched)) {
-      return bad_program(fmt::format(
+      return Impossible{fmt::format(
           "where '{}' meets '{}', at {:.6g} deg, the {} jumps from {:.6g} to {:.6g} {}{}",
           program.segments[before].name, program.segments[i].name, at * kCycle, kWhat[*k],
-          joint.left[*k], joint.right[*k], kUnit[*k], remedies(program, segments, joint, *k)));
+          joint.left[*k], joint.right[*k], kUnit[*k], remedies(program, segments, joint, *k))};
     }
     at += segments[i].share;
   }

@@ -2,6 +2,7 @@
 #include "kinematics/program/program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,25 @@ void check_motion(const ProgramSegment& segment) {
   }
 }
 
-void check_segment(const ProgramSegment& segment, double level, std::set<std::string>& names) {
+/// Why a cycle that returns does not begin where it ends: what each segment does.
+std::string nothing_returns(const StatedProgram& program) {
+  if (program.advance != 0) return "";
+  constexpr std::size_t kListed = 8;
+  std::vector<std::string> parts;
+  for (const ProgramSegment& s : program.segments) {
+    if (parts.size() == kListed) break;
+    parts.push_back(s.rests ? fmt::format("{} has no law and rests at {:g}", s.name, s.to)
+                            : fmt::format("{} goes to {:g}", s.name, s.to));
+  }
+  if (program.segments.size() > kListed) parts.emplace_back("...");
+  return fmt::format(
+      ": the last segment ends at {:g}, and nothing brings the follower back ({}). A segment that "
+      "moves needs a law; a dwell has none",
+      program.segments.back().to, fmt::join(parts, ", "));
+}
+
+void check_segment(const StatedProgram& program, const ProgramSegment& segment, double level,
+                   std::set<std::string>& names) {
   if (!is_name(segment.name)) {
     refuse_program(
         fmt::format("'{}' is not a segment's name; use small letters, digits and _, a letter first",
@@ -92,11 +111,12 @@ void check_segment(const ProgramSegment& segment, double level, std::set<std::st
                                segment.angle));
   }
   if (segment.rests && segment.to != level) {
-    refuse_program(
-        fmt::format("'{}' rests, but would go from {:g} to {:g}", segment.name, level, segment.to));
+    refuse_program(fmt::format("'{}' rests, but would go from {:g} to {:g}{}", segment.name, level,
+                               segment.to, names.size() == 1 ? nothing_returns(program) : ""));
   }
   if (segment.law && !segment.shapes && segment.to == level) {
-    refuse_program(fmt::format("'{}' moves, but begins and ends at {:g}", segment.name, level));
+    refuse_program(fmt::format("'{}' moves, but begins and ends at {:g}{}", segment.name, level,
+                               names.size() == 1 ? nothing_returns(program) : ""));
   }
   check_motion(segment);
 }
@@ -107,7 +127,7 @@ void check_program(const StatedProgram& program) {
   std::set<std::string> names;
   double sum = 0, level = segments.back().to - program.advance;
   for (const ProgramSegment& segment : segments) {
-    check_segment(segment, level, names);
+    check_segment(program, segment, level, names);
     level = segment.to;
     sum += segment.angle;
   }

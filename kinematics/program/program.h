@@ -70,7 +70,7 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// Throws std::invalid_argument: names that are none or not different, angles that are not above 0
 /// or do not add up to 360, points that are not within their segment one after another, what is
 /// stated of a segment that does not join, and where segments do not meet as `matched` asks:
-/// "motion program: where 'rise' meets 'dwell', at 120 deg, the acceleration jumps from -59.2 to 0
+/// "where 'rise' meets 'dwell', at 120 deg, the acceleration jumps from -59.2 to 0
 /// strokes per cycle^2", with what would make them meet; and what makes no polydyne lift.
 /// Parameters at which they do not meet make no law.
 Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance = 0,

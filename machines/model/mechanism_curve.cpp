@@ -100,8 +100,12 @@ PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
     return {law_, parts_->cycle, stretch, law_place(stretch, place, jumps().possible()),
             parts_->uses};
   }
-  return {law_, parts_->cycle, stretch_of(place.joint), piece_of(place.joint),
-          place.from_left ? Side::Left : Side::Right, parts_->uses};
+  return {law_,
+          parts_->cycle,
+          stretch_of(place.joint),
+          piece_of(place.joint),
+          place.from_left ? Side::Left : Side::Right,
+          parts_->uses};
 }
 
 const AffineCurve* MechanismCurve::affine() const {

@@ -118,7 +118,11 @@ void check_unit_ends(const FormulaTree& tree) {
   }
   const FormulaTree& left = *factor;
   const FormulaTree* right = &tree.parts[1];
-  if (right->kind == Kind::Power) right = &right->parts[0];
+  std::string exponent;
+  if (right->kind == Kind::Power) {
+    if (const auto power = constant_of(right->parts[1])) exponent = fmt::format("^{:g}", *power);
+    right = &right->parts[0];
+  }
   if (left.kind != Kind::Number || left.text.empty() || left.is_closed) return;
   if (right->kind != Kind::Name || !right->part.empty()) return;
   try {
@@ -127,9 +131,10 @@ void check_unit_ends(const FormulaTree& tree) {
     return;
   }
   const char sign = tree.kind == Kind::Divide ? '/' : '*';
-  refuse_formula(left.at, fmt::format("'{0:g} {1} {2} {3}' can be read in two ways; write the unit "
-                                      "as {0:g} [{1}{2}{3}], or ({0:g} {1}) {2} {3}",
-                                      left.number, left.text, sign, right->text));
+  refuse_formula(left.at,
+                 fmt::format("'{0:g} {1} {2} {3}{4}' can be read in two ways; write the unit as "
+                             "{0:g} [{1}{2}{3}{4}], or ({0:g} {1}) {2} {3}{4}",
+                             left.number, left.text, sign, right->text, exponent));
 }
 
 WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& base,

@@ -19,6 +19,7 @@
 #include "numerics/tables/cells.h"
 #include "numerics/tables/line_source.h"
 #include "numerics/tables/table_layout.h"
+#include "numerics/text/csv_rows.h"
 #include "numerics/text/file_text.h"
 
 namespace camlaw::problems {
@@ -132,7 +133,7 @@ class Reader {
     const std::size_t count = table_.columns.size();
     if (cells.size() == count + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != count) {
-      refuse_line(number, fmt::format("{} cells, where the header has {}", cells.size(), count));
+      refuse_line(number, wrong_cells(cells.size(), count));
     }
     if ((table_.lines.size() + 1) * count > kMostCells) {
       refuse_line(number,

@@ -59,13 +59,18 @@ std::vector<CsvRow> csv_rows(std::string_view text, const std::vector<std::strin
       continue;
     }
     if (cells.size() != names.size()) {
-      refuse(line, fmt::format("{} cells, where the header has {}", cells.size(), names.size()));
+      refuse(line, wrong_cells(cells.size(), names.size()));
     }
     rows.push_back({line, {}});
     for (const std::size_t place : places) rows.back().cells.push_back(cells[place]);
   }
   if (names.empty()) refuse(1, "the first line must hold names");
   return rows;
+}
+
+std::string wrong_cells(std::size_t count, std::size_t wanted) {
+  return fmt::format("{} {}, where the header has {}", count, count == 1 ? "cell" : "cells",
+                     wanted);
 }
 
 }  // namespace camlaw::problems

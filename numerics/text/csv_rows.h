@@ -20,4 +20,7 @@ struct CsvRow {
 /// "line 3: ...": a column that is missing, a row of another length, a quote that does not end.
 std::vector<CsvRow> csv_rows(std::string_view text, const std::vector<std::string>& columns);
 
+/// "1 cell, where the header has 2".
+std::string wrong_cells(std::size_t count, std::size_t wanted);
+
 }  // namespace camlaw::problems

@@ -24,8 +24,7 @@ bool may_help(const Problem& multi, const ParetoOptions& options) {
 }
 
 bool is_wanted(const Problem& multi, const ParetoOptions& options) {
-  return may_help(multi, options) &&
-         (options.method == ParetoMethod::Nsga2 || is_there(options));
+  return may_help(multi, options) && (options.method == ParetoMethod::Nsga2 || is_there(options));
 }
 
 Task scout_task(std::size_t part, const ParetoOptions& options) {

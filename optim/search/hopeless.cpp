@@ -2,6 +2,7 @@
 #include "optim/search/hopeless.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,22 @@ double settled_value(const Response& response, bool highest, const Problem& prob
   if (!is_constant(curve.at({trace->breaks().front()}), problem)) return kNone;
   const Extreme worst = extreme_of(*trace, highest ? Part::Highest : Part::Lowest);
   return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
+}
+
+/// "base_radius is fixed at 20 mm by its bounds", of those whose bounds are equal; else that none
+/// changes a limit. An integer is fixed by the search, one value after the other.
+std::string why_settled(const Problem& problem) {
+  constexpr std::size_t kListed = 4;
+  std::vector<std::string> fixed;
+  for (const Variable& v : problem.variables) {
+    if (v.integer || v.lower != v.upper || fixed.size() == kListed) continue;
+    fixed.push_back(fmt::format("{} is fixed at {:.6g}{} by its bounds", v.name, v.lower,
+                                v.unit.empty() || v.unit == "1" ? "" : " " + v.unit));
+  }
+  if (fixed.empty()) return "no variable changes it";
+  return fmt::format(
+      "{}{}", fmt::join(fixed, ", "),
+      fixed.size() < problem.variables.size() ? ", and no other variable changes it" : "");
 }
 
 /// The variables' bounds; empty where one is infinite.
@@ -105,7 +122,7 @@ std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& size
     const double below = c.lower ? *c.lower - tolerance : -kInfinity;
     if ((c.upper && settled_value(c.response, true, problem) > above) ||
         (c.lower && settled_value(c.response, false, problem) < below)) {
-      return Hopeless{c.response.name, "no variable changes it",
+      return Hopeless{c.response.name, why_settled(problem),
                       fmt::format("{} is the same for every design", c.response.name)};
     }
     for (const StillPlace& still : still_places(c.response, problem, box, tolerance)) {

@@ -2,6 +2,7 @@
 #include "optim/search/local.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -297,8 +297,8 @@ void take_subdivision(const Problem& problem, const Sizes& about, const Subdivis
   conclude(problem, judged_at(problem, about, x),
            division.boxes == 1
                ? "the ranges of objective and limits over the whole box exclude a better design"
-               : fmt::format("the variables' box was divided, {} parts were examined, and none "
-                             "holds a better design",
+               : fmt::format("the range of the variables was split into {} parts; none contains "
+                             "a better design",
                              division.boxes),
            bounded);
   if (bounded.verdict == Verdict::Certified) a = std::move(bounded);

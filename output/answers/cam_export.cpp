@@ -86,7 +86,7 @@ const FormatRow& format_of(const ExportOptions& options) {
   throw std::invalid_argument(fmt::format(
       "{}; use one of {}",
       options.format ? fmt::format("--format: '{}' is not a format", *options.format)
-      : options.out  ? fmt::format("--format is missing, and the ending of '{}' does not say "
+      : options.out  ? fmt::format("--format is missing, and the extension of '{}' does not say "
                                     "which it is",
                                    *options.out)
                      : "--format is missing",
@@ -366,7 +366,7 @@ std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& 
   const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
                              : o.tool                                ? " beside the profile"
                                                                      : "";
-  return fmt::format("tool radius {:.6g} {}{}; start spindle and coolant before", radius / unit.mm,
+  return fmt::format("tool radius {:.6g} {}{}; start spindle and coolant first", radius / unit.mm,
                      unit.name, beside);
 }
 

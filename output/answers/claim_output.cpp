@@ -42,10 +42,11 @@ void say_review(const std::string& file, const ClaimReview& review) {
 
 void say_first_law(const std::string& file, const problems::ProblemStatement& statement) {
   if (!statement.chooses_law()) return;
-  warn(fmt::format("{}: this is the first of {} laws to choose from, {}; --set takes another, and "
-                   "'camlaw optimize' finds the best",
-                   file, statement.laws.size(),
-                   law_in_words(statement.laws.front(), statement.mechanism->moved_by)));
+  warn(
+      fmt::format("{}: this is the first of {} laws to choose from, {}; --set takes another, and "
+                  "'camlaw optimize' finds the best",
+                  file, statement.laws.size(),
+                  law_in_words(statement.laws.front(), statement.mechanism->moved_by)));
 }
 
 }  // namespace camlaw::cli

@@ -358,11 +358,11 @@ Document comparison_document(const Designs& designs) {
   Document document;
   add_table(
       document, "Answers", answers_table(designs),
-      "Each design was judged again, as in a report of its own. A design that passes a limit, "
+      "Each design was re-checked, as in a report of its own. A design that violates a limit, "
       "or whose record is wrong, is not the best of any objective.");
   add_table(document, "Variables", variables_table(designs), "");
   add_table(document, "Limits", limits_side_by_side(designs),
-            "A margin is what is left up to the design's own bound; the widest is marked.");
+            "The margin is the distance to the design's own bound; the widest is marked.");
   add_table(document, "Can it be built?", checks_table(designs), "");
   add_table(document, "Parameters that differ", constants_table(designs), "");
   add_table(

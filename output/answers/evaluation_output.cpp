@@ -26,10 +26,12 @@ Table response_table(const std::vector<EvaluatedResponse>& responses) {
                           numbers("highest"), numbers("at"), words("unit"), words("meaning")}};
   for (const EvaluatedResponse& r : responses) {
     const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
-    const auto place = [&](double value) { return place_text(value, r.along); };
+    const auto place = [&](double extreme, double at) {
+      return std::isnan(extreme) ? "" : place_text(at, r.along);
+    };
     if (r.is_curve) {
-      table.add({r.name, "", significant(r.lowest, size), place(r.lowest_at),
-                 significant(r.highest, size), place(r.highest_at), r.unit, r.meaning});
+      table.add({r.name, "", significant(r.lowest, size), place(r.lowest, r.lowest_at),
+                 significant(r.highest, size), place(r.highest, r.highest_at), r.unit, r.meaning});
     } else {
       table.add(
           {r.name, significant(r.value, std::abs(r.value)), "", "", "", "", r.unit, r.meaning});

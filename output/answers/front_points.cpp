@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/answers/buildable_output.h"
 #include "output/answers/front_output.h"
 #include "output/answers/front_words.h"
+#include "output/answers/limit_text.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
@@ -19,6 +21,16 @@ using optim::FrontPoint;
 /// More variables than this are not listed in tables.
 constexpr std::size_t kListed = 6;
 
+/// Where a curve is worst, with the unit of its places.
+std::string place_of(const FrontAnswer& answer, const optim::Standing& limit) {
+  const auto& stated = answer.study.bound().statement().constraints;
+  const auto at = std::find_if(stated.begin(), stated.end(), [&](const auto& constraint) {
+    return constraint.response.name == limit.name;
+  });
+  return at == stated.end() ? fmt::format("{:.4g}", *limit.angle)
+                            : place_text(*limit.angle, at->response);
+}
+
 /// The limits of a design, with what easing each by a unit buys of the first objective.
 Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
   Table table{.key = "limits",
@@ -26,15 +38,17 @@ Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
                           words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
                           words("proved", "proved"), numbers("price", "multiplier")},
               .shown = point.limits.size()};
+  constexpr double kResolved = 1e-3;  // in any unit: a millionth of it is what rounding leaves
   for (const optim::Standing& limit : point.limits) {
     const double price = answer.front.price(point, limit);
-    table.add({limit.name,
-               {fmt::format("{:.4g}", limit.margin), limit.margin},
-               limit.unit,
-               {limit.angle ? fmt::format("{:.4g}", *limit.angle) : "", limit.angle},
-               datum(limit.met),
-               yes_or_no(limit.proved),
-               {in_digits(price, 5), price}});
+    table.add(
+        {limit.name,
+         {significant(limit.margin, std::max(std::abs(limit.margin), kResolved), 4), limit.margin},
+         limit.unit,
+         {limit.angle ? place_of(answer, limit) : "", limit.angle},
+         datum(limit.met),
+         yes_or_no(limit.proved),
+         {price != 0 ? in_digits(price, 5) : "", price}});
   }
   return table;
 }

@@ -70,8 +70,8 @@ std::string nearness(const optim::LimitReport& side,
                      const std::optional<optim::LimitReport>& other) {
   if (!other || std::isnan(side.margin) || std::isnan(other->margin)) return "";
   const double tolerance = std::max(side.tolerance, other->tolerance);
-  if (std::abs(side.margin - other->margin) <= tolerance) return "as near";
-  return side.margin < other->margin ? "nearer" : "farther";
+  if (std::abs(side.margin - other->margin) <= tolerance) return "both";
+  return side.margin < other->margin ? "critical" : "other";
 }
 
 SidedLimits both_sides(const problems::ProblemStatement& design,
@@ -140,7 +140,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
 Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
                   const std::string& price_title, const std::vector<std::string>& prices) {
   Table table{.columns = {words("limit"), numbers("value"), numbers("bound"), numbers("margin"),
-                          words("unit"), numbers("at"), words("of its bounds"), words("proved"),
+                          words("unit"), numbers("at"), words("side"), words("proved"),
                           numbers(price_title)}};
   const auto add = [&](std::size_t i, const optim::LimitReport& side,
                        const std::optional<optim::LimitReport>& other, const std::string& price) {

@@ -31,9 +31,9 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
 std::vector<Cell> limit_cells(const optim::LimitReport& report,
                               const problems::ConstraintStatement& stated);
 
-/// Of a limit with two bounds, whether this side is the "nearer" or the "farther" one, or the
-/// design is "as near" to both to within the tolerance; empty for a limit with one, and where a
-/// side is not a number.
+/// Of a limit with two bounds, whether this side is the "critical" one, to which the design is
+/// nearer, or the "other", or it is as near to "both" to within the tolerance; empty for a limit
+/// with one, and where a side is not a number.
 std::string nearness(const optim::LimitReport& side,
                      const std::optional<optim::LimitReport>& other);
 

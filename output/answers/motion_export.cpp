@@ -159,8 +159,9 @@ std::string drive_text(const ExportOptions& o, const problems::DriveFormat& driv
   e.motion = {motion.slave_heading(), path.knots.size(), drive.path, motion.unit, deviation,
               drive.description};
   std::vector<std::string> comments = comments_of(e);
-  comments.push_back(fmt::format("master: {}; slave: {}; derivatives are by the master",
-                                 master.heading, motion.slave_heading()));
+  comments.push_back(
+      fmt::format("master: {}; slave: {}; derivatives are with respect to the master",
+                  master.heading, motion.slave_heading()));
   return drive.text(path, comments);
 }
 

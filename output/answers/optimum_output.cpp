@@ -136,7 +136,8 @@ std::string how(const Answer& answer) {
             ? fmt::format("\nnone of {} starts led to a design within the limits", found.starts)
             : fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
   }
-  if (answer.optimum.combinations > 1) {
+  // Where all are settled, the verdict has these numbers.
+  if (answer.optimum.combinations > 1 && !found.assessment.global) {
     text += fmt::format("\n{} combinations, {} problems solved", answer.optimum.combinations,
                         answer.optimum.solved);
   }
@@ -287,11 +288,11 @@ void add_conditions(const Answer& answer, Document& document) {
     const std::string condition =
         std::isnan(a.condition) ? ""
         : std::isinf(a.condition)
-            ? "; condition of the active limits infinite: their multipliers are not unique"
-            : fmt::format("; condition of the active limits {:.2g}", a.condition);
+            ? "; condition number of the active limits infinite: their multipliers are not unique"
+            : fmt::format("; condition number of the active limits {:.2g}", a.condition);
     document.say(
-        fmt::format("\nconditions of {} to {:.1e}{}\n",
-                    a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality",
+        fmt::format("\n{} conditions met to {:.1e}{}\n",
+                    a.verdict == optim::Verdict::Infeasible ? "least-violation" : "optimality",
                     a.kkt_residual, condition));
   }
   document.fact("active", a.active);

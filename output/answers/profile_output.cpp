@@ -80,7 +80,7 @@ void add_waviness(const ProfileAnswer& answer, Document& document) {
       "\nwaviness: an amplitude of {} um, {}, at the phase that is worst at each angle\n",
       short_digits(waves.amplitude), length_of(answer.errors)));
   if (!waves.effects.empty()) document.add(effects_table("waviness", waves.effects));
-  document.say(fmt::format("  the follower is off by {} {} at most\n",
+  document.say(fmt::format("  the follower deviates by {} {} at most\n",
                            short_digits(waves.displacement), answer.displacement_unit));
   say_lost(waves, document);
   say_bridging(waves, document);
@@ -93,10 +93,10 @@ void add_waviness(const ProfileAnswer& answer, Document& document) {
 
 void add_form(const ProfileAnswer& answer, Document& document) {
   const WaveEffects& form = *answer.form;
-  document.say(
-      fmt::format("\nprofile tolerance: a zone {} mm wide; the follower is off by {} {} at most\n",
-                  short_digits(*answer.errors.form), short_digits(form.displacement),
-                  answer.displacement_unit));
+  document.say(fmt::format(
+      "\nprofile tolerance: a zone {} mm wide; the follower deviates by {} {} at most\n",
+      short_digits(*answer.errors.form), short_digits(form.displacement),
+      answer.displacement_unit));
   document.fact("form_displacement", form.displacement);
   document.fact("form_bounds_acceleration", !form.effects.empty());
   if (!answer.errors.has_length()) {
@@ -134,8 +134,8 @@ void add_chords(const ProfileAnswer& answer, Document& document) {
 
 void add_shop(const ProfileAnswer& answer, Document& document) {
   document.say(fmt::format(
-      "\nwhat the shop must hold, so that no peak grows by more than {:.4g} % (the acceleration is "
-      "{} {} as drawn)\n",
+      "\nthe tolerance the shop must hold so that no peak grows by more than {:.4g} % (the "
+      "acceleration is {} {} as drawn)\n",
       100 * *answer.errors.loss, short_digits(answer.acceleration), answer.acceleration_unit));
   const bool by_length = answer.errors.wavelength.has_value();
   Table table{

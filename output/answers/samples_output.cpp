@@ -95,7 +95,7 @@ void add_ranking(const MotionFit& fit, Document& document) {
   const std::string& unit = fit.motion.samples.unit;
   Table table{.key = "ranking",
               .columns = {numbers("#"), words("law", "law"), data("same_motion"), data("criterion"),
-                          numbers("belief", "belief"),
+                          numbers("probability", "belief"),
                           numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
                           numbers("largest", "max_residual")},
               .shown = fit.ranking.size() > 1 ? kRankedLaws : 0};
@@ -155,8 +155,8 @@ void add_residuals(const MotionFit& fit, const RecordedPlaces& places, Document&
       with_unit(number(found.rms), unit), with_unit(number(largest), unit),
       with_unit(number(largest_at), place_unit), with_unit(number(fit.prediction_error), unit)));
   document.say(
-      fmt::format("sigma {} with {} degrees of freedom; neighbours' correlation {:.2f}; "
-                  "condition {:.2g}, {}\n",
+      fmt::format("sigma {} with {} degrees of freedom; lag-1 correlation {:.2f}; "
+                  "condition number {:.2g}, {}\n",
                   with_unit(number(found.sigma), unit), found.degrees_of_freedom,
                   fit.left.correlation, found.condition,
                   found.free_directions.empty() ? "all numbers are determined"

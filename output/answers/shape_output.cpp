@@ -88,7 +88,8 @@ std::string reason_text(const problems::KnownShape& shape) {
   };
   put("rules", "by the rules of formulas");
   put("enclosure", "by bounds of its slopes");
-  put(", possible machines by", "; which machines are possible is known by");
+  // That the formula holds for every machine of the box, too, is for programs.
+  text = text.substr(0, text.find(", possible machines by"));
   while (text.find("theory.md (") != std::string::npos) {
     put("theory.md (", "proof ");
     put(")", "");
@@ -103,7 +104,7 @@ std::string meaning_of(const std::string& word) {
   if (word == "concave") return "curves downwards, so that it has one hill";
   if (word == "quasiconvex") return "has one valley";
   if (word == "quasiconcave") return "has one hill";
-  if (word == "quasilinear") return "rises or falls all the way";
+  if (word == "quasilinear") return "is monotonic";
   return "";
 }
 
@@ -130,7 +131,7 @@ std::string shape_legend(const Table& shapes) {
 Table shape_table(const ProblemStatement& statement) {
   Table table{.key = "shapes",
               .columns = {words("response", "response"), words("depends on", "depends_on"),
-                          words("in all together", "shape"), words("why", "known_by")},
+                          words("jointly", "shape"), words("why", "known_by")},
               .caption = "\n"};
   std::vector<ResponseName> names;
   for (const auto& objective : statement.objectives) names.push_back(objective.response);

@@ -63,19 +63,51 @@ Cell margin_cell(const SweepRow& row, const std::string& name) {
   return {};
 }
 
-/// The limit that is nearest to being passed, where the design is looked at and not searched for.
-std::string passed(const SweepRow& row) {
+/// The limits that are not met, where the design is looked at and not searched for.
+std::string violated(const SweepRow& row) {
   std::vector<std::string> names;
   for (const auto& limit : row.limits) {
     if (!limit.met) names.push_back(limit.name);
   }
-  return names.empty() ? "" : fmt::format("passes {}", fmt::join(names, ", "));
+  return names.empty() ? "" : fmt::format("violates {}", fmt::join(names, ", "));
 }
 
-std::string held_text(const SweepRow& row) {
-  if (row.state == SweepState::Passes) return passed(row);
+/// Sentences that are too long for a table's cell stand below it once.
+constexpr std::size_t kLongestReason = 48;
+
+bool has_long_reason(const SweepRow& row) {
+  return row.state != SweepState::Passes && row.state != SweepState::Design &&
+         row.reason.size() > kLongestReason;
+}
+
+/// Each long reason of the rows that people read, once.
+std::vector<std::string> long_reasons(const SweepAnswer& answer) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < std::min(kShown, answer.rows.size()); ++i) {
+    const SweepRow& row = answer.rows[i];
+    if (!has_long_reason(row) || std::count(all.begin(), all.end(), row.reason) > 0) continue;
+    all.push_back(row.reason);
+  }
+  return all;
+}
+
+/// "(a)", "(b)", ..., "(aa)".
+std::string mark_of(std::size_t reason) {
+  constexpr std::size_t kLetters = 26;
+  std::string letters;
+  for (std::size_t left = reason + 1; left > 0; left = (left - 1) / kLetters) {
+    letters.insert(letters.begin(), static_cast<char>('a' + (left - 1) % kLetters));
+  }
+  return "(" + letters + ")";
+}
+
+std::string held_text(const SweepRow& row, const std::vector<std::string>& reasons) {
+  if (row.state == SweepState::Passes) return violated(row);
   if (row.state == SweepState::Design) return fmt::format("{}", fmt::join(row.active, ", "));
-  return row.reason;
+  const auto below = std::find(reasons.begin(), reasons.end(), row.reason);
+  return below == reasons.end()
+             ? row.reason
+             : "see " + mark_of(static_cast<std::size_t>(below - reasons.begin()));
 }
 
 /// For each value of a name that has words: what is best with it.
@@ -189,6 +221,7 @@ Table combinations_table(const SweepAnswer& answer) {
   for (const auto* more : {&variables, &margins}) {
     for (const std::string& name : *more) table.columns.push_back(data(name));
   }
+  const std::vector<std::string> reasons = long_reasons(answer);
   for (const SweepRow& row : answer.rows) {
     std::vector<Cell> cells;
     for (std::size_t k = 0; k < swept.size(); ++k) {
@@ -202,7 +235,7 @@ Table combinations_table(const SweepAnswer& answer) {
                           : Cell(in_digits(row.objectives[i]), row.objectives[i]));
     }
     cells.insert(cells.end(),
-                 {Cell(row.verdict), datum(row.is_global), Cell(held_text(row)),
+                 {Cell(row.verdict), datum(row.is_global), Cell(held_text(row, reasons)),
                   datum(fmt::format("{}", fmt::join(row.active, "; "))), datum(row.reason),
                   datum(std::string(row.state == SweepState::NotDone ? ""
                                     : row.is_warm                    ? "neighbour"
@@ -249,6 +282,10 @@ Document sweep_document(const SweepAnswer& answer) {
   for (const std::string& note : answer.notes) document.say(note + "\n");
   document.say("\n");
   document.add(combinations_table(answer));
+  const std::vector<std::string> reasons = long_reasons(answer);
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    document.say(fmt::format("{} {}\n", mark_of(i), reasons[i]));
+  }
   if (answer.rows.size() > kShown) {
     document.say(fmt::format("the first {} of {} combinations; --out writes all of them\n", kShown,
                              answer.rows.size()));

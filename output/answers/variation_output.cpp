@@ -21,6 +21,11 @@ using problems::ToleranceAnswer, problems::VariedDesign, problems::WorstPart;
 
 std::string digits(double value) { return in_digits(value, 6); }
 
+/// What a value and its margin are rounded by: a bound of zero leaves the tolerance to tell.
+double size_of(double value, double bound, double tolerance) {
+  return std::max({std::abs(value), std::abs(bound), 1e3 * tolerance});
+}
+
 /// The names of limits by their numbers.
 std::string limit_names(const VariedDesign& varied, const std::vector<std::size_t>& limits) {
   std::vector<std::string> parts;
@@ -71,8 +76,8 @@ Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
                   data("at_angle"), data("slopes")}};
   for (const auto& v : varied.problem.variables) {
-    table.columns.push_back(numbers("slope by " + v.name));
-    table.columns.push_back(words("unit of it"));
+    table.columns.push_back(numbers("slope w.r.t. " + v.name));
+    table.columns.push_back(words("unit"));
   }
   for (std::size_t i = 0; i < answer.limits.size(); ++i) {
     const optim::LimitReport& r = answer.limits[i].report;
@@ -85,7 +90,7 @@ Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
         r.name,
         {significant(r.value, std::max(std::abs(r.value), std::abs(r.bound))), r.value},
         {(r.is_upper ? "<= " : ">= ") + digits(r.bound), r.bound},
-        {significant(r.margin, std::max(std::abs(r.bound), std::abs(r.margin))), r.margin},
+        {significant(r.margin, size_of(r.value, r.bound, r.tolerance)), r.margin},
         r.unit,
         r.worst_angle ? place_text(*r.worst_angle, stated.response) : "",
         datum(r.worst_angle),
@@ -132,7 +137,7 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
       if (!std::isnan(w.part[k])) part[varied.problem.variables[k].name] = w.part[k];
     }
     const bool has_factor = i < answer.factors.size();
-    const double size = std::max(std::abs(w.value), std::abs(w.bound));
+    const double size = size_of(w.value, w.bound, w.tolerance);
     table.add({w.name,
                {significant(w.value, size), w.value},
                {(w.is_upper ? "<= " : ">= ") + digits(w.bound), w.bound},

@@ -81,10 +81,9 @@ std::string lead(const ReportedDesign& reported, const DesignReview& review) {
                      reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
-    return html +
-           paragraph(fmt::format(
-               "The search said: {}. For this report the design was judged again{}.",
-               said_of(reported.read), chosen ? ", what was chosen among options held" : ""));
+    return html + paragraph(fmt::format(
+                      "The search said: {}. For this report the design was re-checked{}.",
+                      said_of(reported.read), chosen ? " with the chosen options kept fixed" : ""));
   }
   html += paragraph(fmt::format(
       "These are the file's own values, not the result of a search. {}",

@@ -102,11 +102,12 @@ std::string overlaid_profiles(const std::vector<ComparedDesign>& designs) {
   }
   std::string html;
   if (!discs.empty()) {
-    html += picture(discs, fmt::format("Profiles of {}, to one scale, about the shaft's centre",
-                                       letters_in(discs, designs)));
+    html +=
+        picture(discs, fmt::format("Profiles of {}, to the same scale, about the shaft's centre",
+                                   letters_in(discs, designs)));
   }
   if (!developed.empty()) {
-    html += picture(developed, fmt::format("Profiles of {}, developed, to one scale",
+    html += picture(developed, fmt::format("Profiles of {}, developed, to the same scale",
                                            letters_in(developed, designs)));
   }
   return html.empty() ? "" : html + without;

@@ -40,8 +40,8 @@ constexpr std::size_t kSideColumn = 7;
 
 Table limit_table(bool priced) {
   Table table{.columns = {names("limit"), words(""), numbers("value"), numbers("bound"),
-                          numbers("margin"), words("unit"), numbers("worst at"),
-                          words("of its bounds"), words(""), words("proved")}};
+                          numbers("margin"), words("unit"), numbers("worst at"), words("side"),
+                          words(""), words("proved")}};
   if (priced) table.columns.push_back(numbers("price"));
   return table;
 }
@@ -175,8 +175,8 @@ ReportSection limits_section(const ProblemStatement& design,
       "included.";
   if (has_two) {
     notes +=
-        " Side: of a limit with a lower and an upper bound, which of the two the design is nearer "
-        "to.";
+        " Side: of a limit with a lower and an upper bound, the critical side is the one to which "
+        "the design is nearer.";
   }
   if (!blamed.empty())
     notes += " Blamed: the search found that these limits cannot be met, alone or together.";

@@ -72,11 +72,11 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
   const std::vector<double> tolerances = usual_tolerances(variables, x);
   const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
   std::string html =
-      paragraph(fmt::format("How the design changes when {} off, up or down: a length by up to "
+      paragraph(fmt::format("How the design changes when {} either way: a length by up to "
                             "0.02 mm, an angle by up to "
                             "0.1 deg, anything else by up to a hundredth of its value.",
-                            variables.size() == 1 ? plain_name(variables.front().name) + " is"
-                                                  : "each continuous variable is"));
+                            variables.size() == 1 ? plain_name(variables.front().name) + " deviates"
+                                                  : "each continuous variable deviates"));
   if (variables.size() <= kListed) html += change_table(variables, tolerances, report);
   html += spread_table(report);
   std::string notes = fmt::format(

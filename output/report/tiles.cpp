@@ -67,17 +67,24 @@ std::string limit_clause(const LimitReport& limit, const std::string& near,
       limit.is_equation
           ? "the value of " + bound + " that it must have"
           : fmt::format("{} limit of {}", limit.is_upper ? "its upper" : "its lower", bound);
-  const std::string side = near == "nearer"    ? ", the nearer of the two"
-                           : near == "as near" ? ", and is as near to the other one"
-                                               : "";
+  const std::string side = near == "critical" ? ", the nearer of the two"
+                           : near == "both"   ? ", and is as near to the other one"
+                                              : "";
   const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
   const auto distance = [&](double margin) {
     return with_unit(significant(margin, size, 3), limit.unit);
   };
-  if (!limit.met) return fmt::format("the design passes {} by {}", which, distance(-limit.margin));
+  if (!limit.met) {
+    return fmt::format("the design {} {} by {}", limit.is_equation ? "misses" : "violates", which,
+                       distance(-limit.margin));
+  }
   if (limit.margin <= limit.tolerance)
     return fmt::format("the design is at {}{}{}", which, side, gain(limit, design, priced));
-  return fmt::format("the design keeps {} from {}{}", distance(limit.margin), which, side);
+  return fmt::format("the design is {} {} {}{}", distance(limit.margin),
+                     limit.is_equation ? "from"
+                     : limit.is_upper  ? "below"
+                                       : "above",
+                     which, side);
 }
 
 Tile limit_tile(const LimitReport& limit, const std::string& near,
@@ -101,7 +108,7 @@ std::string objective_tile(const ProblemStatement& design, const DesignReview& r
   const bool least = stated.sense == optim::Sense::Minimize;
   const ToldResponse told_of = told(stated.response, *design.mechanism);
   const std::string clause =
-      review.is_optimal() ? fmt::format("no design near has {} without passing a limit",
+      review.is_optimal() ? fmt::format("no nearby design has {} without exceeding a limit",
                                         least ? "a smaller value" : "a larger one")
                           : fmt::format("the problem asks for it to be as {} as the limits allow",
                                         least ? "small" : "large");

@@ -108,22 +108,29 @@ std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
   return result;
 }
 
-/// "no speed stated", "no speed and no spring_rate, spring_preload or load stated"; empty where
-/// nothing is missing.
+/// "mass is not stated", "neither speed nor mass is stated", "none of speed, mass and spring_rate
+/// is stated".
+std::string not_stated(const std::vector<std::string>& names) {
+  if (names.size() == 1) return names[0] + " is not stated";
+  if (names.size() == 2) return fmt::format("neither {} nor {} is stated", names[0], names[1]);
+  return fmt::format("none of {} is stated", listed(names));
+}
+
+/// What a check needs and the problem does not state; empty where nothing is missing.
 std::string missing(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto is_stated = [&](const auto& name) {
     return stated_number(check, problem, problem.constants, name).has_value();
   };
-  std::vector<std::string> parts;
+  std::vector<std::string> names, parts;
   for (const std::string& name : check.needs) {
-    if (!is_stated(name)) parts.push_back("no " + name);
+    if (!is_stated(name)) names.push_back(name);
   }
   const auto& some = check.one_of;
-  if (!some.empty() && std::none_of(some.begin(), some.end(), is_stated)) {
-    parts.push_back(
-        fmt::format("no {} or {}", fmt::join(some.begin(), some.end() - 1, ", "), some.back()));
-  }
-  if (!parts.empty()) return listed(parts) + " stated";
+  const bool has_none = !some.empty() && std::none_of(some.begin(), some.end(), is_stated);
+  if (has_none && some.size() == 1) names.push_back(some.front());
+  if (!names.empty()) parts.push_back(not_stated(names));
+  if (has_none && some.size() > 1) parts.push_back(not_stated(some));
+  if (!parts.empty()) return listed(parts);
   for (const ParameterRange& range : problem.ranges) {
     if (bound_moves(check, problem, range)) {
       return fmt::format("its bound changes over the range of {}",

@@ -8,6 +8,7 @@
 
 #include "numerics/tables/cells.h"
 #include "numerics/tables/line_source.h"
+#include "numerics/text/csv_rows.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/parameters.h"
@@ -134,8 +135,7 @@ class CatalogueReader {
   void read_row(std::size_t line, const std::string& text) {
     const auto cells = cells_of(text, between_);
     if (cells.size() != columns_.size()) {
-      refuse_line(part_.catalogue, line,
-                  fmt::format("{} cells, where the header has {}", cells.size(), columns_.size()));
+      refuse_line(part_.catalogue, line, wrong_cells(cells.size(), columns_.size()));
     }
     PartItem item;
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -104,7 +104,10 @@ std::optional<NamedParameter> find_in_machine(const Mechanism& mechanism, const 
 /// Where else there is a parameter of that name.
 std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
   if (name.owner == Owner::Machine) {
-    return find_in_laws(problem, name.bare) ? "; it is a parameter of the law, under [law]" : "";
+    if (!find_in_laws(problem, name.bare)) return "";
+    return problem.mechanism->moved_by == MovedBy::Program
+               ? "; it is a parameter of the program, and only the machine's are accepted here"
+               : "; it is a parameter of the law, under [law]";
   }
   if (find_in_machine(*problem.mechanism, name.bare)) {
     return "; it is a parameter of the machine, under [constants]";

@@ -116,7 +116,8 @@ std::string head_part(const Mechanism& mechanism) {
              "#   camlaw optimize my.toml     the best design within the limits\n"
              "# A number with a unit is written in quotes, in any unit of its kind: \"20 mm\", \"2 "
              "cm\".\n"
-             "# A line with '#' and no blank behind it is optional: remove the '#' to use it.\n\n"
+             "# A line starting with '#' and no space is an optional setting: remove the '#' to "
+             "use it.\n\n"
              "title = \"My first {0}\"\nmechanism = \"{0}\"\n",
              mechanism.name);
 }
@@ -135,9 +136,8 @@ std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual
   const char* const ranges = turns ? "# A limit can hold over a whole range of speeds: "
                                      "[ranges.speed] with lower and upper.\n"
                                    : "";
-  std::string text =
-      "\n# The numbers of the machine that stay as they are; what is left out has its default.\n" +
-      std::string(ranges) + "[constants]\n" + fixed;
+  std::string text = "\n# Fixed parameters; any left out take their default values.\n" +
+                     std::string(ranges) + "[constants]\n" + fixed;
   if (!optional.empty()) {
     text += "\n# These have the values shown unless they are stated.\n" + optional;
   }

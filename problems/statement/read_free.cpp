@@ -209,7 +209,9 @@ void read_free_variables(const Entry& file, ProblemStatement& problem, const Fix
   if (prefixes.empty()) {
     const Entry* table = find(file, kFree);
     if (table == nullptr) return;
-    refuse(*table, "no law of the problem is free; write [law] name = \"free\"");
+    refuse(*table, problem.mechanism->moved_by == MovedBy::Program
+                       ? "no segment's law is free; write law = \"free\" in a segment"
+                       : "no law of the problem is free; write [law] name = \"free\"");
   }
   const Entry table = free_table(file);
   const bool symmetric = truth_of(table, "symmetric");

@@ -249,9 +249,11 @@ class Adding {
   void add(std::size_t i) {
     if (is_added_[i]) return;
     const Entry& formula = *find(*all_[i].table, "formula");
-    if (std::find(path_.begin(), path_.end(), names_[i]) != path_.end()) {
+    const auto before = std::find(path_.begin(), path_.end(), names_[i]);
+    if (before != path_.end()) {
+      if (before + 1 == path_.end()) refuse(formula, names_[i] + " refers to itself");
       refuse(formula, fmt::format("the formulas refer to one another in a circle: {}, {}",
-                                  fmt::join(path_, ", "), names_[i]));
+                                  fmt::join(before, path_.end(), ", "), names_[i]));
     }
     path_.push_back(names_[i]);
     for (const std::string& held : names_held(all_[i].response.formula, names_)) {

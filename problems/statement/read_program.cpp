@@ -269,6 +269,19 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
   return all;
 }
 
+/// Whether a program can be made of any of the combinations.
+template <class Make>
+bool is_any_possible(const std::vector<std::vector<ProgramSegment>>& all, const Make& make) {
+  return std::any_of(all.begin(), all.end(), [&](const auto& segments) {
+    try {
+      make(segments);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  });
+}
+
 }  // namespace
 
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem) {
@@ -308,9 +321,23 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   fill_last_angle(*list, stated);
   check_count(*list, stated);
   problem.laws.clear();
-  for (auto& segments : combinations(stated)) {
-    problem.laws.push_back(
-        located(*list, [&] { return motion_program(segments, matched, advance, polydyne); }));
+  const auto all = combinations(stated);
+  const auto program_of = [&](const std::vector<ProgramSegment>& segments) {
+    return motion_program(segments, matched, advance, polydyne);
+  };
+  for (const auto& segments : all) {
+    problem.laws.push_back(located(*list, [&] {
+      try {
+        return program_of(segments);
+      } catch (const std::invalid_argument& error) {
+        if (!is_any_possible(all, program_of)) throw;
+        throw std::invalid_argument(fmt::format(
+            "{}; it is one of {} programs that the segments' laws make: name only laws that fit, "
+            "or write law = \"ends R-R, continuity >= 2\" to choose among those that rest at both "
+            "ends",
+            error.what(), all.size()));
+      }
+    }));
   }
 }
 

@@ -66,10 +66,10 @@ void check_part(const Entry& entry, const ResponseName& name, Sense sense) {
                        curve));
   }
   if (is_peak(name) && sense == Sense::Maximize) {
-    refuse(entry, "the highest value of a curve can be minimized, not maximized");
+    refuse(entry, "the highest value of a curve can be minimised, not maximised");
   }
   if (name.part == Part::Lowest && sense == Sense::Minimize) {
-    refuse(entry, "the lowest value of a curve can be maximized, not minimized");
+    refuse(entry, "the lowest value of a curve can be maximised, not minimised");
   }
 }
 

@@ -165,6 +165,11 @@ TableSmoothing read_smoothing(const Entry& program, const std::string& unit, dou
   return {Smoothing::Deviation, deviation / range};
 }
 
+/// Where a file lies that an entry names, from the problem file's folder.
+std::string path_of(const Entry& name) {
+  return (std::filesystem::path(folder_of(name)) / text_of(name)).string();
+}
+
 std::string words_of(const std::string& name, const TurnTable& turn, const TableMotion& motion,
                      double range) {
   const std::size_t rows = turn.x.size();
@@ -188,8 +193,7 @@ const std::string& table_text(const Entry& name, HeldFiles& files) {
   const std::string& path = text_of(name);
   const auto known = files.tables.find(path);
   if (known != files.tables.end()) return known->second;
-  std::istringstream raw(
-      file_text((std::filesystem::path(folder_of(name)) / path).string(), "table"));
+  std::istringstream raw(located(name, [&] { return file_text(path_of(name), "table"); }));
   LineSource lines(raw, path);
   std::string text;
   for (std::string line; lines.next(line);) text += line + "\n";
@@ -207,8 +211,9 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   }
   const MechanismParameter& parameter = problem.mechanism->parameters[*place];
   problem.timing = read_timing(file, program, problem);
+  const std::string& text = table_text(name, problem.files);
   const TurnTable turn = located(name, [&] {
-    const SampleTable table = parse_samples(table_text(name, problem.files), "the table");
+    const SampleTable table = parse_samples(text, path_of(name));
     TurnTable rows = turn_of(lift_columns(table), parameter.unit);
     check_turn(rows);
     return rows;
@@ -246,10 +251,9 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   }
   const TableMotion motion = located(stated_smoothing != nullptr ? *stated_smoothing : name,
                                      [&] { return table_motion(turn.x, s, smoothing); });
-  problem.laws = {
-      lone_law({"table " + name.text, words_of(name.text, turn, motion, range),
-                "periodic", "a table"},
-               motion.law)};
+  problem.laws = {lone_law(
+      {"table " + name.text, words_of(name.text, turn, motion, range), "periodic", "a table"},
+      motion.law)};
 }
 
 }  // namespace camlaw::problems

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Responses and machines of one's own, written as Python functions.
+"""Responses and machines of your own, written as Python functions.
 
 A function is called once, with an object that stands for the machine, and its formula is recorded in
 the grammar of docs/formulas.md, as the library records its own. No Python runs during a search, and
@@ -366,7 +366,7 @@ class Response:
 
 
 class Machine:
-    """A machine of one's own: its parameters, and its responses as formulas.
+    """A machine of your own: its parameters, and its responses as formulas.
 
     moved_by: with "law" curves run over x, from 0 to 1; with "program" they run over the cam's angle;
     with "nothing" formulas can use the angle of a shaft that turns evenly. A parameter is a dict with

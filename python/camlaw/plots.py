@@ -64,7 +64,7 @@ def _draw_panel(panel: dict[str, Any], axes: Any, equal: bool) -> None:
 
 
 def draw(figure: dict[str, Any], equal: bool = False) -> Any:
-    """Draws a figure; returns its axes, one or an array. `equal`: both axes to one scale."""
+    """Draws a figure; returns its axes, one or an array. `equal`: both axes to the same scale."""
     plt = pyplot()
     panels = figure["panels"]
     columns = max(1, min(figure["columns"], len(panels)))

@@ -139,11 +139,11 @@ TEST_CASE("evaluate shows both sides of a limit with two bounds, each with its m
   CHECK(said["constraints"][1]["other_side"].is_null());  // it has an upper bound alone
   const auto lines = lines_with(done({"evaluate", kCam}), "met pressure_angle");
   REQUIRE(lines.size() == 2);
-  CHECK_THAT(lines[0], Contains(is_upper ? "<= 30 deg" : ">= -40 deg") && Contains(", nearer"));
-  CHECK_THAT(lines[1], Contains(is_upper ? ">= -40 deg" : "<= 30 deg") && Contains(", farther"));
+  CHECK_THAT(lines[0], Contains(is_upper ? "<= 30 deg" : ">= -40 deg") && Contains(", critical"));
+  CHECK_THAT(lines[1], Contains(is_upper ? ">= -40 deg" : "<= 30 deg") && Contains(", other"));
 }
 
-TEST_CASE("optimize's table has a row for each side and says which is nearer", "[program]") {
+TEST_CASE("optimize's table has a row for each side and says which is critical", "[program]") {
   const Folder folder;
   const std::string lines =
       "mechanism = 'spine-cutter'\n[law]\nname = 'modified-sine'\n[variables.cam_radius]\n"
@@ -156,15 +156,15 @@ TEST_CASE("optimize's table has a row for each side and says which is nearer", "
   };
   const auto two = rows("lower = '-35 deg'\n");
   REQUIRE(two.size() == 2);
-  CHECK_THAT(two[0], Contains("<= 30") && Contains(" nearer "));
-  CHECK_THAT(two[1], Contains(">= -35") && Contains(" 5 ") && Contains(" farther "));
+  CHECK_THAT(two[0], Contains("<= 30") && Contains(" critical "));
+  CHECK_THAT(two[1], Contains(">= -35") && Contains(" 5 ") && Contains(" other "));
   const auto even = rows("lower = '-30 deg'\n");
   REQUIRE(even.size() == 2);
   CHECK_THAT(even[0] + even[1], Contains(">= -30") && Contains("<= 30"));
-  CHECK_THAT(even[0], Contains(" as near "));
+  CHECK_THAT(even[0], Contains(" both "));
   const auto one = rows("");
   REQUIRE(one.size() == 1);
-  CHECK_THAT(one[0], !Contains("near"));
+  CHECK_THAT(one[0], !Contains("critical"));
 }
 
 TEST_CASE("check tells programs what it understood", "[program]") {

@@ -171,7 +171,24 @@ TEST_CASE("each tile says what its number means for the design", "[cli][report]"
   CHECK_THAT(tiles, Contains("Least radius of the profile"));
   CHECK_THAT(tiles, Contains("The design is at its upper limit of 30 deg, the nearer of the "
                              "two; easing it by 1 deg would reduce base radius by 2.95 mm."));
-  CHECK_THAT(tiles, Contains("At 1 the profile is undercut; the design keeps 0.615 from"));
+  CHECK_THAT(
+      tiles,
+      Contains("At 1 the profile is undercut; the design is 0.615 below its upper limit of"));
+  // Names of people keep their spelling.
+  const std::string values = section_of(page_of(folder / "out/result.json", folder), "values");
+  CHECK_THAT(values, Contains("Young&apos;s modulus</td>") &&
+                         Contains("Poisson&apos;s ratio</td>") && !Contains("youngs"));
+}
+
+TEST_CASE("a curve that is not defined has no place where it is highest", "[cli]") {
+  std::istringstream lines(done({"evaluate", kRoller}));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("end_deviation ") && !line.starts_with("train_force ")) continue;
+    CHECK_THAT(line, Contains(" - ") && !Contains(" deg "));
+    ++count;
+  }
+  CHECK(count == 2);
 }
 
 TEST_CASE("each constant of a law has a sentence on what it decides", "[cli][report]") {

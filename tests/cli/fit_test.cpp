@@ -53,7 +53,7 @@ TEST_CASE("fit names the law behind samples, and writes its file", "[program]") 
     if (p["name"] == "stroke") CHECK(p["value"].get<double>() == Approx(20).epsilon(1e-4));
   }
   const std::string text = done({"fit", data, "--out", folder / "out"});
-  CHECK_THAT(text, Contains("poly-3-4-5") && Contains("belief") && Contains("wrote"));
+  CHECK_THAT(text, Contains("poly-3-4-5") && Contains("probability") && Contains("wrote"));
   CHECK(folder.content() ==
         std::set<std::string>{"rise.csv", "out", "out/fit.json", "out/fit.svg", "out/law.json"});
   CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));

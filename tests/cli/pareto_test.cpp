@@ -306,7 +306,8 @@ TEST_CASE("where a study cannot be written it does not begin", "[program]") {
        {plain + "/s.db", std::string("/proc/s.db"), std::string("/dev/null/s.db")}) {
     CHECK_THAT(failed(pareto(shipped("front.toml"), {"--db", db}), 1), Contains(db));
   }
-  CHECK_THAT(failed(pareto(shipped("front.toml"), {"--out", plain}), 1), Contains("plain"));
+  CHECK_THAT(failed(pareto(shipped("front.toml"), {"--out", plain}), 2),
+             Contains("--out needs a folder"));
   CHECK_THAT(failed(pareto(shipped("front.toml"), {"--db", plain}), 2), Contains("exists already"));
   for (const char* name : {"--db", "--out"}) {
     CHECK_THAT(failed(pareto(shipped("front.toml"), {name, ""}), 2), Contains("name"));
@@ -404,7 +405,7 @@ TEST_CASE("points of a front are chosen by knee, weights and number", "[program]
   CHECK(json_of({"front", db, "--json", "--weights", "0,1"})["chosen"]["compromise"]["point"] ==
         all["points"].size() - 1);
   CHECK_THAT(done({"front", db, "--point", last}),
-             Contains("point: point " + last) &&
+             Catch::Matchers::StartsWith("point " + last + ":") &&
                  Contains("at least 10 % better minimum_cam_radius: ") &&
                  Contains("the front does not reach that far") && Contains("alpha = "));
   CHECK_THAT(done({"front", db, "--knee"}), Contains("knee: point "));

@@ -62,7 +62,7 @@ TEST_CASE("a report shows the errors of the profile that a file states", "[cli][
   }
   const double amplitude = facts["shop"][0]["amplitude"];
   CHECK_THAT(page, Contains(fmt::format(">{:.4g}</td>", amplitude)));
-  CHECK_THAT(page, Contains("what the shop must hold"));
+  CHECK_THAT(page, Contains("the tolerance the shop must hold"));
   CHECK_THAT(page_of(shipped("cams/roller_least_base.toml"), folder),
              !Contains("Errors of the profile"));
 }

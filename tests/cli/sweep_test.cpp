@@ -102,10 +102,28 @@ TEST_CASE("what a sweep cannot run through is refused in a line", "[program][swe
              Contains("--db"));
   CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:7:40 mm"}, 2),
              Contains("steps of 7 from 20 end at 34"));
+  CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:2:40 mm", "--out", kProblem}, 2),
+             Contains("--out needs a folder; " + kProblem + " is a file"));
   for (const char* option : {"--out", "--db"}) {
     CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:2:40 mm", option, "x.parquet"}, 2),
                Contains(option) && Contains("camlaw.Sweep.load"));
   }
+}
+
+TEST_CASE("a long reason stands below the table, once", "[program][sweep]") {
+  const Words words{"sweep", kProblem, "--set", "stroke=20,2000,3000 mm"};
+  const std::string text = done(words), reason = "contradict one another";
+  const std::size_t at = text.find(reason);
+  REQUIRE(at != std::string::npos);
+  CHECK(text.find(reason, at + 1) == std::string::npos);
+  CHECK_THAT(text, Contains("see (a)") && Contains("\n(a) ") && !Contains("(b)"));
+  Words as_json = words;
+  as_json.emplace_back("--json");
+  const ParsedJson rows = json_of(as_json).at("combinations");
+  const auto has_reason = [&](const ParsedJson& row) {
+    return row.at("reason").get<std::string>().find(reason) != std::string::npos;
+  };
+  CHECK(std::count_if(rows.begin(), rows.end(), has_reason) == 2);
 }
 
 TEST_CASE("a sweep does not begin a study that it is to go on with", "[program][sweep]") {

@@ -93,7 +93,7 @@ TEST_CASE("tables that are none are refused with line and cell", "[samples]") {
   CHECK_THAT(complaint("angle\n1\n"), Contains("one column"));
   CHECK_THAT(complaint("a,b\n1,2\n3,four\n"), Contains("t.csv:3") && Contains("'four'"));
   CHECK_THAT(complaint("a,b\n1,2\n3,\n"), Contains("1 row of"));
-  CHECK_THAT(complaint("a,b\n1,2\n3\n"), Contains("t.csv:3") && Contains("1 cells"));
+  CHECK_THAT(complaint("a,b\n1,2\n3\n"), Contains("t.csv:3") && Contains("1 cell,"));
   CHECK_THAT(complaint("a,b\n1,inf\n3,4\n"), Contains("infinite"));
   CHECK_THAT(complaint("a,a\n1,2\n3,4\n"), Contains("'a' appears twice"));
   CHECK_THROWS_WITH(read_samples("/no/such.csv"), Contains("/no/such.csv"));

@@ -10,6 +10,7 @@
 #include "fitting/cams/cam_faults.h"
 #include "fitting/cams/cam_fit.h"
 #include "fitting/constants/constants_fit.h"
+#include "fitting/motions/fault_words.h"
 #include "fitting/motions/recorded_motion.h"
 #include "kinematics/laws/catalogue.h"
 #include "numerics/tables/turn.h"
@@ -119,6 +120,25 @@ TEST_CASE("a row that is off is named by its line and left out", "[record-faults
       if (rows > 100) CHECK(fit.best().law.name() == "modified-sine");
       if (rows > 100) CHECK(fit.distrust.empty());
     }
+  }
+}
+
+TEST_CASE("of a place that is there twice the good row is kept", "[record-faults]") {
+  for (const double by : {0.5, 0.0}) {
+    INFO("the second one off by " << by);
+    MotionRecord record = rise(61, 1e-4, 3);
+    const std::size_t rows = record.samples.place.size();
+    record.samples.place.push_back(record.samples.place[20]);
+    record.samples.value.push_back(record.samples.value[20] + by);
+    record.lines.push_back(static_cast<std::uint32_t>(rows + 2));
+    leave_out_far_values(record, 0);
+    CHECK(record.samples.place.size() == rows + (by == 0 ? 1 : 0));
+    if (by == 0) CHECK(record.far.empty());
+    if (by == 0) continue;
+    REQUIRE(record.far.size() == 1);
+    CHECK(record.far[0].line == rows + 2);
+    CHECK(record.far[0].distance == Approx(by).margin(0.01));
+    CHECK_THAT(told(record.far[0], record.samples), Contains("a repeated place"));
   }
 }
 

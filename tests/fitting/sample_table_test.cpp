@@ -86,7 +86,7 @@ TEST_CASE("what is not a table says in one line what to change", "[samples]") {
   CHECK_THAT(said("cam angle lift\n0 1.5\n1 2.5\n"),
              Contains("t.csv:2") && Contains("names as many columns"));
   CHECK_THAT(said("angle,lift\n1,2,3\n2,3,4\n"), Contains("t.csv:2") && Contains("3 cells"));
-  CHECK_THAT(said("angle,lift\n1,2\nmean;12\n"), Contains("t.csv:3") && Contains("1 cells"));
+  CHECK_THAT(said("angle,lift\n1,2\nmean;12\n"), Contains("t.csv:3") && Contains("1 cell,"));
   std::string wide = "a", row = "1";
   for (int i = 0; i < 1200; ++i) wide += fmt::format(",a{}", i), row += ",1";
   CHECK_THAT(said(wide + "\n" + row + "\n"), Contains("1201 columns"));

@@ -164,6 +164,14 @@ TEST_CASE("what is not a program is refused in words", "[program]") {
   segments = usual();
   segments[2].to = 1;
   CHECK(contains(refusal(segments), "'back' moves, but begins and ends at 1"));
+  // A return without a law rests where the rise has ended.
+  CHECK(contains(refusal({move("rise", 120, 1, "cycloidal"), rest("back", 240, 1)}),
+                 "'rise' moves, but begins and ends at 1: the last segment ends at 1, and nothing "
+                 "brings the follower back (rise goes to 1, back has no law and rests at 1)"));
+  CHECK(
+      contains(refusal({rest("low", 60, 0), move("rise", 120, 1, "cycloidal"), rest("on", 180, 1)}),
+               "'low' rests, but would go from 1 to 0: the last segment ends at 1, and nothing "
+               "brings the follower back"));
   segments = usual();
   segments[3].to = 0.5;
   CHECK(contains(refusal(segments), "would go from"));

@@ -148,7 +148,7 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"1,5", "a comma is only for the arguments of a function"},
       {"p = 2", "a formula is only what is to the right of '='"},
       {"p # 2", "at character 3: '#' is not part of a formula"},
-      {"9.81 m/s^2", "'9.81 m / s' can be read in two ways"},
+      {"9.81 m/s^2", "write the unit as 9.81 [m/s^2], or (9.81 m) / s^2"},
       {"1 mm^2", "write a unit with powers in brackets, such as [mm^2]"},
       {"1 [furlongs per]", "is not a unit"},
       {"1 []", "there is no unit in these brackets"},

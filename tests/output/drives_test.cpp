@@ -89,7 +89,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
       const double worst = departure(drive.reader(text), motion, 1);
       CHECK(worst <= stated);
       CHECK(worst >= 0.9 * stated - 3e-7);
-      CHECK_THAT(text, Contains("not tried on a drive"));
+      CHECK_THAT(text, Contains("not tested on a drive"));
     }
   }
 }

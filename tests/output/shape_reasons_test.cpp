@@ -67,8 +67,8 @@ std::string found_of(const std::string& file) {
   const auto optimum = optim::optimise(problems::BoundProblem(statement).space());
   const auto& global = optimum.found.assessment.global;
   if (!global) return "not global";
-  return global->find("box was divided") != std::string::npos ? "global by its box"
-                                                              : "global by shapes";
+  return global->find("was split into") != std::string::npos ? "global by its box"
+                                                             : "global by shapes";
 }
 
 }  // namespace

@@ -412,14 +412,14 @@ TEST_CASE("what is not stated is not checked, and said", "[buildable]") {
   const std::string cam = harmonic("disc-cam-roller", "");
   CHECK(answer_of(cam, "undercut").built == Built::Holds);
   const std::vector<std::pair<const char*, const char*>> missing = {
-      {"hollow", "no cutter_radius stated"},
-      {"hollow_of_the_wheel", "no wheel_radius stated"},
-      {"contact", "no speed, no spring_rate, no spring_preload and no mass stated"},
-      {"spring", "no spring_rate, no spring_preload, no free_length and no solid_length stated"},
-      {"wall", "no bore_radius stated"},
+      {"hollow", "cutter_radius is not stated"},
+      {"hollow_of_the_wheel", "wheel_radius is not stated"},
+      {"contact", "none of speed, spring_rate, spring_preload and mass is stated"},
+      {"spring", "none of spring_rate, spring_preload, free_length and solid_length is stated"},
+      {"wall", "bore_radius is not stated"},
       {"stress",
-       "no allowable_pressure, no face_width, no speed, no spring_rate, no spring_preload and no "
-       "mass stated"}};
+       "none of allowable_pressure, face_width, speed, spring_rate, spring_preload and mass is "
+       "stated"}};
   for (const auto& [check, why] : missing) {
     const BuildableAnswer answer = answer_of(cam, check);
     CHECK(answer.built == Built::NotChecked);

@@ -182,6 +182,8 @@ TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
       Contains("f.toml:6: constants.stroke: the table's lift already says what the stroke is"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\n10;2\n20;3\n"); }),
              Contains("program.table: there is nothing from 20 to 360 deg"));
+  CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\nabc;2\n20;3\n"); }),
+             Contains("program.table: lift.csv:3: 'abc'"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [kg]\n0;1\n10;2\n20;3\n"); }),
              Contains("column 'lift' is in 'kg'"));
   CHECK_THAT(complaint([&] { with_table(good, "smoothing = 'some'"); }),

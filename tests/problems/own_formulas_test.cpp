@@ -285,7 +285,9 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
   CHECK_THAT(of("least_force", "formula = \"1\"\n"), Contains("has a response of this name"));
   CHECK_THAT(of("a", "formula = \"1\"\n"), Contains("'a' means something else in problem files"));
   CHECK_THAT(of("\"two words\"", "formula = \"1\"\n"), Contains("is not a name for formulas"));
-  CHECK_THAT(of("own", "formula = \"own\"\n"), Contains("in a circle: own, own"));
+  CHECK_THAT(of("own", "formula = \"own\"\n"), Contains("own refers to itself"));
+  CHECK_THAT(of("x1", "formula = \"x2\"\n[responses.x2]\nformula = \"x1\"\n"),
+             Contains("refer to one another in a circle: x1, x2, x1"));
   CHECK_THAT(of("own", "formula = \"running_force + peak running_force\"\nunit = \"N\"\n"),
              Contains("the formula of a curve cannot use a number that is found by a search"));
   CHECK_THAT(of("own", "formula = \"1\"\nunit = \"furlong/blink\"\n"), Contains("is not a unit"));

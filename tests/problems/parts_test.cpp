@@ -113,6 +113,10 @@ TEST_CASE("what a catalogue cannot be is said with its line", "[parts]") {
              Contains("rollers.csv:4: 'a' appears twice"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\nA, 3, 4\n"),
              Contains("rollers.csv:2: 3 cells, where the header has 2"));
+  CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\nA\n"),
+             Contains("rollers.csv:2: 1 cell, where the header has 2"));
+  CHECK_THAT(refusal_of("[parts.roller]\ncatalogue = 'none.csv'\n"),
+             Contains("f.toml:3: parts.roller.catalogue: none.csv: it cannot be read"));
   CHECK_THAT(refusal_of(kRoller, "name, roller_radius [mm]\n"), Contains("has no rows"));
   CHECK_THAT(refusal_of("[parts.roller]\n"), Contains("catalogue is missing"));
   CHECK_THAT(refusal_of(kRoller + "choose = ['A 19', 'B 23']\n"),

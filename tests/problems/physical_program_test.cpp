@@ -232,6 +232,27 @@ TEST_CASE("what belongs to other segments is refused", "[physical_program]") {
   CHECK_THAT(
       refusal("{name = 'a', angle = 180, law = 'MS', continuity = 2}, {name = 'b', law = 'MS'}"),
       Contains("its law has its own"));
+  CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b', law = 'MS'}", "",
+                     "[free]\nknots = 8\n"),
+             Contains("free: no segment's law is free; write law = \"free\" in a segment"));
+  CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b', law = 'MS'}", "",
+                     "[ranges.a_angle]\nlower = 90\nupper = 100\n"),
+             Contains("it is a parameter of the program, and only the machine's are accepted"));
+}
+
+TEST_CASE("a law that does not fit among the ones to choose from is said to be one of them",
+          "[physical_program]") {
+  const std::string fits = "{name = 'low', angle = 60}, {name = 'rise', angle = 120, law = ",
+                    rest = "}, {name = 'back', law = 'MS'}";
+  CHECK_THAT(refusal(fits + "['constant-velocity', 'MS']" + rest),
+             Contains("law 'program rise=constant-velocity back=modified-sine': where 'low' meets "
+                      "'rise', at 60 deg, the velocity jumps") &&
+                 Contains("it is one of 2 programs that the segments' laws make") &&
+                 Contains("law = \"ends R-R, continuity >= 2\""));
+  // Where there is no choice, or none of it fits, the choice is not at fault.
+  CHECK_THAT(refusal(fits + "'constant-velocity'" + rest), !Contains("it is one of"));
+  CHECK_THAT(refusal(fits + "['constant-velocity', 'parabolic']" + rest),
+             !Contains("it is one of"));
 }
 
 TEST_CASE("a motion that advances is not for a cam", "[physical_program]") {

@@ -220,7 +220,9 @@ TEST_CASE("a limit that nothing moves is blamed at once", "[optimise]") {
     const Found found = optimise(problem).found;
     CHECK(found.assessment.verdict == Verdict::Infeasible);
     CHECK(found.assessment.blamed == Names{"load"});
-    CHECK(found.assessment.reason == "load cannot be met: no variable changes it");
+    CHECK(found.assessment.reason ==
+          "load cannot be met: load is fixed at 5 by its bounds, and no other variable changes "
+          "it");
     CHECK(found.assessment.global);
     CHECK(found.evaluations == 0);
   };
