@@ -35,6 +35,40 @@ double least_jerk(double B, double C) {
   return b * c * c / (c * (b - 1) - b * b);
 }
 
+namespace {
+
+/// (D7) What is covered in half the time by the velocity that grows as fast as C, the moment M and
+/// then B let it.
+double half_stroke(double M, double B, double C) {
+  const double from = std::isinf(C) ? 0 : M / (C * C);  // up to here C holds
+  const double v = std::isinf(C) ? 0 : M / C;
+  if (v >= B || from >= 0.5) {  // the moment never holds
+    const double reached = std::min(0.5, B / C);
+    return C * reached * reached / 2 + B * (0.5 - reached);
+  }
+  const double to = std::isinf(B) ? 0.5 : std::min(0.5, from + (B * B - v * v) / (2 * M));
+  const double end = std::sqrt(v * v + 2 * M * (to - from));
+  const double rest = to < 0.5 ? B * (0.5 - to) : 0;
+  return v * from / 2 + (end * end * end - v * v * v) / (3 * M) + rest;
+}
+
+}  // namespace
+
+double least_dynamic_moment(double B, double C) {
+  if (std::isnan(B + C)) return std::numeric_limits<double>::quiet_NaN();
+  constexpr double kRounding = 1e-12;  // of peaks, which may be those of a law that is at the limit
+  if (!(B > 1) || !(C >= (1 - kRounding) * least_acceleration(B)))
+    return std::numeric_limits<double>::infinity();
+  if (std::isinf(C)) return B < 1.5 ? B * B * B / (3 * (B - 1)) : 2.25;
+  double low = 2.25 * (1 - 1e-15), high = std::max(std::min(B * C, C * C / 2), low);
+  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
+    const double middle = std::sqrt(low * high);
+    if (!(middle > low && middle < high)) break;
+    (half_stroke(middle, B, C) >= 0.5 ? high : low) = middle;
+  }
+  return high;
+}
+
 std::optional<double> limit_index(const Peaks<double>& peaks) {
   if (peaks.ends != Ends{End::Rest, End::Rest}) return std::nullopt;
   return least_time(peaks.max_velocity(), peaks.max_acceleration(), peaks.max_jerk());

@@ -213,6 +213,11 @@ double least_time(double B, double C, double D);
 /// least_acceleration.
 double least_jerk(double B, double C);
 
+/// Least peak |s' s''| of any rest-to-rest law whose peaks of velocity and acceleration are at most
+/// B and C, each of which may be infinite: 9/4 without either, B^3 / (3 (B - 1)) for B <= 3/2 and
+/// no C (D8). Infinite where no law has such peaks.
+double least_dynamic_moment(double B, double C);
+
 /// The limit index lambda = least_time(B, C, D) of a law's own peaks: 1 for a law than which none
 /// is faster with these peaks, less for every other. Only rest-to-rest laws have it.
 std::optional<double> limit_index(const Peaks<double>& peaks);

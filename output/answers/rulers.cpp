@@ -130,6 +130,12 @@ std::optional<double> least_for(const Law<double>& law, const Peaks<double>& pea
   return least_acceleration(peak.max_velocity());
 }
 
+/// The same of the dynamic moment, for velocity and acceleration.
+std::optional<double> least_moment_for(const Law<double>& law, const Peaks<double>& peak) {
+  if (!least_for(law, peak) || !std::isfinite(peak.max_dynamic_moment())) return {};
+  return least_dynamic_moment(peak.max_velocity(), peak.max_acceleration());
+}
+
 /// A share in percent, without what is rounding.
 std::string percent(double share) {
   return fmt::format("{:.3g} %", std::abs(share) < 1e-9 ? 0 : 100 * share);
@@ -144,6 +150,7 @@ Rulers measured(const Law<double>& law) {
   const auto peak = peaks(law);
   Rulers result{peak, limit_index(peak)};
   result.least_acceleration = least_for(law, peak);
+  result.least_moment = least_moment_for(law, peak);
   return result;
 }
 
@@ -185,6 +192,11 @@ std::string merits_text(const std::string& what, const Rulers& r) {
                         *r.least_acceleration,
                         r.peaks.max_velocity() > 2 ? "a velocity of at most C_v" : "this C_v");
   }
+  if (r.least_moment) {
+    text +=
+        fmt::format("  C_Mdyn is {} above {:.7g}, the least for at most these C_v and C_a\n",
+                    percent(r.peaks.max_dynamic_moment() / *r.least_moment - 1), *r.least_moment);
+  }
   return text;
 }
 
@@ -215,6 +227,7 @@ void add_merits(const Rulers& r, Document& document) {
   document.fact("C_Mdyn", r.peaks.max_dynamic_moment());
   document.fact("lambda", r.lambda);
   document.fact("least_C_a_for_C_v", r.least_acceleration);
+  document.fact("least_C_Mdyn_for_C_v_and_C_a", r.least_moment);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct Rulers {
   std::optional<double> lambda;  ///< the limit index; of laws from rest to rest
   /// The least of any law with s' = 0 at both ends and this B at most; of others none.
   std::optional<double> least_acceleration = {};
+  /// The least dynamic moment of any such law with this B and this C at most; of others none.
+  std::optional<double> least_moment = {};
   int rivals = 0;                       ///< laws of the catalogue that can be used
   bool reoptimised = false;             ///< whether other variables were searched again for each
   bool held = false;                    ///< whether the answer's choices stay for all of them

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "output/answers/front_words.h"
 #include "output/document/printing.h"
@@ -40,6 +43,40 @@ void add_fits_of_other_sizes(const problems::ProblemStatement& begun,
   }
 }
 
+/// The variables that a response depends on, at any of some places of a curve.
+std::set<std::size_t> inputs_of(const optim::Response& response, const optim::Problem& problem) {
+  if (!response.is_curve()) {
+    const auto& inputs = response.function().inputs();
+    return {inputs.begin(), inputs.end()};
+  }
+  std::set<std::size_t> all;
+  const std::vector<double> breaks = response.curve().trace(problem.start())->breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    for (const double share : {0.0, 0.13, 0.5, 0.87}) {
+      const optim::Function there =
+          response.curve().at({std::lerp(breaks[k], breaks[k + 1], share)});
+      all.insert(there.inputs().begin(), there.inputs().end());
+    }
+  }
+  return all;
+}
+
+/// Where nothing that varies moves the objective, every design that meets the limits is as good:
+/// which one is shown means nothing.
+void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
+  const auto varies = [&](std::size_t i) {
+    return problem.variables[i].lower < problem.variables[i].upper;
+  };
+  const optim::Response& sought = problem.objective().response;
+  const std::set<std::size_t> inputs = inputs_of(sought, problem);
+  bool any = false;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) any = any || varies(i);
+  if (!any || std::any_of(inputs.begin(), inputs.end(), varies)) return;
+  warnings.push_back(fmt::format(
+      "nothing that varies changes {}: any design that meets the limits is as good as this one",
+      sought.name));
+}
+
 }  // namespace
 
 Warnings doubts_of(const problems::ProblemStatement& problem) {
@@ -66,6 +103,7 @@ Warnings warnings_of(const Answer& answer) {
   Warnings warnings;
   if (has_design) {
     const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
+    add_still_objective(optimum.problem, warnings);
     add_fits_of_other_sizes(answer.bound.statement(), design, warnings);
     add_cautions(design, warnings);
   }

@@ -51,7 +51,7 @@ def rendered(
     if path is not None:
         named = checked_path(path)
         ending = Path(named).suffix.lower()
-        if page and ending not in (".html", ".htm"):
+        if page and ending not in (".html", ".htm") and not os.path.isdir(named):
             raise InputError(
                 f"path: {named}: a report is a page for the browser, whose name ends in .html or .htm"
             )

@@ -74,11 +74,15 @@ TEST_CASE("optimize writes its files and says so", "[program]") {
 TEST_CASE("optimize ends with 3 and names the limits that contradict each other", "[program]") {
   const Folder folder;
   const Outcome outcome =
-      run({"optimize", written(folder, force_and_radius("5 N", "30 mm")), "--json"});
+      run({"optimize", written(folder, force_and_radius("7 N", "30 mm")), "--json"});
   CHECK(outcome.status == 3);
   const ParsedJson result = ParsedJson::parse(outcome.out);
   CHECK(result["verdict"] == "infeasible");
   CHECK(result["blamed"] == ParsedJson({"peak_inertia_force", "minimum_cam_radius"}));
+  // No polynomial-5 has less than 6.72 N, whatever the radius.
+  const Outcome alone =
+      run({"optimize", written(folder, force_and_radius("5 N", "30 mm")), "--json"});
+  CHECK(ParsedJson::parse(alone.out)["blamed"] == ParsedJson({"peak_inertia_force"}));
 }
 
 TEST_CASE("optimize ends with 4 where there is no answer", "[program]") {
@@ -378,6 +382,41 @@ TEST_CASE("a limit that the file does not state says what requires it", "[progra
   const std::string found = done({"optimize", file});
   CHECK_THAT(found, Contains("setting_up.contact_force is a limit because"));
   CHECK_THAT(found, !Contains("undercut is a limit because"));
+}
+
+namespace {
+
+/// What optimize warns of, of the cam of roller_least_base.toml with other words in its file.
+std::string warned(const Folder& folder,
+                   const std::vector<std::pair<std::string, std::string>>& in) {
+  std::string text = read(testing::source("problems/cams/roller_least_base.toml"));
+  for (const auto& [from, to] : in) text.replace(text.find(from), from.size(), to);
+  std::string all;
+  const ParsedJson result = json_of({"optimize", written(folder, text), "--json"});
+  for (const auto& warning : result["warnings"]) all += warning.get<std::string>() + "\n";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("an objective that nothing moves is not shown as if it were sought", "[program]") {
+  const Folder folder;
+  CHECK_THAT(warned(folder, {{"minimize = \"base_radius\"", "minimize = \"peak acceleration\""}}),
+             Contains("nothing that varies changes peak acceleration"));
+  CHECK(warned(folder, {}).empty());
+}
+
+TEST_CASE("a fit that was taken at another size is named with its deviations", "[program]") {
+  // ISO 286: h11 is 160 um above 30 to 50 mm, 190 um above 50 to 80 mm.
+  const Folder folder;
+  const auto with_fit = [&](const std::string& start) {
+    return warned(folder,
+                  {{"start = \"60 mm\"", "start = \"" + start + "\""},
+                   {"[buildable]", "[variation.base_radius]\nfit = \"h11\"\n\n[buildable]"}});
+  };
+  CHECK_THAT(with_fit("45 mm"), Contains("was taken at its start of 45 mm, +0 and -0.16 mm") &&
+                                    Contains("it is +0 and -0.19 mm"));
+  CHECK(with_fit("60 mm").empty());
 }
 
 }  // namespace camlaw::cli::optimize_test

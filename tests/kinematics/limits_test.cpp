@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/curved.h"
 #include "kinematics/laws/phases.h"
 #include "kinematics/laws/polynomial.h"
@@ -33,6 +34,53 @@ TEST_CASE("Trapezoidal velocity attains the least acceleration, and other shares
     const auto uneven = peaks(trapezoidal_velocity<double>(0.8 * t, 1.2 * t));
     CHECK(uneven.max_velocity() == Approx(b).epsilon(1e-13));
     CHECK(uneven.max_acceleration() > 1.1 * least_acceleration(b));
+  }
+}
+
+TEST_CASE("The least dynamic moment is 9/4, and more where velocity or acceleration is limited",
+          "[limits]") {
+  CHECK(least_dynamic_moment(kInfinity, kInfinity) == Approx(2.25).epsilon(1e-14));
+  CHECK(least_dynamic_moment(1.5, kInfinity) == Approx(2.25).epsilon(1e-14));
+  for (const double b : {1.05, 1.2, 1.4}) {
+    CHECK(least_dynamic_moment(b, kInfinity) == Approx(b * b * b / (3 * (b - 1))).epsilon(1e-13));
+  }
+  CHECK(least_dynamic_moment(1, kInfinity) == kInfinity);
+  CHECK(least_dynamic_moment(1.5, 4.4) == kInfinity);  // C >= 4.5
+  // At the least acceleration the law is trapezoidal velocity, and its moment B C. The stroke
+  // hardly changes with the moment there.
+  CHECK(least_dynamic_moment(1.5, 4.5) == Approx(1.5 * 4.5).epsilon(2e-5));
+  CHECK(least_dynamic_moment(kInfinity, 4) == Approx(8).epsilon(2e-5));
+}
+
+TEST_CASE("With the least dynamic moment the velocity just covers the stroke", "[limits]") {
+  // Stepped through: v' = min(C, M / v) up to B, to the middle.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int trial = 0; trial < 12; ++trial) {
+    const double B = 1.05 + share(random);
+    const double C = least_acceleration(B) * (1.05 + 4 * share(random));
+    const double M = least_dynamic_moment(B, C);
+    constexpr int kSteps = 400000;
+    double v = 0, s = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double a = v > 0 ? std::min(C, M / v) : C;
+      const double next = std::min(B, v + a * 0.5 / kSteps);
+      s += (v + next) / 2 * 0.5 / kSteps;
+      v = next;
+    }
+    INFO("B = " << B << ", C = " << C << ", M = " << M);
+    CHECK(s == Approx(0.5).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("No law from rest to rest has less than the least dynamic moment", "[limits]") {
+  for (const Law<double>& law :
+       {cycloidal<double>(), find_law("modified-sine").law(), half_ellipse_acceleration<double>(),
+        scca<double>(0.1, 0.6, 0.3), trapezoidal_velocity<double>(0.25, 0.25)}) {
+    const auto found = peaks(law);
+    const double least = least_dynamic_moment(found.max_velocity(), found.max_acceleration());
+    CHECK(least >= 2.25 * (1 - 1e-14));
+    CHECK(found.max_dynamic_moment() >= least * (1 - 1e-12));
   }
 }
 

@@ -58,6 +58,9 @@ TEST_CASE("the least acceleration is told of laws from rest to rest alone", "[ru
   const Answered rest(kFree + "knots = 6\n" + kLeast);
   Rulers of_rest = *rulers(rest.answer(), {});
   CHECK(of_rest.least_acceleration);
+  REQUIRE(of_rest.least_moment);
+  CHECK(*of_rest.least_moment >= 2.25 * (1 - 1e-12));
+  CHECK(of_rest.peaks.max_dynamic_moment() >= *of_rest.least_moment * (1 - 1e-9));
   CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)), Contains("the least for"));
   of_rest.peaks.highest[0].value = 2.5;
   CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)),

@@ -51,24 +51,4 @@ TEST_CASE("limits are blamed that contradict one another, and none without which
   }
 }
 
-TEST_CASE("a limit that a curve passes where no design moves it is blamed alone", "[optimise]") {
-  // sin(angle) x is 0 at both ends whatever x: a limit from below by 1 has no design.
-  Problem problem;
-  problem.variables = {variable("x", 1, 5)};
-  problem.objectives = {least(linear({0}, [](const auto& u) { return u[0]; }))};
-  const auto wave = [](const auto& u, const auto& angle) {
-    using std::sin;
-    return sin(angle) * u[0];
-  };
-  problem.constraints = {
-      {.response = {"wave", "mm", curve<Interval>({0}, 0, 3, wave)}, .lower = 1}};
-  const Assessment a = optimise(problem).found.assessment;
-  CHECK(a.verdict == Verdict::Infeasible);
-  CHECK(a.blamed == Names{"wave"});
-  CHECK(a.reason == "wave cannot be met: at 0 it is 0 mm whatever the variables");
-  CHECK(a.global);
-  problem.constraints.front().lower = -1;
-  CHECK(optimise(problem).found.assessment.verdict == Verdict::Certified);
-}
-
 }  // namespace camlaw::optim::hopeless_test
