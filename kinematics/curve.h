@@ -71,16 +71,24 @@ T rising(const F& f, const T& y) {
   return f.value(y);
 }
 
+/// The square root; of dual numbers that do not move, at 0 too, it does not move either.
+template <class T>
+T still_root(const T& x) {
+  using std::sqrt;
+  return sqrt(x);
+}
+template <class T, int N>
+ceres::Jet<T, N> still_root(const ceres::Jet<T, N>& x) {
+  ceres::Jet<T, N> result(still_root(x.a));
+  const T slope = number<T>(0.5) / result.a;
+  for (int i = 0; i < N; ++i) result.v[i] = is_number(x.v[i], 0) ? x.v[i] : slope * x.v[i];
+  return result;
+}
+
 /// The half-ellipse's height sqrt(1 - y^2), as a product: no cancellation near the ends.
 template <class T>
 T ellipse_height(const T& y) {
-  const T product = (number<T>(1) - y) * (number<T>(1) + y);
-  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Interval>) {
-    using std::sqrt;
-    return sqrt(product);
-  } else {
-    return real_power(product, 0.5);  // it has a derivative where y does not move at an end
-  }
+  return still_root((number<T>(1) - y) * (number<T>(1) + y));
 }
 
 /// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y

@@ -38,18 +38,18 @@ double least_jerk(double B, double C) {
 namespace {
 
 /// (D7) What is covered in half the time by the velocity that grows as fast as C, the moment M and
-/// then B let it.
+/// then B let it. C is finite.
 double half_stroke(double M, double B, double C) {
-  const double from = std::isinf(C) ? 0 : M / (C * C);  // up to here C holds
-  const double v = std::isinf(C) ? 0 : M / C;
+  const double from = M / (C * C);  // up to here C holds
+  const double v = M / C;
+  const auto held = [&](double place) { return place < 0.5 ? B * (0.5 - place) : 0; };
   if (v >= B || from >= 0.5) {  // the moment never holds
     const double reached = std::min(0.5, B / C);
-    return C * reached * reached / 2 + B * (0.5 - reached);
+    return C * reached * reached / 2 + held(reached);
   }
-  const double to = std::isinf(B) ? 0.5 : std::min(0.5, from + (B * B - v * v) / (2 * M));
+  const double to = std::min(0.5, from + (B * B - v * v) / (2 * M));
   const double end = std::sqrt(v * v + 2 * M * (to - from));
-  const double rest = to < 0.5 ? B * (0.5 - to) : 0;
-  return v * from / 2 + (end * end * end - v * v * v) / (3 * M) + rest;
+  return v * from / 2 + (end * end * end - v * v * v) / (3 * M) + held(to);
 }
 
 }  // namespace

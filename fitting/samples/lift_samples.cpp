@@ -285,8 +285,10 @@ Possible<LiftSamples> lift_samples(std::span<const double> phi, std::span<const 
     std::vector<double> good;
     for (const std::size_t k : groups[i].samples) {
       const double by = off[i] == 0 ? 0 : s[k] - all.s[i] + off[i];
-      if (std::abs(by) <= suspect_from(*sizes, least_noise)) {
-        good.push_back(s[k]);  // of a place that is there twice, perhaps with one slip
+      // Of a place that is there twice one row may be a slip and the other not.
+      const bool is_double = groups[i].samples.size() > 1;
+      if (off[i] == 0 || (is_double && std::abs(by) <= suspect_from(*sizes, least_noise))) {
+        good.push_back(s[k]);
       } else {
         outlying.emplace_back(k, by);
       }

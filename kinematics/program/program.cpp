@@ -79,9 +79,17 @@ void check_motion(const ProgramSegment& segment) {
   }
 }
 
-/// Why a cycle that returns does not begin where it ends: what each segment does.
+/// Why a cycle that returns does not begin where it ends: what each segment does. Empty where
+/// segments move both ways.
 std::string nothing_returns(const StatedProgram& program) {
   if (program.advance != 0) return "";
+  bool rises = false, falls = false;
+  for (std::size_t k = 1; k < program.segments.size(); ++k) {
+    const double change = program.segments[k].to - program.segments[k - 1].to;
+    rises = rises || change > 0;
+    falls = falls || change < 0;
+  }
+  if (rises && falls) return "";
   constexpr std::size_t kListed = 8;
   std::vector<std::string> parts;
   for (const ProgramSegment& s : program.segments) {

@@ -106,13 +106,13 @@ std::vector<MechanismResponse> life_responses() {
                      [](const auto& cam, const auto& mean, const auto& turned) {
                        return cam.duty.equivalent_load(mean, turned);
                      }),
-      mean_number<M>(
-          {"life_revolutions", "1", "1",
-           "basic rating life L10 of the roller's bearing, as a number of millions of revolutions"},
-          damage, turns,
-          [](const auto& cam, const auto& mean, const auto& turned) {
-            return cam.duty.revolutions(cam.duty.equivalent_load(mean, turned)) / cam.duty.kMillion;
-          }),
+      mean_number<M>({"life_revolutions", "1", "1",
+                      "basic rating life L10 of the roller's bearing, in millions of revolutions"},
+                     damage, turns,
+                     [](const auto& cam, const auto& mean, const auto& turned) {
+                       return cam.duty.revolutions(cam.duty.equivalent_load(mean, turned)) /
+                              cam.duty.kMillion;
+                     }),
       mean_number<M>({"life", "h", "s", "basic rating life L10 of the roller's bearing"}, damage,
                      [](const auto& cam, const auto& mean) {
                        return cam.duty.life(mean, cam.angular_speed);

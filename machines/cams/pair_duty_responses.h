@@ -58,13 +58,13 @@ void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std:
                      damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
                        return cam.duty().equivalent_load(mean, turned);
                      }));
-  all.push_back(mean_number<M>(
-      {prefix + "life_revolutions", "1", "1",
-       "basic rating life L10 of " + bearing + ", as a number of millions of revolutions"},
-      damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
-        return cam.duty().revolutions(cam.duty().equivalent_load(mean, turned)) /
-               cam.duty().kMillion;
-      }));
+  all.push_back(
+      mean_number<M>({prefix + "life_revolutions", "1", "1",
+                      "basic rating life L10 of " + bearing + ", in millions of revolutions"},
+                     damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
+                       return cam.duty().revolutions(cam.duty().equivalent_load(mean, turned)) /
+                              cam.duty().kMillion;
+                     }));
   all.push_back(mean_number<M>(
       {prefix + "life", "h", "s", "basic rating life L10 of " + bearing}, damage,
       [](const auto& cam, const auto& mean) { return cam.duty().life(mean, cam.angular_speed); }));

@@ -170,7 +170,9 @@ std::vector<Point> tops_of(const Box& box, const std::vector<Point>& places,
     values.push_back(value(place));
     if (std::isnan(values.back())) return {place};
   }
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  // Of equal values the first is the highest: corners come first.
+  const auto highest = std::max_element(values.begin(), values.end());
+  const auto lowest = std::min_element(values.begin(), values.end());
   const auto best = static_cast<std::size_t>(highest - values.begin());
   std::vector<std::size_t> tops{best};
   if (box.size() <= kGridOf) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,13 +38,27 @@ double settled_value(const Response& response, bool highest, const Problem& prob
   return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
 }
 
-/// "base_radius is fixed at 20 mm by its bounds", of those whose bounds are equal; else that none
-/// changes a limit. An integer is fixed by the search, one value after the other.
-std::string why_settled(const Problem& problem) {
-  constexpr std::size_t kListed = 4;
+/// The variables that a response depends on.
+std::set<std::size_t> inputs_of(const Response& response, const Problem& problem) {
+  std::set<std::size_t> all;
+  const auto add = [&](const Function& f) { all.insert(f.inputs().begin(), f.inputs().end()); };
+  if (!response.is_curve()) {
+    add(response.function());
+    return all;
+  }
+  for (const double place : response.curve().trace(problem.start())->breaks())
+    add(response.curve().at({place}));
+  return all;
+}
+
+/// "base_radius is fixed at 20 mm by its bounds", of those that the response depends on and whose
+/// bounds are equal; else that none changes a limit. An integer is fixed by the search, one value
+/// after the other.
+std::string why_settled(const Response& response, const Problem& problem) {
   std::vector<std::string> fixed;
-  for (const Variable& v : problem.variables) {
-    if (v.integer || v.lower != v.upper || fixed.size() == kListed) continue;
+  for (const std::size_t i : inputs_of(response, problem)) {
+    const Variable& v = problem.variables[i];
+    if (v.integer || v.lower != v.upper) continue;
     fixed.push_back(fmt::format("{} is fixed at {:.6g}{} by its bounds", v.name, v.lower,
                                 v.unit.empty() || v.unit == "1" ? "" : " " + v.unit));
   }
@@ -82,23 +97,28 @@ bool is_still(const std::vector<Bounds>& slopes, const Function& f, const std::v
   return change <= kRounding * tolerance;
 }
 
-/// Of the places where its smooth stretches begin those at which the slopes by all variables are
-/// enclosed as zero over the whole box: the pressure angle in a dwell.
+/// Of the ends of its smooth stretches those at which the slopes by all variables are enclosed as
+/// zero over the whole box: the pressure angle in a dwell. Of a curve whose stretches move, such as
+/// one over a window, the ends of one design say nothing of another.
 std::vector<StillPlace> still_places(const Response& response, const Problem& problem,
                                      const std::vector<Bounds>& box, double tolerance) {
   std::vector<StillPlace> still;
-  if (!response.is_curve() || box.empty()) return still;
+  if (!response.is_curve() || box.empty() || response.curve().breaks_move()) return still;
   const Curve& curve = response.curve();
-  for (const double place : curve.trace(problem.start())->breaks()) {
-    const Function f = curve.at({place});
-    const BoxRange range = f.range(box);
-    if (is_still(range.slopes, f, box, tolerance)) still.push_back({place, range.value});
+  const std::vector<double> breaks = curve.trace(problem.start())->breaks();
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    for (const bool from_left : {false, true}) {
+      if (from_left ? k == 0 : k + 1 == breaks.size()) continue;  // beyond the curve
+      const Function f = curve.at({breaks[k], from_left});
+      const BoxRange range = f.range(box);
+      if (is_still(range.slopes, f, box, tolerance)) still.push_back({breaks[k], range.value});
+    }
   }
   return still;
 }
 
 Hopeless beyond(const Response& response, const StillPlace& still, bool is_upper) {
-  const std::string unit = response.unit == "1" ? "" : " " + response.unit;
+  const std::string unit = response.unit.empty() || response.unit == "1" ? "" : " " + response.unit;
   const double nearest = is_upper ? still.value.lower : still.value.upper;
   const std::string there = fmt::format("at {:.6g} it is {:.6g}{}", still.place, nearest, unit);
   return {response.name, there + " whatever the variables",
@@ -122,7 +142,7 @@ std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& size
     const double below = c.lower ? *c.lower - tolerance : -kInfinity;
     if ((c.upper && settled_value(c.response, true, problem) > above) ||
         (c.lower && settled_value(c.response, false, problem) < below)) {
-      return Hopeless{c.response.name, why_settled(problem),
+      return Hopeless{c.response.name, why_settled(c.response, problem),
                       fmt::format("{} is the same for every design", c.response.name)};
     }
     for (const StillPlace& still : still_places(c.response, problem, box, tolerance)) {
@@ -134,6 +154,8 @@ std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& size
 }
 
 void narrow_blame(Problem problem, const SearchAgain& search, Assessment& answer) {
+  // A limit without which the rest can be met is needed with fewer limits too: each is left out
+  // once.
   for (std::size_t i = 0; i < problem.constraints.size();) {
     if (!is_one_of_several(problem.constraints[i], answer)) {
       ++i;
@@ -142,15 +164,15 @@ void narrow_blame(Problem problem, const SearchAgain& search, Assessment& answer
     Problem others = problem;
     others.constraints.erase(others.constraints.begin() + static_cast<std::ptrdiff_t>(i));
     const Assessment without = search(others);
-    if (without.verdict != Verdict::Infeasible || without.blamed.empty()) {
+    const bool is_known_as_well = without.global || !answer.global;
+    if (without.verdict != Verdict::Infeasible || without.blamed.empty() || !is_known_as_well) {
       ++i;
       continue;
     }
     answer.blamed = without.blamed;
     answer.reason = without.reason;
-    if (without.global) answer.global = without.global;
+    answer.global = without.global;
     problem = std::move(others);
-    i = 0;
   }
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 /// How the combinations went, for the words of the verdict.
 struct Tally {
-  std::size_t combinations = 0, solved = 0;
+  std::size_t combinations = 0, solved = 0, missed = 0;
   bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
   std::string stopped = {};                 ///< why the search ended early, where it did
   std::vector<std::string> unsettled = {};  ///< combinations of choices, in words
@@ -41,6 +41,12 @@ std::string unsettled_words(const std::vector<std::string>& unsettled) {
   return words + (unsettled.size() == 1 ? " was not" : " were not");
 }
 
+/// "; 3 were not looked at".
+std::string not_looked_at_words(std::size_t count) {
+  if (count == 0) return {};
+  return fmt::format("; {} {} not looked at", count, count == 1 ? "was" : "were");
+}
+
 /// What a search over combinations adds to the verdict of the best one.
 void judge_combinations(const Tally& tally, Assessment& a) {
   if (tally.combinations == 1) return;
@@ -52,7 +58,7 @@ void judge_combinations(const Tally& tally, Assessment& a) {
   if (!tally.complete && a.verdict == Verdict::Certified) {
     a.verdict = Verdict::Feasible;
     a.reason = fmt::format("not all of the {} combinations were settled{}", tally.combinations,
-                           unsettled_words(tally.unsettled));
+                           unsettled_words(tally.unsettled) + not_looked_at_words(tally.missed));
     if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
     a.global.reset();
     return;
@@ -142,7 +148,8 @@ class Optimiser {
 
   /// The winner, solved once more with its integer variables fixed, and proved.
   void settle() {
-    tally_.combinations += combinations_.not_looked_at();
+    tally_.missed = combinations_.not_looked_at();
+    tally_.combinations += tally_.missed;
     tally_.complete = tally_.complete && combinations_.not_looked_at() == 0;
     best_.combinations = tally_.combinations;
     best_.solved = tally_.solved;
@@ -151,7 +158,12 @@ class Optimiser {
     if (tally_.stopped.empty()) tally_.stopped = combinations_.lost();
     Found& found = best_.found;
     blame_fewest();
-    if (combinations_.is_of_one()) return say_lost(found.assessment);
+    if (combinations_.is_of_one()) {
+      found.evaluations = work_.evaluations;
+      found.iterations = work_.iterations;
+      found.solves = work_.solves;
+      return say_lost(found.assessment);
+    }
     if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
       Problem fixed = with_integers_fixed(best_.problem, found.x);
       for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
@@ -180,13 +192,19 @@ class Optimiser {
 
   void blame_fewest() {
     Found& found = best_.found;
-    if (found.assessment.verdict != Verdict::Infeasible || deadline_.passed()) return;
+    const bool is_known = found.assessment.verdict == Verdict::Infeasible && !found.x.empty();
+    if (!is_known || deadline_.passed()) return;
     narrow_blame(
         with_integers_fixed(best_.problem, found.x),
         [&](const Problem& others) {
-          return search_continuous(others, options_, deadline_, false).assessment;
+          Found without = search_continuous(others, options_, deadline_, false);
+          work_.add_work(without);
+          return std::move(without.assessment);
         },
         found.assessment);
+    for (PartFound& part : best_.parts) {
+      if (part.options == best_.options) part.active = found.assessment.blamed;
+    }
   }
 
   /// Where the process of a start has died its answer might have been better.

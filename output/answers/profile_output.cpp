@@ -66,12 +66,13 @@ void say_bridging(const WaveEffects& waves, Document& document) {
 }
 
 void say_left_out(const WaveEffects& waves, Document& document) {
-  constexpr double kWorthSaying = 1e-3, kTooMuch = 0.05;
-  if (waves.effects.empty() || waves.left_out < kWorthSaying) return;
+  constexpr double kWorthSaying = 1e-3;
+  if (!waves.left_out || *waves.left_out < kWorthSaying) return;
   document.say(fmt::format(
       "  waves of this height are not small beside the cam: the changes may be off by about {:.2g} "
       "%{}\n",
-      100 * waves.left_out, waves.left_out > kTooMuch ? ", so that nothing is proved" : ""));
+      100 * *waves.left_out,
+      *waves.left_out > problems::kMostLeftOut ? ", so that nothing is proved" : ""));
 }
 
 void add_waviness(const ProfileAnswer& answer, Document& document) {

@@ -32,9 +32,18 @@ void add_fits_of_other_sizes(const problems::ProblemStatement& begun,
     if (!variation.fit) continue;
     const double from = problems::meant_value(begun, variation);
     const double to = problems::meant_value(design, variation);
-    const optim::Variation taken = variation.at(from), own = variation.at(to);
-    if (taken.lower == own.lower && taken.upper == own.upper) continue;
     const std::string& unit = variation.parameter.unit;
+    const optim::Variation taken = variation.at(from);
+    optim::Variation own;
+    try {
+      own = variation.at(to);
+    } catch (const std::invalid_argument& error) {
+      warnings.push_back(fmt::format("the fit of {} was taken at its start of {}: {}",
+                                     variation.name(), problems::with_unit(from, unit),
+                                     error.what()));
+      continue;
+    }
+    if (taken.lower == own.lower && taken.upper == own.upper) continue;
     warnings.push_back(fmt::format(
         "the fit of {0} was taken at its start of {1}, {2:+.4g} and {3:+.4g} {7}; at {4} it is "
         "{5:+.4g} and {6:+.4g} {7}: search again with this start",
@@ -103,7 +112,7 @@ Warnings warnings_of(const Answer& answer) {
   Warnings warnings;
   if (has_design) {
     const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
-    add_still_objective(optimum.problem, warnings);
+    if (answer.bound.choices().empty()) add_still_objective(optimum.problem, warnings);
     add_fits_of_other_sizes(answer.bound.statement(), design, warnings);
     add_cautions(design, warnings);
   }

@@ -48,10 +48,11 @@ SampleTable lift_columns(const SampleTable& table) {
 void check_one_turn(const std::vector<double>& places) {
   const auto [first, last] = std::minmax_element(places.begin(), places.end());
   if (!(*last - *first > kTurnDegrees + kWidestGap)) return;
-  throw std::invalid_argument(fmt::format(
-      "its angles run from {:.6g} to {:.6g} deg, over {:.3g} turns; give one turn, and the angle's "
-      "unit as it is",
-      *first, *last, (*last - *first) / kTurnDegrees));
+  throw std::invalid_argument(
+      fmt::format("its angles run from {:.6g} to {:.6g} deg, over {:.3g} turns; give one turn, and "
+                  "state the unit "
+                  "that the angles are in",
+                  *first, *last, (*last - *first) / kTurnDegrees));
 }
 
 /// A row that stands out of its neighbours far more than any other does of its own: of the place

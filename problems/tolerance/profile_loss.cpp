@@ -14,8 +14,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr double kFine = 1e-3;         // of a change: how closely a peak is proved
-constexpr double kMostLeftOut = 0.05;  // of a change: beyond it the theory says too little
+constexpr double kFine = 1e-3;  // of a change: how closely a peak is proved
 
 /// The higher one of two peaks.
 CyclePeak higher(const CyclePeak& a, const CyclePeak& b) {
@@ -197,7 +196,7 @@ WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn
   for (ProfileEffect& effect : force_effects(geometry, *waves, any, amplitude)) {
     result.effects.push_back(std::move(effect));
   }
-  if (result.left_out > kMostLeftOut) {
+  if (*result.left_out > kMostLeftOut) {
     for (ProfileEffect& effect : result.effects) effect.proved = false;
   }
   if (geometry.stress() != nullptr && !any) {
@@ -260,12 +259,12 @@ class Shop {
  private:
   /// Up to which the theory is known to hold, m: s A^2 + c A = kMostLeftOut.
   double small_enough(const Waves& waves) const {
-    const double both =
-        highest(geometry_, kInfinite, [&](const auto& p) { return left_out(p, waves, 1); }).value;
-    const double bent =
+    const double s = highest(geometry_, kInfinite, [&](const auto& p) {
+                       return left_out(p, waves, 1) - absolute(p.curvature);
+                     }).value;
+    const double c =
         highest(geometry_, kInfinite, [](const auto& p) { return absolute(p.curvature); }).value;
-    const double c = bent, s = std::max(both, 1e-300);
-    return 2 * kMostLeftOut / (c + std::sqrt(c * c + 4 * s * kMostLeftOut));
+    return 2 * kMostLeftOut / (c + std::sqrt(c * c + 4 * std::max(s, 0.0) * kMostLeftOut));
   }
 
   /// In m.

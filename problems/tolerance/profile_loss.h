@@ -23,6 +23,9 @@ struct ProfileEffect {
   bool proved = false;
 };
 
+/// Of a change: where the theory leaves out more it says too little.
+inline constexpr double kMostLeftOut = 0.05;
+
 /// Waves, or any error without shorter waves, of one amplitude.
 struct WaveEffects {
   double amplitude = 0;                ///< um
@@ -30,7 +33,9 @@ struct WaveEffects {
   double displacement = 0;             ///< of the follower, at most, um or millidegrees
   double valley_share = 0;             ///< chi (PE5); 1: the follower no longer reaches the valleys
   std::optional<double> bridged_from{};  ///< the amplitude at which that begins, um
-  double left_out = 0;  ///< of what the waves change the share that the theory leaves out, in size
+  /// Of what the waves change the share that the theory leaves out, in size; none where the
+  /// follower does not reach the valleys, or no waves are stated.
+  std::optional<double> left_out{};
 };
 
 /// What the shop must hold for the stated loss of one peak, of so many waves.

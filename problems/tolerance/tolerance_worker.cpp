@@ -56,7 +56,10 @@ ProblemStatement restated_design(const ProblemStatement& design) {
   ProblemStatement stated = read_problem(design.text, design.source, design.files);
   set_values(stated, restated_settings(design));
   if (!same_design(stated, design)) {
-    throw std::invalid_argument("this design cannot be sent to other processes");
+    throw std::invalid_argument(
+        "the problem's text and what was set in it give another design than this result has; look "
+        "at "
+        "the problem file itself");
   }
   return stated;
 }

@@ -51,7 +51,8 @@ def rendered(
     if path is not None:
         named = checked_path(path)
         ending = Path(named).suffix.lower()
-        if page and ending not in (".html", ".htm") and not os.path.isdir(named):
+        is_file = os.path.isfile(named) or not os.path.exists(named)  # no folder, pipe or device
+        if page and is_file and ending not in (".html", ".htm"):
             raise InputError(
                 f"path: {named}: a report is a page for the browser, whose name ends in .html or .htm"
             )

@@ -212,13 +212,16 @@ TEST_CASE("Inertia and spring of a wave oppose each other", "[profile]") {
     const ProfileAnswer answer = profile_answer(design, errors);
     const double change = 20e-6 * std::abs(1.2 * omega * omega * n * n - 6000);
     const double valley = 20e-6 * 1.2 * omega * omega * n * n * answer.waviness->valley_share * 1.1;
+    int forces = 0;
     for (const ProfileEffect& effect : answer.waviness->effects) {
       if (!effect.name.ends_with("follower force")) continue;
+      ++forces;
       INFO(n << " waves, " << effect.name << ": " << effect.as_drawn << " to " << effect.worst);
       const double grown = std::abs(effect.worst - effect.as_drawn);
       CHECK(grown >= change * (1 - 1e-3));
       CHECK(grown <= change * (1 + 1e-3) + (effect.name.starts_with("highest") ? valley : 0));
     }
+    CHECK(forces == 2);
   }
 }
 
@@ -230,11 +233,14 @@ TEST_CASE("Of waves that are not small beside the cam nothing is proved", "[prof
   errors.loss = 2;
   errors.waviness = 3000;
   const ProfileAnswer answer = profile_answer(design, errors);
-  CHECK(answer.waviness->left_out > 0.05);
+  REQUIRE(answer.waviness->left_out);
+  CHECK(*answer.waviness->left_out > 0.05);
   for (const ProfileEffect& effect : answer.waviness->effects) CHECK_FALSE(effect.proved);
   errors.waviness.reset();
   errors.loss = 20;
-  for (const ShopLimit& limit : profile_answer(design, errors).shop) {
+  const auto shop = profile_answer(design, errors).shop;
+  CHECK(shop.size() == 3);
+  for (const ShopLimit& limit : shop) {
     INFO(limit.of << ": " << limit.amplitude);
     CHECK(limit.by_theory);
     CHECK(limit.amplitude < 3000);

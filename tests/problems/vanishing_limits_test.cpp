@@ -180,4 +180,25 @@ TEST_CASE("a limit that a dwell violates whatever the design is blamed alone, wi
   CHECK(cam("-30 deg").assessment.verdict == Verdict::Certified);
 }
 
+TEST_CASE("the end of a window is judged from within", "[limits]") {
+  // The parabolic rise decelerates up to 90 deg; the dwell behind it has no acceleration, and is
+  // not in the window.
+  const optim::Assessment found =
+      solved(
+          "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '30 mm'\nspeed = '100 rpm'\n"
+          "[program]\nmatched = 'velocity'\n[[program.segments]]\nname = 'rise'\nangle = '90 "
+          "deg'\nlaw = 'parabolic'\n"
+          "[[program.segments]]\nname = 'high'\nangle = '60 deg'\n"
+          "[[program.segments]]\nname = 'return'\nangle = '100 deg'\nlaw = 'modified-sine'\n"
+          "[[program.segments]]\nname = 'low'\n"
+          "[objective]\nminimize = 'base_radius'\n"
+          "[variables.base_radius]\nlower = '10 mm'\nstart = '40 mm'\nupper = '120 mm'\n"
+          "[[constraints]]\nresponse = 'pressure_angle'\nupper = '30 deg'\n"
+          "[[constraints]]\nresponse = 'acceleration'\nfrom = '50 deg'\nto = '90 deg'\n"
+          "upper = '-1 m/s2'\n")
+          .assessment;
+  INFO(found.reason);
+  CHECK(found.verdict == Verdict::Certified);
+}
+
 }  // namespace camlaw::problems::vanishing_limits_test
