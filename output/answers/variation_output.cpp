@@ -121,6 +121,18 @@ std::string factor_text(const problems::BreakFactor& factor) {
   return fmt::format("{:.4g}{}", factor.factor, proof);
 }
 
+/// What no part is worse than, as far as that is proved.
+double farthest(const WorstPart& w) { return w.is_upper ? w.value + w.slack : w.value - w.slack; }
+
+/// Whether a limit holds; where the proof leaves room beyond the worst part that was found, how
+/// much.
+std::string holds_text(const WorstPart& w) {
+  constexpr double kWorthSaying = 0.01;  // of the margin
+  std::string text(to_string(w.holds));
+  if (w.holds != problems::Holds::Proved || !(w.slack > kWorthSaying * w.margin)) return text;
+  return fmt::format("{}: at {} {}", text, w.is_upper ? "most" : "least", digits(farthest(w)));
+}
+
 Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
   Table table{
       .key = "worst_cases",
@@ -128,7 +140,8 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
                   words("for a part with", "part_text"), words("the limit", "holds"),
                   numbers("violated at factor", "factor"), data("at_angle"), data("part"),
-                  data("side"), data("proved_within"), data("why_not"), data("factor_proved")}};
+                  data("side"), data("proved_within"), data("none_beyond"), data("why_not"),
+                  data("factor_proved")}};
   for (std::size_t i = 0; i < answer.worst.size(); ++i) {
     const WorstPart& w = answer.worst[i];
     const auto& stated = varied.design.constraints[w.limit];
@@ -145,13 +158,14 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                w.unit,
                w.angle ? place_text(*w.angle, stated.response) : "",
                part_text(varied, w),
-               std::string(to_string(w.holds)),
+               {holds_text(w), std::string(to_string(w.holds))},
                has_factor ? Cell(factor_text(answer.factors[i]), answer.factors[i].factor)
                           : Cell("not calculated", nullptr),
                datum(w.angle),
                datum(part),
                datum(w.is_upper ? "upper" : "lower"),
                datum(w.slack),
+               datum(farthest(w)),
                datum(w.why_not),
                datum(has_factor && answer.factors[i].proved)});
   }
