@@ -97,13 +97,13 @@ int run_evaluate(const EvaluateOptions& options) {
   const int status = status_of(review);
   ProblemStatement statement = read.statement;
   problems::set_in_design(statement, read, options.settings);
-  say_first_law(options.file, statement);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);
   const auto limits = problems::standing(statement);
   Document document = evaluation_document(statement, responses, limits, review);
   const bool is_whole = !options.sensitivity || add_sensitivity(options, statement, document);
+  say_first_law(options.file, statement);
   print(document, options.json);
   write_files(files);
   if (!is_whole) return kNotSolved;

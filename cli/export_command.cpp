@@ -37,12 +37,13 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_in_design(design.statement, design, options.settings);
-  say_first_law(options.file, design.statement);
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);
+  const ProblemStatement shown = design.statement;
   const ExportedText written =
       exported_text(options, format, std::move(design), words, std::move(unmet));
+  say_first_law(options.file, shown);
   if (!options.out || (is_quiet() && !options.json)) {
     for (const std::string& limit : written.unmet) warn(fmt::format("{}: {}", options.file, limit));
   }
