@@ -8,6 +8,7 @@
 
 #include "fitting/samples/lift_samples.h"
 #include "numerics/linear/statistics.h"
+#include "numerics/polynomial/lagrange.h"
 #include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
@@ -94,7 +95,7 @@ std::optional<OddOne> odd_one(const MotionSamples& samples) {
                       [&](std::size_t a, std::size_t b) {
                         return std::pair(distance(a), a) < std::pair(distance(b), b);
                       });
-    return miss_of(x, s, std::span(near).first(4), k);
+    return lagrange_miss(x, s, std::span(near).first(4), k);
   };
   // The outermost are reached only by going on beyond the others.
   for (std::size_t odd = 0; odd < order.size(); ++odd) {

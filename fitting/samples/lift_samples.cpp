@@ -11,6 +11,7 @@
 
 #include "fitting/samples/outliers.h"
 #include "numerics/linear/statistics.h"
+#include "numerics/polynomial/lagrange.h"
 
 namespace camlaw::problems {
 namespace {
@@ -83,16 +84,6 @@ std::vector<SamePlace> sorted(std::span<const double> phi, std::span<const doubl
   return groups;
 }
 
-/// Lagrange's weight of the k-th sample, one of those `at`, in the polynomial's value at the i-th.
-double lagrange_weight(std::span<const double> x, std::span<const std::size_t> at, std::size_t k,
-                       std::size_t i) {
-  double weight = 1;
-  for (const std::size_t l : at) {
-    if (l != k) weight *= (x[i] - x[l]) / (x[k] - x[l]);
-  }
-  return weight;
-}
-
 /// By how much each sample misses a cubic through its neighbours, in the unit of one sample's
 /// noise.
 Possible<std::vector<double>> misses(std::span<const double> x, std::span<const double> s) {
@@ -139,7 +130,7 @@ double miss_without(const LiftSamples& lift, const std::vector<bool>& left_out, 
     if (k < left.size()) at.push_back(left[k]);
     if (k < right.size()) at.push_back(right[k]);
   }
-  return miss_of(lift.phi, lift.s, at, i);
+  return lagrange_miss(lift.phi, lift.s, at, i);
 }
 
 /// Of the suspects those that are by themselves: where the curve is wrong samples follow their
@@ -243,13 +234,6 @@ void find_off_at_ends(const LiftSamples& lift, const std::vector<double>& sizes,
 }
 
 }  // namespace
-
-double miss_of(std::span<const double> x, std::span<const double> s,
-               std::span<const std::size_t> at, std::size_t i) {
-  double miss = s[i];
-  for (const std::size_t k : at) miss -= lagrange_weight(x, at, k, i) * s[k];
-  return miss;
-}
 
 Possible<double> possible_noise(std::span<const double> x, std::span<const double> s) {
   if (auto fault = bad_lengths(x.size(), s.size())) return std::move(*fault);

@@ -12,10 +12,6 @@
 /// measured lift").
 namespace camlaw::problems {
 
-/// By how much sample i misses the polynomial through the samples `at`.
-double miss_of(std::span<const double> x, std::span<const double> s,
-               std::span<const std::size_t> at, std::size_t i);
-
 /// The standard deviation of noise that is independent from sample to sample (I9): what a cubic
 /// through two neighbours on each side leaves, by the median. x must increase.
 /// Impossible for fewer than 12 samples or lengths that differ.

@@ -23,6 +23,19 @@ bool matters(const Four& derivatives, const std::array<bool, 4>& uses) {
   return false;
 }
 
+/// Sets the derivatives of those of s, v, a, j to 0 that do not matter: a formula's derivative by
+/// them is 0, and where they have no bound, as the jerk of an ellipse at its end, the product would
+/// not be a number.
+void leave_used(const std::array<bool, 4>& uses, MotionDerivatives& motion) {
+  for (std::vector<Four>* all : {&motion.gradient, &motion.hessian}) {
+    for (Four& four : *all) {
+      for (std::size_t m = 0; m < 4; ++m) {
+        if (!uses[m]) four[m] = 0;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law) {
@@ -40,16 +53,6 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
   for (double& derivative : law.value) derivative = -derivative;
   negate(law.gradient);
   return law;
-}
-
-void leave_used(const std::array<bool, 4>& uses, MotionDerivatives& motion) {
-  for (std::vector<Four>* all : {&motion.gradient, &motion.hessian}) {
-    for (Four& four : *all) {
-      for (std::size_t m = 0; m < 4; ++m) {
-        if (!uses[m]) four[m] = 0;
-      }
-    }
-  }
 }
 
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,

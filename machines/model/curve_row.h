@@ -16,11 +16,6 @@ namespace camlaw::problems {
 MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law);
 MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law);
 
-/// Sets the derivatives of those of s, v, a, j to 0 that do not matter: a formula's derivative by
-/// them is 0, and where they have no bound, as the jerk of an ellipse at its end, the product would
-/// not be a number.
-void leave_used(const std::array<bool, 4>& uses, MotionDerivatives& motion);
-
 /// The follower's motion at one place of the cycle, as a function of the law's variables.
 class PlaceMotion {
  public:

@@ -146,13 +146,8 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto [at, side] = law_place(stretch, place);
   const std::vector<double> values = law_->values_at(x);
-  MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
-  MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
-  leave_used(parts_->uses, motion);
-  leave_used(parts_->uses, rate);
-  for (std::size_t m = 0; m < 4; ++m) {
-    if (!parts_->uses[m]) rate.value[m] = 0;
-  }
+  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
+  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
   const std::size_t machine = variables_.size();
   const std::size_t inner = machine + (parts_->uses_place ? 5 : 4);
   std::vector<double> u = arguments_at(variables_, x);
@@ -170,9 +165,12 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   for (std::size_t k = 0; k < machine; ++k) {
     result[variables_[k]] += by_place(k) / stretch.length();
   }
+  // What the formula does not use may have no bound there, and counts for nothing.
   for (std::size_t m = 0; m < 4; ++m) {
+    if (!parts_->uses[m]) continue;
     bent[m] = by_place(machine + m);
     for (std::size_t n = 0; n < 4; ++n) {
+      if (!parts_->uses[n]) continue;
       bent[m] +=
           h[optim::packed(machine + std::max(m, n), machine + std::min(m, n))] * rate.value[n];
     }

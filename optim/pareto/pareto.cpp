@@ -233,13 +233,9 @@ Front pareto(const ProblemSpace& space, const ParetoOptions& options, Executor& 
   search(sweep);
   settle(sweep, sweep.so_far());
   settle_bounds(sweep);
-  sweep.front.remark = executor.remark();
-  if (lacks_scout(sweep)) {
-    const std::string lacking =
-        "NSGA-II, which looks first where a problem is not known to be convex, did not: its "
-        "plug-in, camlaw-nsga2.so, is not installed";
-    sweep.front.remark += (sweep.front.remark.empty() ? "" : "; ") + lacking;
-  }
+  std::string& remark = sweep.front.remark;
+  const std::string of_tasks = executor.remark();
+  remark = of_tasks + (of_tasks.empty() || remark.empty() ? "" : "; ") + remark;
   return std::move(sweep.front);
 }
 

@@ -72,7 +72,8 @@ struct Front {
   std::optional<double> largest_gap;
   /// It was not stopped, and there is no larger gap than kLargestGap.
   bool complete = false;
-  /// What a user should know of how the tasks were carried out (Executor::remark); empty: nothing.
+  /// What a user should know of how the tasks were carried out (Executor::remark), and of what did
+  /// not look for want of a plug-in; empty: nothing.
   std::string remark;
 
   /// How many of the points are certified.

@@ -11,6 +11,7 @@ namespace camlaw::optim {
 namespace {
 
 bool is_there(const ParetoOptions& options) {
+  if (options.method == ParetoMethod::Nsga2) return true;
   return options.scouts ? *options.scouts : has_nsga2();
 }
 
@@ -21,10 +22,6 @@ bool may_help(const Problem& multi, const ParetoOptions& options) {
   if (options.method != ParetoMethod::Automatic)
     return varies && options.method == ParetoMethod::Nsga2;
   return varies && !searches_are_convex(multi);
-}
-
-bool is_wanted(const Problem& multi, const ParetoOptions& options) {
-  return may_help(multi, options) && (options.method == ParetoMethod::Nsga2 || is_there(options));
 }
 
 Task scout_task(std::size_t part, const ParetoOptions& options) {
@@ -70,8 +67,14 @@ bool searches_are_convex(const Problem& multi) {
 Scouted scout_parts(Sweep& sweep) {
   std::vector<Task> tasks;
   for (std::size_t part = 0; part < sweep.parts.size(); ++part) {
-    if (is_wanted(sweep.space.problem(sweep.space.options(part)), sweep.options))
+    if (may_help(sweep.space.problem(sweep.space.options(part)), sweep.options))
       tasks.push_back(scout_task(part, sweep.options));
+  }
+  if (!tasks.empty() && !is_there(sweep.options)) {
+    tasks.clear();
+    sweep.front.remark =
+        "NSGA-II, which looks first where a problem is not known to be convex, did not: its "
+        "plug-in, camlaw-nsga2.so, is not installed";
   }
   Scouted scouted(sweep.parts.size());
   const std::vector<Outcome> outcomes = sweep.carry_out(tasks);
@@ -81,14 +84,6 @@ Scouted scout_parts(Sweep& sweep) {
   }
   sweep.report();
   return scouted;
-}
-
-bool lacks_scout(const Sweep& sweep) {
-  if (sweep.options.method != ParetoMethod::Automatic || is_there(sweep.options)) return false;
-  for (std::size_t part = 0; part < sweep.parts.size(); ++part) {
-    if (may_help(sweep.space.problem(sweep.space.options(part)), sweep.options)) return true;
-  }
-  return false;
 }
 
 std::vector<std::vector<double>> starts_of(const std::vector<FrontPoint>& found) {

@@ -11,10 +11,9 @@ using Scouted = std::vector<std::vector<FrontPoint>>;
 /// Whether every search of a sweep has one optimum, whatever its bounds.
 bool searches_are_convex(const Problem& multi);
 
-/// Looks at combinations with NSGA-II, where that is asked for or may help.
+/// Looks at combinations with NSGA-II, where that is asked for or may help; the front's remark says
+/// if it might have helped the automatic method and its plug-in was not there.
 Scouted scout_parts(Sweep& sweep);
-/// Whether it would have helped the automatic method, and its plug-in was not there.
-bool lacks_scout(const Sweep& sweep);
 
 /// Chooses designs to begin with: the best for each objective of those that were found in a part.
 std::vector<std::vector<double>> starts_of(const std::vector<FrontPoint>& found);

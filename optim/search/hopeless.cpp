@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "optim/cycle/extremes.h"
+#include "optim/problem/inputs.h"
 
 namespace camlaw::optim {
 namespace {
@@ -38,17 +38,8 @@ double settled_value(const Response& response, bool highest, const Problem& prob
   return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
 }
 
-/// The variables that a response depends on.
-std::set<std::size_t> inputs_of(const Response& response, const Problem& problem) {
-  std::set<std::size_t> all;
-  const auto add = [&](const Function& f) { all.insert(f.inputs().begin(), f.inputs().end()); };
-  if (!response.is_curve()) {
-    add(response.function());
-    return all;
-  }
-  for (const double place : response.curve().trace(problem.start())->breaks())
-    add(response.curve().at({place}));
-  return all;
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.6g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
 /// "base_radius is fixed at 20 mm by its bounds", of those that the response depends on and whose
@@ -59,8 +50,8 @@ std::string why_settled(const Response& response, const Problem& problem) {
   for (const std::size_t i : inputs_of(response, problem)) {
     const Variable& v = problem.variables[i];
     if (v.integer || v.lower != v.upper) continue;
-    fixed.push_back(fmt::format("{} is fixed at {:.6g}{} by its bounds", v.name, v.lower,
-                                v.unit.empty() || v.unit == "1" ? "" : " " + v.unit));
+    fixed.push_back(
+        fmt::format("{} is fixed at {} by its bounds", v.name, with_unit(v.lower, v.unit)));
   }
   if (fixed.empty()) return "no variable changes it";
   return fmt::format(
@@ -78,12 +69,6 @@ std::vector<Bounds> whole_box(const Problem& problem) {
   return box;
 }
 
-/// A place at which a curve is the same for every design.
-struct StillPlace {
-  double place;
-  Bounds value;
-};
-
 /// Whether slopes within these bounds change nothing over the box but rounding.
 bool is_still(const std::vector<Bounds>& slopes, const Function& f, const std::vector<Bounds>& box,
               double tolerance) {
@@ -97,32 +82,34 @@ bool is_still(const std::vector<Bounds>& slopes, const Function& f, const std::v
   return change <= kRounding * tolerance;
 }
 
-/// Of the ends of its smooth stretches those at which the slopes by all variables are enclosed as
-/// zero over the whole box: the pressure angle in a dwell. Of a curve whose stretches move, such as
-/// one over a window, the ends of one design say nothing of another.
-std::vector<StillPlace> still_places(const Response& response, const Problem& problem,
-                                     const std::vector<Bounds>& box, double tolerance) {
-  std::vector<StillPlace> still;
-  if (!response.is_curve() || box.empty() || response.curve().breaks_move()) return still;
-  const Curve& curve = response.curve();
-  const std::vector<double> breaks = curve.trace(problem.start())->breaks();
+/// Looks for an end of a smooth stretch at which a curve violates its limit, of these bounds with
+/// their tolerance, at the start, and the slopes by all variables are enclosed as zero over the
+/// whole box: the pressure angle in a dwell. Of a curve whose stretches move, such as one over a
+/// window, the ends of one design say nothing of another.
+std::optional<Hopeless> violated_where_still(const Constraint& limit, const Problem& problem,
+                                             const Bounds& within, double tolerance) {
+  const Response& response = limit.response;
+  const std::vector<Bounds> box = whole_box(problem);
+  if (!response.is_curve() || box.empty() || response.curve().breaks_move()) return {};
+  const auto trace = response.curve().trace(problem.start());
+  const std::vector<double> breaks = trace->breaks();
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     for (const bool from_left : {false, true}) {
       if (from_left ? k == 0 : k + 1 == breaks.size()) continue;  // beyond the curve
-      const Function f = curve.at({breaks[k], from_left});
+      const Place place{breaks[k], from_left};
+      const double value = trace->at(place)[0];
+      if (!(value < within.lower) && !(value > within.upper)) continue;
+      const Function f = response.curve().at(place);
       const BoxRange range = f.range(box);
-      if (is_still(range.slopes, f, box, tolerance)) still.push_back({breaks[k], range.value});
+      const bool is_beyond = range.value.upper < within.lower || range.value.lower > within.upper;
+      if (!is_beyond || !is_still(range.slopes, f, box, tolerance)) continue;
+      const std::string there =
+          fmt::format("at {:.6g} it is {}", breaks[k], with_unit(value, response.unit));
+      return Hopeless{response.name, there + " whatever the variables",
+                      fmt::format("{}: {} for every design", response.name, there)};
     }
   }
-  return still;
-}
-
-Hopeless beyond(const Response& response, const StillPlace& still, bool is_upper) {
-  const std::string unit = response.unit.empty() || response.unit == "1" ? "" : " " + response.unit;
-  const double nearest = is_upper ? still.value.lower : still.value.upper;
-  const std::string there = fmt::format("at {:.6g} it is {:.6g}{}", still.place, nearest, unit);
-  return {response.name, there + " whatever the variables",
-          fmt::format("{}: {} for every design", response.name, there)};
+  return {};
 }
 
 /// Whether an answer blames this limit and something else.
@@ -134,21 +121,17 @@ bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
 }  // namespace
 
 std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes) {
-  const std::vector<Bounds> box = whole_box(problem);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     const double tolerance = sizes.constraints[i].tolerance;
-    const double above = c.upper ? *c.upper + tolerance : kInfinity;
-    const double below = c.lower ? *c.lower - tolerance : -kInfinity;
-    if ((c.upper && settled_value(c.response, true, problem) > above) ||
-        (c.lower && settled_value(c.response, false, problem) < below)) {
+    const Bounds within{c.lower ? *c.lower - tolerance : -kInfinity,
+                        c.upper ? *c.upper + tolerance : kInfinity};
+    if ((c.upper && settled_value(c.response, true, problem) > within.upper) ||
+        (c.lower && settled_value(c.response, false, problem) < within.lower)) {
       return Hopeless{c.response.name, why_settled(c.response, problem),
                       fmt::format("{} is the same for every design", c.response.name)};
     }
-    for (const StillPlace& still : still_places(c.response, problem, box, tolerance)) {
-      if (still.value.lower > above) return beyond(c.response, still, true);
-      if (still.value.upper < below) return beyond(c.response, still, false);
-    }
+    if (auto found = violated_where_still(c, problem, within, tolerance)) return found;
   }
   return {};
 }

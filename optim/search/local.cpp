@@ -2,7 +2,6 @@
 #include "optim/search/local.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -158,12 +158,7 @@ class Optimiser {
     if (tally_.stopped.empty()) tally_.stopped = combinations_.lost();
     Found& found = best_.found;
     blame_fewest();
-    if (combinations_.is_of_one()) {
-      found.evaluations = work_.evaluations;
-      found.iterations = work_.iterations;
-      found.solves = work_.solves;
-      return say_lost(found.assessment);
-    }
+    if (combinations_.is_of_one()) return say_lost(found.assessment);
     if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
       Problem fixed = with_integers_fixed(best_.problem, found.x);
       for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
@@ -199,6 +194,7 @@ class Optimiser {
         [&](const Problem& others) {
           Found without = search_continuous(others, options_, deadline_, false);
           work_.add_work(without);
+          found.add_work(without);
           return std::move(without.assessment);
         },
         found.assessment);

@@ -15,13 +15,6 @@ namespace {
 
 using problems::Buildability, problems::BuildableAnswer, problems::Built;
 
-/// "undercut", "second wall": a check's name in words.
-std::string name_of(const BuildableAnswer& answer) {
-  std::string name = answer.check->name;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 /// The answer, on pages as a badge.
 Cell answer_cell(Built built) {
   const std::string word{problems::to_string(built)};
@@ -40,7 +33,7 @@ std::string remark_of(const BuildableAnswer& answer) {
 
 std::vector<Cell> unchecked_cells(const BuildableAnswer& answer) {
   const Json none = nullptr;
-  return {{name_of(answer), answer.check->name},
+  return {{plain_name(answer.check->name), answer.check->name},
           answer_cell(answer.built),
           answer.check->response,
           {"", none},
@@ -53,8 +46,9 @@ std::vector<Cell> unchecked_cells(const BuildableAnswer& answer) {
 }
 
 std::vector<Cell> checked_cells(const BuildableAnswer& answer) {
-  std::vector<Cell> cells{
-      {name_of(answer), answer.check->name}, answer_cell(answer.built), answer.report.name};
+  std::vector<Cell> cells{{plain_name(answer.check->name), answer.check->name},
+                          answer_cell(answer.built),
+                          answer.report.name};
   for (Cell& cell : limit_cells(answer.report, answer.limit)) cells.push_back(std::move(cell));
   cells.push_back(remark_of(answer));
   return cells;
@@ -82,7 +76,7 @@ std::string buildable_in_short(const Buildability& found) {
   for (const Built built : {Built::Fails, Built::NotChecked}) {
     std::vector<std::string> names;
     for (const BuildableAnswer& answer : found.checks) {
-      if (answer.built == built) names.push_back(name_of(answer));
+      if (answer.built == built) names.push_back(plain_name(answer.check->name));
     }
     if (names.empty()) continue;
     return fmt::format("{}: {}", problems::to_string(built), fmt::join(names, ", "));

@@ -42,11 +42,6 @@ std::string points_text(const std::vector<std::size_t>& points) {
 
 namespace {
 
-std::string plain_check(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 /// What came of one check at all points.
 struct CheckedPoints {
   std::vector<std::size_t> points[3];                ///< by Built
@@ -95,7 +90,7 @@ Document front_buildable(const FrontAnswer& answer) {
     } else if (!open.empty()) {
       lines += fmt::format("not checked at {}: {}: {}\n",
                            open.size() == answer.built.size() ? "any point" : points_text(open),
-                           plain_check(name), checked.first->why);
+                           plain_name(name), checked.first->why);
     }
     checks.push_back({{"check", name},
                       {"holds", checked.at(Built::Holds).size()},

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
+#include "optim/problem/inputs.h"
 #include "output/answers/front_words.h"
 #include "output/document/printing.h"
 #include "problems/statement/cautions.h"
@@ -52,24 +52,6 @@ void add_fits_of_other_sizes(const problems::ProblemStatement& begun,
   }
 }
 
-/// The variables that a response depends on, at any of some places of a curve.
-std::set<std::size_t> inputs_of(const optim::Response& response, const optim::Problem& problem) {
-  if (!response.is_curve()) {
-    const auto& inputs = response.function().inputs();
-    return {inputs.begin(), inputs.end()};
-  }
-  std::set<std::size_t> all;
-  const std::vector<double> breaks = response.curve().trace(problem.start())->breaks();
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    for (const double share : {0.0, 0.13, 0.5, 0.87}) {
-      const optim::Function there =
-          response.curve().at({std::lerp(breaks[k], breaks[k + 1], share)});
-      all.insert(there.inputs().begin(), there.inputs().end());
-    }
-  }
-  return all;
-}
-
 /// Where nothing that varies moves the objective, every design that meets the limits is as good:
 /// which one is shown means nothing.
 void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
@@ -77,7 +59,7 @@ void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
     return problem.variables[i].lower < problem.variables[i].upper;
   };
   const optim::Response& sought = problem.objective().response;
-  const std::set<std::size_t> inputs = inputs_of(sought, problem);
+  const std::set<std::size_t> inputs = optim::inputs_of(sought, problem);
   bool any = false;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) any = any || varies(i);
   if (!any || std::any_of(inputs.begin(), inputs.end(), varies)) return;

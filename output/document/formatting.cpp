@@ -75,6 +75,18 @@ std::string in_digits(double value, int digits) {
   return fmt::format("{:.{}g}", value + 0.0, digits);
 }
 
+std::string plain_name(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> kOwnNames[] = {
+      {"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}};
+  std::string result(name);
+  std::replace(result.begin(), result.end(), '_', ' ');
+  for (const auto& [plain, written] : kOwnNames) {
+    const std::size_t at = result.find(plain);
+    if (at != std::string::npos) result.replace(at, plain.size(), written);
+  }
+  return result;
+}
+
 std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
 
 std::string with_unit(const std::string& text, const std::string& unit) {

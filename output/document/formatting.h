@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace camlaw::cli {
@@ -17,6 +18,8 @@ std::string shown(double value, int decimals);
 std::string significant(double value, double size, int digits = 7);
 /// A number for people: so many significant digits, never "-0".
 std::string in_digits(double value, int digits = 7);
+/// A name of the program for readers: "peak_pressure_angle" as "peak pressure angle".
+std::string plain_name(std::string_view name);
 /// A unit as it stands beside numbers: nothing for that of plain numbers, "1".
 std::string shown_unit(const std::string& unit);
 /// "40 mm", of a plain number "40".

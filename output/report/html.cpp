@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "output/answers/warnings.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/figure/chart_svg.h"
 
@@ -36,18 +37,6 @@ std::string cell_html(const Column& column, const Cell& cell) {
 }
 
 }  // namespace
-
-std::string plain_name(std::string_view name) {
-  constexpr std::pair<std::string_view, std::string_view> kOwnNames[] = {
-      {"youngs modulus", "Young's modulus"}, {"poisson ratio", "Poisson's ratio"}};
-  std::string result(name);
-  std::replace(result.begin(), result.end(), '_', ' ');
-  for (const auto& [plain, written] : kOwnNames) {
-    const std::size_t at = result.find(plain);
-    if (at != std::string::npos) result.replace(at, plain.size(), written);
-  }
-  return result;
-}
 
 std::string escaped(std::string_view text) { return xml_escape(text); }
 

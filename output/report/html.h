@@ -12,9 +12,6 @@
 /// is.
 namespace camlaw::cli {
 
-/// A name of the program for readers: "peak_pressure_angle" as "peak pressure angle".
-std::string plain_name(std::string_view name);
-
 /// Text for a cell or an attribute.
 std::string escaped(std::string_view text);
 std::string paragraph(std::string_view text);

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "output/answers/reproduction_output.h"
+#include "output/document/formatting.h"
 #include "output/document/short_version.h"
 #include "output/report/html.h"
 #include "output/report/provenance.h"

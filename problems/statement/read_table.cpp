@@ -11,6 +11,7 @@
 
 #include "kinematics/laws/lone_law.h"
 #include "kinematics/program/table_motion.h"
+#include "numerics/polynomial/lagrange.h"
 #include "numerics/tables/columns.h"
 #include "numerics/tables/line_source.h"
 #include "numerics/tables/sample_table.h"
@@ -62,26 +63,17 @@ std::optional<std::size_t> slip_of(const TurnTable& turn, double range) {
   constexpr double kShare = 0.02, kTimes = 10;
   const std::size_t rows = turn.x.size();
   if (rows < 12) return {};
+  // With two rows of the turns before and after on each side.
+  std::vector<double> x, lift;
+  for (std::size_t k = 0; k < rows + 4; ++k) {
+    const std::size_t row = (k + rows - 2) % rows;
+    x.push_back(turn.x[row] + (k < 2 ? -1 : k < rows + 2 ? 0 : 1));
+    lift.push_back(turn.lift[row]);
+  }
   std::vector<double> off(rows);
   for (std::size_t i = 0; i < rows; ++i) {
-    const auto place = [&](std::size_t k) { return turn.x[k] - turn.x[i]; };
-    std::array<std::size_t, 4> near{};
-    std::array<double, 4> x{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      near[k] = (i + rows + k + (k < 2 ? 0 : 1) - 2) % rows;
-      x[k] = place(near[k]);
-      if (k < 2 && x[k] > 0) x[k] -= 1;
-      if (k >= 2 && x[k] < 0) x[k] += 1;
-    }
-    double expected = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      double weight = 1;
-      for (std::size_t m = 0; m < 4; ++m) {
-        if (m != k) weight *= x[m] / (x[m] - x[k]);
-      }
-      expected += weight * turn.lift[near[k]];
-    }
-    off[i] = std::abs(turn.lift[i] - expected);
+    const std::array<std::size_t, 4> near{i, i + 1, i + 3, i + 4};
+    off[i] = std::abs(lagrange_miss(x, lift, near, i + 2));
   }
   const auto worst =
       static_cast<std::size_t>(std::max_element(off.begin(), off.end()) - off.begin());

@@ -258,8 +258,9 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
     if isinstance(name, Law) and not coefficients:
         return Law(name._native)
     known = name_of(name, "law") if isinstance(name, Law) else word(name, "law")
+    stated = "" if isinstance(name, Law) else known
     for twice in coefficients:
-        if not isinstance(name, Law) and re.search(rf"(?:^|\s){re.escape(twice)}\s*=", known):
+        if re.search(rf"(?:^|\s){re.escape(twice)}\s*=", stated):
             raise InputError(f"law: {twice} is given twice, in '{known}' and beside it")
     return Law(native.law(known, units.settings_of(coefficients)))
 
