@@ -38,7 +38,7 @@ double settled_value(const Response& response, bool highest, const Problem& prob
   return is_constant(curve.at(worst.place), problem) ? worst.value : kNone;
 }
 
-std::string with_unit(double value, const std::string& unit) {
+std::string number_with_unit(double value, const std::string& unit) {
   return fmt::format("{:.6g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
@@ -51,7 +51,7 @@ std::string why_settled(const Response& response, const Problem& problem) {
     const Variable& v = problem.variables[i];
     if (v.integer || v.lower != v.upper) continue;
     fixed.push_back(
-        fmt::format("{} is fixed at {} by its bounds", v.name, with_unit(v.lower, v.unit)));
+        fmt::format("{} is fixed at {} by its bounds", v.name, number_with_unit(v.lower, v.unit)));
   }
   if (fixed.empty()) return "no variable changes it";
   return fmt::format(
@@ -104,7 +104,7 @@ std::optional<Hopeless> violated_where_still(const Constraint& limit, const Prob
       const bool is_beyond = range.value.upper < within.lower || range.value.lower > within.upper;
       if (!is_beyond || !is_still(range.slopes, f, box, tolerance)) continue;
       const std::string there =
-          fmt::format("at {:.6g} it is {}", breaks[k], with_unit(value, response.unit));
+          fmt::format("at {:.6g} it is {}", breaks[k], number_with_unit(value, response.unit));
       return Hopeless{response.name, there + " whatever the variables",
                       fmt::format("{}: {} for every design", response.name, there)};
     }
