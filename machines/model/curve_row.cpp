@@ -101,12 +101,34 @@ MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
   return motion;
 }
 
-MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
-  if (!joint_ && law_->is_linear()) return linear_at(values);
+MotionDerivatives PlaceMotion::law_at(std::span<const double> values, int order) const {
   MotionDerivatives motion = joint_ ? law_->joint_motion(*joint_, place_.side, values, order)
                                     : law_->motion(place_.x, place_.side, values, order);
   leave_used(uses_, motion);
   return follower_motion(stretch_, std::move(motion));
+}
+
+double PlaceMotion::one_sided(double v, std::span<const double> values) const {
+  constexpr double kStill = 1e-12, kBeside = 1e-4, kTiny = 1e-100;
+  if (!uses_[1] || !(std::abs(v) <= kStill)) return v;
+  const double place = joint_ ? law_->end_place({*joint_, true}, values, 0).value[0] : place_.x;
+  const double x = place + (place_.side == Side::Left ? -kBeside : kBeside);
+  if (!(x > 0 && x < 1)) return v;
+  // A law that is linear in what varies is looked at with its own values: those here are few.
+  const bool is_linear = !joint_ && law_->is_linear();
+  const MotionDerivatives law{is_linear ? law_->linear_motion_at(x, place_.side).value
+                                        : law_->motion(x, place_.side, values, 0).value,
+                              {},
+                              {}};
+  const double inside = follower_motion(stretch_, law).value[1];
+  return std::abs(inside) > kStill ? std::copysign(kTiny, inside) : 0;
+}
+
+MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
+  const bool is_linear = !joint_ && law_->is_linear();
+  MotionDerivatives motion = is_linear ? linear_at(values) : law_at(values, order);
+  motion.value[1] = one_sided(motion.value[1], values);
+  return motion;
 }
 
 std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Bounds> box) const {

@@ -47,6 +47,9 @@ class PlaceMotion {
 
  private:
   MotionDerivatives linear_at(std::span<const double> values) const;
+  MotionDerivatives law_at(std::span<const double> values, int order) const;
+  /// s' as one comes to the place from its side (velocity_from_within).
+  double one_sided(double v, std::span<const double> values) const;
 
   std::shared_ptr<const LawBinding> law_;
   Stretch stretch_;

@@ -10,6 +10,7 @@
 #include "machines/model/jumps.h"
 #include "machines/model/not_a_number.h"
 #include "machines/model/pulse.h"
+#include "machines/model/rest_velocity.h"
 
 namespace camlaw::problems {
 namespace {
@@ -29,6 +30,7 @@ MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
       formula_(std::move(formula)),
       may_jump_(jumps.has_value()) {
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
+  if (law_ && uses[1]) still_ = velocity_rounding(*law_);
   if (law_) pulse_ = pulse_place(cycle_, *law_, uses);
   if (law_ && may_jump_) keep_jumps(*jumps);
 }
@@ -106,7 +108,9 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const Section& section = section_at(place);
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const double x = law_place(stretch, place, may_jump_).x;
-  const auto d = derivatives<6>(law_->pieces()[section.piece], x);
+  const Piece<double>& piece = law_->pieces()[section.piece];
+  auto d = derivatives<6>(piece, x);
+  d[1] = velocity_from_within(d[1], piece, x, still_);
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
   const double rate = 1 / stretch.length();
@@ -126,13 +130,13 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
   std::vector<double> result(places.size(), kNaN);
   if (!law_) return result;
   std::vector<std::size_t> inside;
-  std::vector<const Stretch*> stretches;
+  std::vector<const Section*> sections;
   PlaceRows rows;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Section& section = section_at(places[i]);
     if (const auto x = place_inside(section, places[i])) {
       inside.push_back(i);
-      stretches.push_back(&cycle_.stretches[section.stretch]);
+      sections.push_back(&section);
       rows.x.push_back(*x);
     } else {
       result[i] = at(places[i])[0];
@@ -141,8 +145,10 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
   for (auto* row : {&rows.s, &rows.v, &rows.a, &rows.j}) row->resize(inside.size());
   evaluate(*law_, rows.x, {rows.s, rows.v, rows.a, rows.j});
   for (std::size_t k = 0; k < inside.size(); ++k) {
-    const Motion<double> law{rows.s[k], rows.v[k], rows.a[k], rows.j[k]};
-    const auto m = follower_motion(*stretches[k], law);
+    const auto& piece = law_->pieces()[sections[k]->piece];
+    const double v = velocity_from_within(rows.v[k], piece, rows.x[k], still_);
+    const Motion<double> law{rows.s[k], v, rows.a[k], rows.j[k]};
+    const auto m = follower_motion(cycle_.stretches[sections[k]->stretch], law);
     rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
   }
   const std::vector<double> values = formula_->values(rows);

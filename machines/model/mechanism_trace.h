@@ -78,8 +78,9 @@ class MechanismTrace final : public optim::Trace {
   std::unique_ptr<const CurveFormula> formula_;
   std::vector<Section> sections_;
   std::optional<double> pulse_;  ///< its place
-  bool may_jump_;                ///< the formula
-  std::vector<double> jumps_;    ///< where it does
+  double still_ = -1;          ///< s' is 0 up to this, where the formula has it (velocity_rounding)
+  bool may_jump_;              ///< the formula
+  std::vector<double> jumps_;  ///< where it does
 };
 
 }  // namespace camlaw::problems

@@ -150,6 +150,21 @@ TEST_CASE("at its optimum the shipped parallel index drive has whole flanks", "[
   }
 }
 
+TEST_CASE("a turret that only moves forward is never braked by its friction", "[index-drives]") {
+  for (const std::string machine : {"parallel-index-cam", "indexing-barrel", "globoidal-cam"}) {
+    const ProblemStatement statement = read_problem(
+        "mechanism = '" + machine +
+            "'\n[constants]\ninertia = '0.001 kg m2'\nfriction_torque = 50\nspeed = '60 rpm'\n"
+            "[[program.segments]]\nname = 'index'\nangle = '120 deg'\nlaw = 'modified-sine'\n"
+            "[[program.segments]]\nname = 'rest'\n",
+        "drive.toml");
+    INFO(machine);
+    for (const EvaluatedResponse& r : evaluate(statement)) {
+      if (r.name == "turret_torque") CHECK(r.lowest > -1e-9);
+    }
+  }
+}
+
 TEST_CASE("forces on the rollers of a parallel index drive do the cam's work", "[index-drives]") {
   const ProblemStatement statement =
       read_problem(drive("friction_torque = 15\nload_torque = 4\n"), "drive.toml");

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/rest_velocity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camlaw::problems {
+namespace {
+
+/// The sum of what the terms of s' can be in a piece, each by its magnitude.
+double velocity_terms(const Piece<double>& piece) {
+  const double far =
+      std::max(std::abs(piece.begin - piece.origin), std::abs(piece.end - piece.origin));
+  double sum = 0, power = 1;
+  for (std::size_t k = 1; k < piece.polynomial.size(); ++k) {
+    sum += static_cast<double>(k) * std::abs(piece.polynomial[k]) * power;
+    power *= far;
+  }
+  for (const auto& h : piece.harmonics)
+    sum += (std::abs(h.sine) + std::abs(h.cosine)) * std::abs(h.frequency);
+  for (const auto& c : piece.curves) sum += std::abs(c.amplitude * c.rate);
+  return sum;
+}
+
+}  // namespace
+
+double velocity_rounding(const Law<double>& law) {
+  constexpr double kRounding = 4e-15;
+  double terms = 0;
+  for (const Piece<double>& piece : law.pieces()) terms = std::max(terms, velocity_terms(piece));
+  return kRounding * terms;
+}
+
+double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding) {
+  constexpr double kBeside = 1e-3, kTiny = 1e-100;
+  if (!(std::abs(v) <= rounding)) return v;
+  const double beside = kBeside * (piece.end - piece.begin);
+  const bool at_begin = x <= piece.begin + beside;
+  if (!at_begin && x < piece.end - beside) return v;
+  const double inside =
+      derivatives<2>(piece, at_begin ? piece.begin + beside : piece.end - beside)[1];
+  return std::abs(inside) > rounding ? std::copysign(kTiny, inside) : 0;
+}
+
+}  // namespace camlaw::problems

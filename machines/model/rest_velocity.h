@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/law.h"
+
+namespace camlaw::problems {
+
+/// What rounding can leave of a velocity s' that is 0: some units in the last place of the terms
+/// that s' is summed from, in the piece of the law where these are largest.
+double velocity_rounding(const Law<double>& law);
+
+/// The velocity at a place x of a piece, as one comes there from within. Where a law comes to rest
+/// rounding leaves a velocity of either sign, and friction or the loss of a gear, which follow its
+/// sign, would push the wrong way: at an end of the piece, and within a thousandth of its length,
+/// what is no more than `rounding` becomes 1e-100 with the sign that s' has farther inside. It is 0
+/// where s' is no more than rounding there too, as in a dwell.
+double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding);
+
+}  // namespace camlaw::problems
