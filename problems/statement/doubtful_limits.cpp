@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/over_ranges.h"
 #include "optim/cycle/maxima_at.h"
 #include "problems/statement/parameters.h"
 
@@ -80,7 +81,20 @@ void look_at(const optim::Response& response, optim::MaximaAt& maxima, optim::De
             c);
 }
 
-std::vector<Found> looked_at(const BoundProblem& bound) {
+/// The statement with each limit at one value of the parameters that have ranges: the worst over a
+/// range takes a search, and is hardly of another order of magnitude.
+ProblemStatement at_one_value(ProblemStatement statement) {
+  for (ConstraintStatement& c : statement.constraints) {
+    const auto over = c.of_range ? c.of_range->over_ranges : nullptr;
+    if (!over) continue;
+    c.response.response = over->of.get();
+    if (c.is_size) c.response.part = optim::Part::Magnitude;
+  }
+  return statement;
+}
+
+std::vector<Found> looked_at(const BoundProblem& of_ranges) {
+  const BoundProblem bound(at_one_value(of_ranges.statement()), true);
   const auto& stated = bound.statement().constraints;
   std::vector<Found> found(stated.size());
   for (std::size_t place = 0; place < kPlaces; ++place) {
