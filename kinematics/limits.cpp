@@ -69,6 +69,46 @@ double least_dynamic_moment(double B, double C) {
   return high;
 }
 
+double* limit_among(PeakLimits& limits, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::Velocity:
+      return &limits.velocity;
+    case Quantity::Acceleration:
+      return &limits.acceleration;
+    case Quantity::Jerk:
+      return &limits.jerk;
+    case Quantity::Moment:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+double least_peak(Quantity quantity, PeakLimits limits) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e-13;
+  double* peak = limit_among(limits, quantity);
+  if (peak == nullptr)
+    return (1 - kRounding) * least_dynamic_moment(limits.velocity, limits.acceleration);
+  const auto is_enough = [&](double value) {
+    *peak = value;
+    return least_time(limits.velocity, limits.acceleration, limits.jerk) <= 1;
+  };
+  if (!is_enough(kInfinity)) return kInfinity;
+  double low = 1, high = 2;          // a mean velocity of 1 is the least of all peaks
+  constexpr double kEndless = 1e12;  // where another peak is at the edge of what laws have
+  while (!is_enough(high)) {
+    if (high > kEndless) return kInfinity;
+    low = high;
+    high *= 2;
+  }
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) break;
+    (is_enough(middle) ? high : low) = middle;
+  }
+  return (1 - kRounding) * low;
+}
+
 std::optional<double> limit_index(const Peaks<double>& peaks) {
   if (peaks.ends != Ends{End::Rest, End::Rest}) return std::nullopt;
   return least_time(peaks.max_velocity(), peaks.max_acceleration(), peaks.max_jerk());

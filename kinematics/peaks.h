@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "kinematics/law.h"
@@ -217,6 +218,22 @@ double least_jerk(double B, double C);
 /// B and C, each of which may be infinite: 9/4 without either, B^3 / (3 (B - 1)) for B <= 3/2 and
 /// no C (D8). Infinite where no law has such peaks.
 double least_dynamic_moment(double B, double C);
+
+/// What peaks a law may have: each infinite where it is not limited.
+struct PeakLimits {
+  double velocity = std::numeric_limits<double>::infinity();
+  double acceleration = std::numeric_limits<double>::infinity();
+  double jerk = std::numeric_limits<double>::infinity();
+};
+
+/// The one of a quantity; null of the moment.
+double* limit_among(PeakLimits& limits, Quantity quantity);
+
+/// Least peak of a quantity of any rest-to-rest law with such peaks, rounded down: the least value
+/// of it for which least_time(B, C, D) is 1, and of the moment least_dynamic_moment(B, C). What is
+/// said of the quantity itself among the limits does not count. Infinite where no law has such
+/// peaks.
+double least_peak(Quantity quantity, PeakLimits limits);
 
 /// The limit index lambda = least_time(B, C, D) of a law's own peaks: 1 for a law than which none
 /// is faster with these peaks, less for every other. Only rest-to-rest laws have it.

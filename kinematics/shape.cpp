@@ -51,4 +51,10 @@ Ends natural_ends(const Piece<double>& first, const Piece<double>& last) {
   return {kind(first, 0), kind(last, 1)};
 }
 
+bool vanishes(const Law<double>& law, bool at_end, std::size_t order) {
+  constexpr double kRounding = 1e-7;
+  const auto d = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
+  return std::abs(d[order]) <= kRounding;
+}
+
 }  // namespace camlaw

@@ -24,4 +24,7 @@ Ends natural_ends(const Law<double>& law);
 /// The same of the first and the last piece.
 Ends natural_ends(const Piece<double>& first, const Piece<double>& last);
 
+/// Whether s^(order), of order 1 to 3, is 0 where the law begins, or ends; to rounding.
+bool vanishes(const Law<double>& law, bool at_end, std::size_t order);
+
 }  // namespace camlaw

@@ -115,13 +115,14 @@ struct Room {
   bool is_equal = false;       ///< 0, and neither more nor less
 };
 
+struct Member;
+
 /// A part of a law that has a name, as a segment of a motion program has.
 struct NamedSpan {
   std::string name;
-  double begin, end;  ///< of the law's x
+  double begin, end;                       ///< of the law's x
+  std::shared_ptr<const Member> law = {};  ///< that it follows, as stated; none: a rest or a joint
 };
-
-struct Member;
 
 /// One of several laws that a member stands for side by side (kinematics/laws/side_by_side.h).
 struct LawPart {
@@ -148,6 +149,9 @@ struct Family {
   /// Of a law that is made of parts with names: where these lie, in their order.
   std::function<std::vector<NamedSpan>(const Arguments<double>&)> spans = {};
   std::vector<LawPart> parts = {};  ///< of several laws side by side; none: it is one law
+  /// Of a family of splines on stated knots: the member that moves as a law does. It is the same
+  /// motion where the law is such a spline, on these knots or on some of them.
+  std::function<Arguments<double>(const Law<double>&)> moving_as = {};
 
   Arguments<double> defaults() const;
   /// The member for these arguments. Impossible, with the names of law and parameter, for a value

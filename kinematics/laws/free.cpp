@@ -203,6 +203,19 @@ std::vector<double> starting_coefficients(const FreeLaw& shape, const Law<double
   return result;
 }
 
+/// The arguments of the member that is such a law.
+Arguments<double> moving_as(const FreeLaw& shape, const Law<double>& law) {
+  const std::vector<double> own(
+      shape.knots.begin(),
+      shape.knots.begin() + static_cast<std::ptrdiff_t>(shape.moving_knots ? own_knots(shape) : 0));
+  const std::vector<double> all =
+      spline_coefficients(law, shape.degree, repeated_knots(shape, own));
+  std::vector<std::vector<double>> lists(1);
+  for (const std::size_t i : free_coefficients(shape)) lists.front().push_back(all[i]);
+  if (shape.moving_knots) lists.push_back(own);
+  return Arguments<double>(std::move(lists));
+}
+
 std::string formula_of(const FreeLaw& shape) {
   return fmt::format("the {}spline of degree {} with {} {}knots, C{}",
                      shape.symmetric ? "symmetric " : "", shape.degree, shape.knots.size(),
@@ -246,7 +259,8 @@ Member free_law(const FreeLaw& shape, const Law<double>& start) {
         return possible_b_spline<S>(shape.degree, spline->first, spline->second);
       },
       .listed =
-          [shape](const Arguments<double>& arguments) { return as_b_spline(shape, arguments); }};
+          [shape](const Arguments<double>& arguments) { return as_b_spline(shape, arguments); },
+      .moving_as = [shape](const Law<double>& law) { return moving_as(shape, law); }};
   family.continuity = continuity(family.make(family.defaults()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->defaults()};

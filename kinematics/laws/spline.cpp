@@ -7,6 +7,48 @@
 
 #include "kinematics/laws/families.h"
 
+namespace camlaw {
+namespace {
+
+/// (FL3) The polar form of a polynomial of this degree, of coefficients about 0, at as many places:
+/// each power k becomes the mean of all products of k of them.
+double polar_form(const std::vector<double>& polynomial, const std::vector<double>& places) {
+  std::vector<double> products{1};  // elementary symmetric functions of the places so far
+  for (const double place : places) {
+    products.push_back(0);
+    for (std::size_t k = products.size() - 1; k > 0; --k) products[k] += place * products[k - 1];
+  }
+  double result = 0, count = 1;  // count: of products of k places
+  for (std::size_t k = 0; k < std::min(polynomial.size(), products.size()); ++k) {
+    result += polynomial[k] * products[k] / count;
+    count *= static_cast<double>(places.size() - k) / static_cast<double>(k + 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> spline_coefficients(const Law<double>& law, int degree,
+                                        const std::vector<double>& interior) {
+  const std::vector<double> knots = detail::clamped(degree, interior);
+  const auto p = static_cast<std::size_t>(degree);
+  std::vector<double> result;
+  for (std::size_t i = 0; i + p + 1 < knots.size(); ++i) {
+    std::size_t longest = i;  // of the spans in which the coefficient counts
+    for (std::size_t k = i; k <= i + p; ++k) {
+      if (knots[k + 1] - knots[k] > knots[longest + 1] - knots[longest]) longest = k;
+    }
+    const double middle = 0.5 * (knots[longest] + knots[longest + 1]);
+    const Piece<double>& piece = law.pieces()[law.piece_at(middle, Side::Right)];
+    std::vector<double> places;
+    for (std::size_t k = i + 1; k <= i + p; ++k) places.push_back(knots[k] - piece.origin);
+    result.push_back(polar_form(piece.polynomial, places));
+  }
+  return result;
+}
+
+}  // namespace camlaw
+
 namespace camlaw::detail {
 
 std::optional<Impossible> bad_spline(int degree, const std::vector<double>& interior,

@@ -24,6 +24,12 @@ template <class T>
 Possible<Law<T>> possible_table(const std::vector<double>& x, const std::vector<T>& s,
                                 const std::vector<T>& v = {});
 
+/// All coefficients of a law that is a spline of this degree on these interior knots: each is the
+/// polar form of a piece that it moves (docs/theory.md, FL3). Of a law that is no such spline,
+/// those of a spline near it.
+std::vector<double> spline_coefficients(const Law<double>& law, int degree,
+                                        const std::vector<double>& interior);
+
 /// These throw std::invalid_argument where that is impossible.
 template <class T>
 Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>& coefficients) {

@@ -255,14 +255,17 @@ Member program_of(const StatedProgram& program) {
     return program_of(listed);
   };
   family.rooms = rooms_of(program, layout);
-  family.spans = [program, layout](const Arguments<double>& arguments) {
+  std::vector<std::shared_ptr<const Member>> stated;
+  for (const ProgramSegment& segment : program.segments)
+    stated.push_back(segment.law ? std::make_shared<const Member>(*segment.law) : nullptr);
+  family.spans = [program, layout, stated](const Arguments<double>& arguments) {
     std::vector<NamedSpan> spans;
     double begin = 0;
     const std::vector<double> shares = shares_at(program, layout, arguments).value();
     for (const double share : shares) {
       const bool is_last = spans.size() + 1 == program.segments.size();
       const double end = is_last ? 1 : begin + share;
-      spans.push_back({program.segments[spans.size()].name, begin, end});
+      spans.push_back({program.segments[spans.size()].name, begin, end, stated[spans.size()]});
       begin = end;
     }
     return spans;

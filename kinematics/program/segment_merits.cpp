@@ -46,6 +46,7 @@ std::vector<SegmentMerits> segment_merits(const Member& member) {
   for (const NamedSpan& span : member.family->spans(member.arguments)) {
     const double from = law(span.begin).s, to = law(span.end, Side::Left).s;
     SegmentMerits merits{span.name, span.begin, span.end, from, to};
+    merits.stated = span.law;
     std::vector<Piece<double>> pieces = pieces_in(law, span);
     if (std::any_of(pieces.begin(), pieces.end(), moves)) {
       constexpr double kNone = 1e-9;  // of the stroke: what rounding leaves

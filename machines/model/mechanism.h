@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/peaks.h"
 #include "optim/problem/problem.h"
 
 namespace camlaw {
@@ -190,6 +191,7 @@ struct MechanismResponse {
   std::string along = {};       ///< of a curve: the unit of its places, "deg" of cam angle
   std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law
   bool sees_law = false;                    ///< whether the law, or the program, matters to it
+  std::optional<Quantity> of_law = {};      ///< of a curve that is the law's own: which
   std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
   /// The formula in its listed unit. The other inputs are for a curve s, v, a, j and x, for one
   /// over a turn the angle, for a number the inner numbers. None where the response is not a

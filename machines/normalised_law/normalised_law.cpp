@@ -45,19 +45,23 @@ namespace {
 using optim::Shape;
 
 template <class F>
-MechanismResponse law_curve(const char* name, const char* meaning, F motion) {
+MechanismResponse law_curve(const char* name, const char* meaning, std::optional<Quantity> quantity,
+                            F motion) {
   static const Cycle cycle{"1", {{0, 1}}};
-  return curve_response<Followers>({name, "1", "1", meaning}, cycle,
-                                   [motion](const auto&) { return motion; });
+  MechanismResponse response = curve_response<Followers>({name, "1", "1", meaning}, cycle,
+                                                         [motion](const auto&) { return motion; });
+  response.of_law = quantity;
+  return response;
 }
 
 std::vector<MechanismResponse> law_curves() {
-  return {law_curve("displacement", "s", [](const auto& m) { return m.s; }),
-          law_curve("velocity", "s'", [](const auto& m) { return m.v; }),
-          law_curve("acceleration", "s''", [](const auto& m) { return m.a; }),
-          law_curve("jerk", "s'''; infinite if s'' jumps inside the law",
-                    [](const auto& m) { return m.j; }),
-          law_curve("moment", "s' s''", [](const auto& m) { return m.v * m.a; })};
+  return {
+      law_curve("displacement", "s", {}, [](const auto& m) { return m.s; }),
+      law_curve("velocity", "s'", Quantity::Velocity, [](const auto& m) { return m.v; }),
+      law_curve("acceleration", "s''", Quantity::Acceleration, [](const auto& m) { return m.a; }),
+      law_curve("jerk", "s'''; infinite if s'' jumps inside the law", Quantity::Jerk,
+                [](const auto& m) { return m.j; }),
+      law_curve("moment", "s' s''", Quantity::Moment, [](const auto& m) { return m.v * m.a; })};
 }
 
 /// The kernel of a plain number, formula(numbers, law), of what parts(followers) says of them.

@@ -42,6 +42,12 @@ enum class Sense { Minimize, Maximize };
 /// What is taken of a curve over the cycle; a number is taken as it is (Value).
 enum class Part { Value, Highest, Lowest, Magnitude };
 
+/// What theory says that no design passes, whatever the variables.
+struct KnownLimit {
+  double value;
+  std::string why;  ///< "no law from rest to rest with a C_v of at most 1.6 has less"
+};
+
 /// What is wanted. Of a curve: its highest value or its magnitude (highest |value|) least, or its
 /// lowest value greatest.
 struct Objective {
@@ -49,6 +55,7 @@ struct Objective {
   Sense sense = Sense::Minimize;
   Part part = Part::Value;
   std::optional<double> tolerance = {};  ///< in the unit; by default 1e-7 of the size
+  std::optional<KnownLimit> limit = {};  ///< of a search for the least
 };
 
 /// The objective of a problem that has only limits: it is zero everywhere, so every design is

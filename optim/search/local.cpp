@@ -58,13 +58,16 @@ int count_of_starts(const Setting& setting) {
   return is_large(setting.problem) ? kStartsOfMany : kStarts;
 }
 
-/// Whether the box of few variables, divided into a few parts, holds nothing better than where the
-/// first start has ended, so that no others are needed.
+/// Whether no others are needed after the first start: it has come near what theory says that no
+/// design passes, or the box of few variables, divided into a few parts, holds nothing better than
+/// where it ended.
 bool leaves_nothing(const Setting& setting, const Trail& trail) {
   constexpr int kFewBoxes = 300;
   const OptimiseOptions& how = setting.options;
   const bool has_others = !how.starts && count_of_starts(setting) > 1;
-  if (!how.divides || !has_others || !is_settled(trail.found.assessment)) return false;
+  if (!has_others || !is_settled(trail.found.assessment)) return false;
+  if (is_near_limit(setting.original, trail.found.assessment)) return true;
+  if (!how.divides) return false;
   const Problem guarded = interruptible(setting.original, setting.deadline);
   const std::vector<double>& x = trail.found.x;
   const Sizes there = sizes(guarded, x);

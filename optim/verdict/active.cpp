@@ -54,7 +54,9 @@ class Collector {
     const std::optional<double> bound =
         push.constraint ? bound_of_constraint(push) : level_of(push);
     if (!bound) return {};
-    ActiveLimit limit = gradient_of(*push.function, {push.sign, *bound, push.size, kInfinity});
+    // The objective's peak is an auxiliary variable in its size, which may be another by now.
+    const double size = push.constraint ? push.size : sizes_.objective;
+    ActiveLimit limit = gradient_of(*push.function, {push.sign, *bound, size, kInfinity});
     limit.constraint = push.constraint;
     limit.at_rest = push.at_rest;
     limit.is_equation =

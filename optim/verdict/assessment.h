@@ -80,11 +80,17 @@ struct Assessment {
   double objective_measure = 1;  ///< what changes of the objective are a share of, in its unit
 };
 
+struct Problem;
+
 /// Whether a design meets every limit of an assessment, and its objective is a number.
 bool is_feasible(const Assessment& assessment);
 
 /// Whether a design meets every limit, and the conditions of optimality hold there or a lower bound
 /// leaves nothing better.
 bool is_settled(const Assessment& assessment);
+
+/// Whether a design's objective is within 1e-4 of what theory says that no design passes
+/// (Objective::limit).
+bool is_near_limit(const Problem& problem, const Assessment& assessment);
 
 }  // namespace camlaw::optim

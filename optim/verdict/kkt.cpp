@@ -153,7 +153,7 @@ class Weighing {
       Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, net);
       if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
       if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
-      if (best.residual <= kKktTolerance && is_tight(best)) break;
+      if (best.residual <= kKktTolerance && (is_tight(best) || is_enough(best))) break;
     }
     return best;
   }

@@ -8,6 +8,7 @@
 
 #include "kinematics/peaks.h"
 #include "kinematics/program/segment_merits.h"
+#include "kinematics/shape.h"
 #include "optim/crew/crew.h"
 
 namespace camlaw::cli {
@@ -34,12 +35,6 @@ bool is_smooth(const Law<double>& law, int order) {
     }
   }
   return true;
-}
-
-bool vanishes(const Law<double>& law, bool at_end, std::size_t order) {
-  constexpr double kRounding = 1e-7;
-  const auto d = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
-  return std::abs(d[order]) <= kRounding;
 }
 
 Wanted wanted_of(const Law<double>& free) {

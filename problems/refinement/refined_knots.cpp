@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -16,6 +17,7 @@
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
@@ -41,25 +43,32 @@ const Piece<double>& piece_at(const Law<double>& law, double x) {
   return found == pieces.end() ? pieces.back() : *found;
 }
 
-/// How much each span between two knots could gain: the jumps of the highest derivative at its
-/// ends, by what they do to the acceleration within it.
+/// (KN1) How much each span between two knots could gain: the jumps of the highest derivative at
+/// its ends, by what they do to the acceleration within it, over that acceleration and the mean
+/// one.
 std::vector<double> promises(const Law<double>& law, const std::vector<double>& knots) {
   std::vector<double> ends{0};
   ends.insert(ends.end(), knots.begin(), knots.end());
   ends.push_back(1);
   std::vector<Top> tops;
+  std::vector<double> accelerations;
   int degree = 0;
+  double mean = 0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    tops.push_back(top_of(piece_at(law, 0.5 * (ends[i] + ends[i + 1]))));
+    const double middle = 0.5 * (ends[i] + ends[i + 1]);
+    tops.push_back(top_of(piece_at(law, middle)));
     degree = std::max(degree, tops.back().order);
+    accelerations.push_back(std::abs(law(middle).a));
+    mean += accelerations.back() / static_cast<double>(ends.size() - 1);
   }
   const auto value = [&](std::size_t i) { return tops[i].order == degree ? tops[i].value : 0; };
   std::vector<double> result(tops.size(), 0.0);
-  for (std::size_t i = 0; i < tops.size(); ++i) {
+  for (std::size_t i = 0; i < tops.size() && mean > 0; ++i) {
     double jumps = 0;
     if (i > 0) jumps += std::abs(value(i) - value(i - 1));
     if (i + 1 < tops.size()) jumps += std::abs(value(i + 1) - value(i));
-    result[i] = jumps * std::pow(ends[i + 1] - ends[i], std::max(1, degree - 2));
+    result[i] = jumps * std::pow(ends[i + 1] - ends[i], std::max(1, degree - 2)) /
+                (accelerations[i] + mean);
   }
   return result;
 }
@@ -91,7 +100,7 @@ std::vector<double> promises(const ProblemStatement& design, const std::vector<d
 
 /// Of the spans that are not short those that together promise most of what they all do.
 std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  constexpr double kMost = 0.7, kShortest = 1.0 / 2048;
+  constexpr double kMost = 0.85, kShortest = 1.0 / 65536;
   double from = 0;
   for (std::size_t i = 0; i < promise.size(); ++i) {
     const double to = i < knots.size() ? knots[i] : 1;
@@ -136,6 +145,48 @@ std::vector<double> with_more(const std::vector<double>& knots, std::vector<doub
   return result;
 }
 
+/// The coefficients of a free law with more knots that moves as a law does; empty where there is no
+/// such free law.
+std::vector<double> refined(const Family& with_more, const Law<double>& law) {
+  return with_more.moving_as ? with_more.moving_as(law).list(0) : std::vector<double>{};
+}
+
+/// The same by the names of the parameters that they are: of a law's own, or of a program's
+/// segments.
+std::map<std::string, std::vector<double>> refined(const Member& with_more, const Member& design) {
+  std::map<std::string, std::vector<double>> result;
+  if (!design.family->spans) {
+    result.emplace("coefficients", refined(*with_more.family, design.law()));
+    return result;
+  }
+  const auto stated = with_more.family->spans(with_more.arguments);
+  const auto merits = segment_merits(design);
+  for (std::size_t i = 0; i < merits.size(); ++i) {
+    if (stated[i].law && merits[i].law)
+      result.emplace(merits[i].name + "_coefficients",
+                     refined(*stated[i].law->family, *merits[i].law));
+  }
+  return result;
+}
+
+/// Lets a statement with more knots begin at a design with fewer: its free laws move as they do
+/// there.
+void begin_at(const ProblemStatement& design, ProblemStatement& with_more) {
+  const auto coefficients = refined(with_more.laws.front(), design.laws.front());
+  for (VariableStatement& variable : with_more.variables) {
+    const auto own = coefficients.find(variable.law_parameter);
+    double start = variable.start;
+    if (variable.of_law && own != coefficients.end()) {
+      if (variable.element >= own->second.size()) continue;
+      start = own->second[variable.element];
+    } else {
+      const NamedParameter parameter = find_parameter(design, variable.name);
+      start = values_of(design, parameter).at(variable.element);
+    }
+    variable.start = std::clamp(start, variable.lower, variable.upper);
+  }
+}
+
 void set_knots(ProblemStatement& statement, const std::vector<double>& knots) {
   set_value(statement, fmt::format("free.knots=[{}]", fmt::join(knots, ", ")));
 }
@@ -152,14 +203,16 @@ bool changes_little(const std::vector<KnotRound>& rounds) {
          is_little(rounds.end()[-2], rounds.end()[-1]);
 }
 
-/// Whether a round led to a design that is as good as the best before, but for rounding, with as
-/// good a verdict.
+bool is_certified(const optim::Optimum& optimum) {
+  return optimum.found.assessment.verdict == optim::Verdict::Certified;
+}
+
+/// Whether a round led to a design that is as good as the best before, but for rounding.
 bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
   constexpr double kRounding = 1e-7;
   const optim::Assessment &a = fresh.found.assessment, &b = best.found.assessment;
   if (!optim::is_feasible(b)) return true;
-  const bool certified = b.verdict == optim::Verdict::Certified;
-  if (!optim::is_feasible(a) || (certified && a.verdict != optim::Verdict::Certified)) return false;
+  if (!optim::is_feasible(a)) return false;
   const double sign = best.problem.objective().sense == optim::Sense::Minimize ? 1 : -1;
   const double rise = sign * (a.objective.value - b.objective.value);
   return rise <= kRounding * std::abs(b.objective.value);
@@ -184,55 +237,126 @@ void check_one_law(const ProblemStatement& statement) {
       statement.source, statement.laws.size()));
 }
 
+/// Why a round was the last one, in words; empty where another may follow.
+std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRound>& better,
+                          const std::function<bool()>& stop) {
+  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;
+  const optim::Found& found = result.optimum.found;
+  // Where no design meets the limits, the one of least violation tells where knots may help.
+  const bool is_vain = !optim::is_feasible(found.assessment) && result.rounds.size() >= kMostInVain;
+  if (is_vain || found.x.size() != result.optimum.problem.variables.size())
+    return "the search led to no design within the limits";
+  if (is_near_limit(result.optimum.problem, found.assessment) && better.size() > 1)
+    return "the objective is within 0.01 % of what no law can better";
+  if (changes_little(better))
+    return fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
+  if (result.rounds.size() == kMostRounds) return "the limit of rounds was reached";
+  return stop() ? "the search was ended" : "";
+}
+
+/// The knots for the next round; none where no more are added, and then why.
+std::optional<std::vector<double>> more_knots(const ProblemStatement& design, RefinedKnots& result,
+                                              bool symmetric) {
+  constexpr std::size_t kMostKnots = 300;
+  std::vector<double> more = with_more(result.knots, promises(design, result.knots), symmetric);
+  if (more.size() > kMostKnots) {
+    result.ended = fmt::format("more than {} would be needed", kMostKnots);
+  } else if (more.size() == result.knots.size()) {
+    result.ended = "shorter spans are not divided";
+  }
+  return result.ended.empty() ? std::optional(std::move(more)) : std::nullopt;
+}
+
+/// Whether a round takes the place of the best before, with its knots and its design.
+bool is_taken(optim::Optimum& optimum, const ProblemStatement& own, std::vector<double> knots,
+              RefinedKnots& result, ProblemStatement& statement) {
+  if (!result.knots.empty() && !is_no_worse(optimum, result.optimum)) return false;
+  result.knots = std::move(knots);
+  result.optimum = std::move(optimum);
+  statement = own;
+  return true;
+}
+
+/// Searches knots from where a design with fewer of them stands; if that leads to nothing better,
+/// from all starts.
+optim::Optimum searched_from(const ProblemStatement& design, const ProblemStatement& own,
+                             const RefinedKnots& result, const SearchOnce& search,
+                             const std::function<bool()>& stop) {
+  ProblemStatement begun = own;
+  begin_at(design, begun);
+  optim::Optimum optimum = search(begun, Begin::AtStart);
+  const bool is_enough = is_no_worse(optimum, result.optimum) || stop();
+  return is_enough ? std::move(optimum) : search(own, Begin::AsStated);
+}
+
+/// Searches the best knots once more from all starts that are stated, where their round did with
+/// one.
+void search_whole(const ProblemStatement& statement, const SearchOnce& search,
+                  RefinedKnots& result) {
+  ProblemStatement begun = statement;
+  begin_at(BoundProblem(statement).at(result.optimum.options, result.optimum.found.x), begun);
+  optim::Optimum whole = search(begun, Begin::AsStated);
+  const bool is_better = is_certified(whole) || !is_certified(result.optimum);
+  if (is_better && is_no_worse(whole, result.optimum)) result.optimum = std::move(whole);
+}
+
+/// A round that led to a certified optimum, to come back to.
+struct Certified {
+  std::vector<double> knots;
+  optim::Optimum optimum;
+  ProblemStatement statement;
+};
+
+/// Where the last knots led to no certified optimum, the last ones that did.
+void come_back(std::optional<Certified> certified, ProblemStatement& statement,
+               RefinedKnots& result) {
+  if (!certified || is_certified(result.optimum)) return;
+  result.ended += fmt::format("; with {} the optimum is not certified", result.knots.size());
+  result.knots = std::move(certified->knots);
+  result.optimum = std::move(certified->optimum);
+  statement = std::move(certified->statement);
+}
+
 }  // namespace
 
 RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop) {
   constexpr int kAtFirst = 39;  // as many variables as are searched by sparse methods
-  constexpr std::size_t kMostRounds = 24, kMostInVain = 10, kMostKnots = 300;
   check_one_law(statement);
   const ProblemStatement stated = statement;
   RefinedKnots result;
-  std::vector<KnotRound> better;  // rounds that were
-  for (std::vector<double> tried = even_knots(kAtFirst); result.ended.empty();) {
+  std::vector<KnotRound> better;           // rounds that were
+  std::optional<ProblemStatement> design;  // to begin the next one at
+  int starts = 1;                          // of a whole search
+  std::optional<Certified> certified;
+  for (std::optional tried(even_knots(kAtFirst)); tried;) {
     ProblemStatement own = stated;
-    set_knots(own, tried);
-    optim::Optimum optimum = search(own);
+    set_knots(own, *tried);
+    optim::Optimum optimum =
+        design ? searched_from(*design, own, result, search, stop) : search(own, Begin::AsStated);
+    starts = std::max(starts, optimum.found.planned_starts);
     const optim::Assessment& a = optimum.found.assessment;
-    const bool is_first = result.rounds.empty();
-    result.rounds.push_back({tried.size(), a.objective.value, a.verdict});
-    if (!is_first && !is_no_worse(optimum, result.optimum)) {
+    const KnotRound round{tried->size(), a.objective.value, a.verdict};
+    result.rounds.push_back(round);
+    if (!is_taken(optimum, own, *tried, result, statement)) {
       const char* why = "led to nothing better";
       if (stop()) why = "was ended before it led to anything better";
-      result.ended = fmt::format("the search with {} {}", tried.size(), why);
+      result.ended = fmt::format("the search with {} {}", tried->size(), why);
       break;
     }
-    result.knots = tried;
-    result.optimum = std::move(optimum);
-    statement = std::move(own);
     const optim::Found& found = result.optimum.found;
-    const bool is_design = optim::is_feasible(found.assessment);
-    if (is_design) better.push_back(result.rounds.back());
-    // Where no design meets the limits, the one of least violation tells where knots may help.
-    const bool has_tried = !is_design && result.rounds.size() >= kMostInVain;
-    if (has_tried || found.x.size() != result.optimum.problem.variables.size()) {
-      result.ended = "the search led to no design within the limits";
-    } else if (changes_little(better)) {
-      result.ended =
-          fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
-    } else if (result.rounds.size() == kMostRounds) {
-      result.ended = "the limit of rounds was reached";
-    } else if (stop()) {
-      result.ended = "the search was ended";
-    } else {
-      tried = with_more(
-          tried, promises(BoundProblem(statement).at(result.optimum.options, found.x), tried),
-          statement.free_is_symmetric);
-      if (tried.size() > kMostKnots)
-        result.ended = fmt::format("more than {} would be needed", kMostKnots);
-      if (tried.size() == result.knots.size()) result.ended = "shorter spans are not divided";
-    }
+    if (is_certified(result.optimum)) certified = {result.knots, result.optimum, statement};
+    if (optim::is_feasible(found.assessment)) better.push_back(round);
+    result.ended = reason_to_end(result, better, stop);
+    if (!result.ended.empty()) break;
+    const ProblemStatement at = BoundProblem(statement).at(result.optimum.options, found.x);
+    tried = more_knots(at, result, statement.free_is_symmetric);
+    design = optim::is_feasible(found.assessment) ? std::optional(at) : std::nullopt;
   }
+  const bool is_whole = result.optimum.found.planned_starts == starts;
+  if (!is_whole && !result.optimum.found.assessment.global && !stop())
+    search_whole(statement, search, result);
+  come_back(std::move(certified), statement, result);
   result.left = left_of(better);
   return result;
 }
@@ -241,17 +365,28 @@ RefinedKnots find_knots(ProblemStatement& statement, const optim::OptimiseOption
                         int workers, const std::function<double()>& spent,
                         const std::function<void(const std::string& stage)>& begins) {
   int round = 0;
-  const auto once = [&](const ProblemStatement& stated) {
+  // Of the rounds that are followed by a search from all starts.
+  std::string method = search.solver, why_method;
+  const auto once = [&](const ProblemStatement& stated, Begin begin) {
     if (begins) begins(fmt::format("knots, round {}", ++round));
     optim::OptimiseOptions how = search;
     how.spent = spent();
+    if (begin == Begin::AtStart) {
+      how.starts = 1;
+      how.solver = method;
+    }
     const BoundProblem bound(stated);
     const optim::ProblemSpace space = bound.space();
     const int room = search.memory ? optim::workers_with_room(
                                          workers, space.problem(space.options(0)), *search.memory)
                                    : workers;
     optim::Crew crew({.workers = room, .program = worker_program(stated)});
-    return optim::optimise(space, how, crew);
+    optim::Optimum optimum = optim::optimise(space, how, crew);
+    const bool has_starts = begin == Begin::AsStated && optimum.found.planned_starts > 1;
+    if (has_starts && !optimum.found.solver.empty()) method = optimum.found.solver;
+    if (begin == Begin::AsStated) why_method = optimum.found.why_solver;
+    optimum.found.why_solver = why_method;
+    return optimum;
   };
   const auto stop = [&] {
     const bool late = search.time_limit && spent() >= *search.time_limit;

@@ -176,4 +176,42 @@ TEST_CASE("A free law that cannot be is refused with the reason", "[free]") {
   CHECK_THROWS_WITH(member.law(), Contains("coefficients: 2 given, but 3 are needed"));
 }
 
+TEST_CASE("A free law on more knots can move as one on some of them", "[free]") {
+  const std::vector<double> knots{0.2, 0.35, 0.7}, more{0.1, 0.2, 0.35, 0.351, 0.5, 0.7, 0.99};
+  for (const int degree : {2, 3, 5, 9}) {
+    for (const bool straight : {false, true}) {
+      INFO("degree " << degree);
+      FreeLaw shape{.degree = degree,
+                    .knots = knots,
+                    .continuity = degree - 1,
+                    .begin = {1, false},
+                    .end = {straight ? 0 : 1, straight}};
+      const Law<double> law = drawn(shape, 5).law();
+      shape.knots = more;
+      Member fine = free_law(shape, cycloid());
+      fine.arguments = fine.family->moving_as(law);
+      const Law<double> same = fine.law();
+      CHECK(same.pieces().size() == more.size() + 1);
+      for (double x = 0; x <= 1; x += 0.01) {
+        CHECK(same(x).s == Approx(law(x).s).margin(1e-12));
+        CHECK(same(x).a == Approx(law(x).a).margin(1e-7));
+      }
+    }
+  }
+}
+
+TEST_CASE("A symmetric free law on more knots can move as one on some of them", "[free]") {
+  FreeLaw shape{.degree = 4,
+                .knots = {0.25, 0.5, 0.75},
+                .continuity = 2,
+                .begin = {2, false},
+                .end = {2, false},
+                .symmetric = true};
+  const Law<double> law = drawn(shape, 3).law();
+  shape.knots = {0.1, 0.25, 0.5, 0.75, 0.9};
+  Member fine = free_law(shape, cycloid());
+  fine.arguments = fine.family->moving_as(law);
+  for (double x = 0; x <= 1; x += 0.01) CHECK(fine.law()(x).s == Approx(law(x).s).margin(1e-12));
+}
+
 }  // namespace camlaw::free_law_test

@@ -73,6 +73,27 @@ TEST_CASE("With the least dynamic moment the velocity just covers the stroke", "
   }
 }
 
+TEST_CASE("The least peak of each quantity is that at which a law takes all its time", "[limits]") {
+  CHECK(least_peak(Quantity::Velocity, {}) == Approx(1).epsilon(1e-12));
+  CHECK(least_peak(Quantity::Acceleration, {}) == Approx(4).epsilon(1e-12));
+  CHECK(least_peak(Quantity::Jerk, {}) == Approx(32).epsilon(1e-12));
+  CHECK(least_peak(Quantity::Moment, {}) == Approx(2.25).epsilon(1e-12));
+  for (const double b : {1.1, 1.5, 1.9}) {
+    const double c = least_peak(Quantity::Acceleration, {.velocity = b});
+    CHECK(c == Approx(b * b / (b - 1)).epsilon(1e-12));
+    CHECK(least_peak(Quantity::Velocity, {.acceleration = c * (1 + 1e-9)}) ==
+          Approx(b).epsilon(1e-6));
+    const double d = least_peak(Quantity::Jerk, {.velocity = b, .acceleration = 1.2 * c});
+    CHECK(d == Approx(least_jerk(b, 1.2 * c)).epsilon(1e-12));
+    CHECK(least_peak(Quantity::Acceleration, {.velocity = b, .jerk = d}) ==
+          Approx(1.2 * c).epsilon(1e-9));
+  }
+  // The jerk's own limit says nothing of itself.
+  CHECK(least_peak(Quantity::Jerk, {.jerk = 10}) == Approx(32).epsilon(1e-12));
+  CHECK(least_peak(Quantity::Acceleration, {.jerk = 31}) == kInfinity);
+  CHECK(least_peak(Quantity::Acceleration, {.velocity = 1}) == kInfinity);
+}
+
 TEST_CASE("No law from rest to rest has less than the least dynamic moment", "[limits]") {
   for (const Law<double>& law :
        {cycloidal<double>(), find_law("modified-sine").law(), half_ellipse_acceleration<double>(),
