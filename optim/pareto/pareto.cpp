@@ -157,6 +157,7 @@ void settle_convex(Front& front, const Problem& multi) {
   std::vector<std::vector<double>> weights;
   for (const FrontPoint& point : front.points) {
     if (point.verdict != Verdict::Certified || point.weights.empty()) return;
+    if (std::ranges::any_of(point.weights, [](double w) { return std::isnan(w); })) return;
     weights.push_back(point.weights);
   }
   front.hypervolume_at_most =

@@ -157,7 +157,7 @@ FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
                    const OptimiseOptions& options, long& evaluations) {
   constexpr double kSlack = 1e-6;
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
-    if (point.weights[i] * task.direction[i] > kSlack) continue;
+    if (!(point.weights[i] * task.direction[i] <= kSlack)) continue;
     const auto room = [&](std::size_t k) {
       const double way = std::abs(point.costs[k] - task.origin[k]);
       return kSlack * std::max(std::abs(point.costs[k]), way);

@@ -202,9 +202,12 @@ bool is_convex_limit(const Constraint& limit) {
 std::optional<std::string> why_convex(const Problem& problem) {
   const Shape shape = objective_shape(problem.objective());
   if (!convex_below(shape) || !convex_set(problem)) return {};
-  return fmt::format("{} is {} in the variables{}", problem.objective().response.name,
-                     is_convex(shape) ? "convex" : "quasiconvex without stationary points",
-                     problem.constraints.empty() ? "" : ", and the feasible set is convex");
+  const bool least = problem.objective().sense == Sense::Minimize;
+  const char* bends = least ? "convex" : "concave";
+  return fmt::format(
+      "{} is {} in the variables{}", problem.objective().response.name,
+      is_convex(shape) ? bends : fmt::format("quasi{} without stationary points", bends),
+      problem.constraints.empty() ? "" : ", and the feasible set is convex");
 }
 
 bool needs_slope(const Problem& problem) {

@@ -112,6 +112,15 @@ std::optional<Hopeless> violated_where_still(const Constraint& limit, const Prob
   return {};
 }
 
+/// Of a limit on a number that no variable changes, and that has no value.
+std::optional<Hopeless> undefined_for_all(const Constraint& limit, const Problem& problem) {
+  const Response& response = limit.response;
+  if (response.is_curve() || !is_constant(response.function(), problem)) return {};
+  if (!std::isnan(response.function().value(problem.start()))) return {};
+  return Hopeless{response.name, "it has no value, and " + why_settled(response, problem),
+                  fmt::format("{} has no value for any design", response.name)};
+}
+
 /// Whether an answer blames this limit and something else.
 bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
   return answer.blamed.size() > 1 &&
@@ -123,6 +132,7 @@ bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
 std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes) {
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
+    if (auto found = undefined_for_all(c, problem)) return found;
     const double tolerance = sizes.constraints[i].tolerance;
     const Bounds within{c.lower ? *c.lower - tolerance : -kInfinity,
                         c.upper ? *c.upper + tolerance : kInfinity};

@@ -14,8 +14,10 @@
 #include "optim/search/from_start.h"
 #include "optim/search/hopeless.h"
 #include "optim/search/interruptible.h"
+#include "optim/search/look_around.h"
 #include "optim/search/proof.h"
 #include "optim/search/told.h"
+#include "optim/search/unbounded.h"
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/limits.h"
@@ -24,18 +26,6 @@
 
 namespace camlaw::optim {
 namespace {
-
-/// Judges the one design of a problem in which nothing varies.
-void judge_alone(const Problem& problem, Trail& trail) {
-  trail.sizes = sizes(problem, {});
-  Found& found = trail.found;
-  found.starts = found.agreed = 1;
-  found.status = Status::Solved;
-  found.assessment = assess(problem, trail.sizes, {}, true);
-  if (is_feasible(found.assessment)) return;
-  const Assessment blame = assess_least_violation(problem, trail.sizes, {});
-  if (blame.verdict == Verdict::Infeasible) found.assessment = blame;
-}
 
 /// Where a limit is passed whatever the design, there is no need to search.
 void blame(const Hopeless& hopeless, const Problem& problem, const Sizes& sizes, Found& found) {
@@ -46,6 +36,22 @@ void blame(const Hopeless& hopeless, const Problem& problem, const Sizes& sizes,
   found.assessment.blamed = {hopeless.limit};
   found.assessment.reason = fmt::format("{} cannot be met: {}", hopeless.limit, hopeless.why);
   found.assessment.global = hopeless.global;
+}
+
+/// Judges the one design of a problem in which nothing varies.
+void judge_alone(const Problem& problem, Trail& trail) {
+  trail.sizes = sizes(problem, {});
+  Found& found = trail.found;
+  found.starts = found.agreed = 1;
+  found.status = Status::Solved;
+  found.assessment = assess(problem, trail.sizes, {}, true);
+  if (is_feasible(found.assessment)) return;
+  const Assessment least = assess_least_violation(problem, trail.sizes, {});
+  if (least.verdict == Verdict::Infeasible) {
+    found.assessment = least;
+  } else if (const auto hopeless = hopeless_limit(problem, trail.sizes)) {
+    blame(*hopeless, problem, trail.sizes, found);
+  }
 }
 
 int count_of_starts(const Setting& setting) {
@@ -175,6 +181,30 @@ void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& tr
   prove_best(watched, setting, trail);
 }
 
+/// Takes a design as the answer so far.
+void take_design(const std::vector<double>& x, const Setting& setting, Trail& trail) {
+  trail.sizes = sizes(setting.problem, x);
+  trail.found.x = x;
+  trail.told.clear();
+  trail.found.assessment = assess(setting.problem, trail.sizes, x, false);
+}
+
+/// Of a search from several starts: where the box holds a better design than all of them led to, it
+/// goes on from there.
+void search_around(const Setting& setting, Trail& trail) {
+  constexpr int kTimes = 3;
+  const OptimiseOptions& how = setting.options;
+  const bool is_wide = !how.starts && how.divides && count_of_starts(setting) > 1;
+  const Assessment& a = trail.found.assessment;
+  for (int i = 0; i < kTimes && is_wide && !setting.deadline.passed(); ++i) {
+    if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
+    const auto x = better_elsewhere(setting, trail);
+    if (!x) return;
+    take_design(*x, setting, trail);
+    search_from_start(*x, setting, trail);
+  }
+}
+
 /// An answer is never worse than the design that the problem states as its start: a search may run
 /// away from it, where functions have kinks, and come back to none as good.
 void keep_start(const Setting& setting, Trail& trail) {
@@ -222,7 +252,12 @@ std::string words_of_search(const Setting& setting, const Found& found,
 void conclude_search(const Setting& setting, const std::vector<double>& ends, Trail& trail) {
   Found& found = trail.found;
   found.agreed += agreed(ends, found.assessment.objective.value, trail.sizes.objective);
-  found.assessment.reason = words_of_search(setting, found, trail.message);
+  Assessment& a = found.assessment;
+  if (a.verdict == Verdict::Feasible && setting.prove && !is_settled(a)) {
+    const std::string unbounded = unbounded_words(setting.problem, found.x);
+    if (!unbounded.empty()) a.reason = fmt::format("{}; {}", unbounded, a.reason);
+  }
+  a.reason = words_of_search(setting, found, trail.message);
 }
 
 /// Judges what needs no search, be it that none is possible; false where one is wanted.
@@ -256,6 +291,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   const bool is_begun = !known.empty() && known.front().end != StartEnd::NotBegun;
   if (!is_begun && is_judged_without_search(setting, trail)) return;
   search_starts(setting, trail, ends, std::move(known));
+  search_around(setting, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "optim/verdict/borne_prices.h"
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/dual_bound.h"
 #include "optim/verdict/flat_directions.h"
+#include "optim/verdict/kinks.h"
 #include "optim/verdict/second_order.h"
+#include "optim/verdict/unknown_prices.h"
 
 namespace camlaw::optim {
 namespace {
@@ -219,8 +223,25 @@ bool is_global_valley(const Problem& problem, double objective_slope) {
   return why_convex(problem) && (!needs_slope(problem) || objective_slope > kSlopes);
 }
 
-Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-        const Teller& told, bool wants_condition) {
+namespace {
+
+/// Prices that no small step bears out are not numbers.
+void drop_unborne(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+                  const Weighed& weighed, Kkt& result) {
+  if (!(result.residual <= kPriceTolerance)) return;
+  for (const std::size_t j : unborne_prices(problem, sizes, x, layout, weighed)) {
+    const ActiveLimit& limit = weighed.limits[j];
+    auto& prices = limit.constraint ? result.constraints
+                   : limit.sign > 0 ? result.upper
+                                    : result.lower;
+    prices[limit.constraint ? *limit.constraint : *limit.variable] =
+        std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// The conditions of a problem that is `stated` about the design.
+Kkt kkt_as_given(const Problem& problem, const Problem& stated, const Sizes& sizes, Design x,
+                 Optimality optimality, const Teller& told, bool wants_condition) {
   const Layout layout = lay_out(problem, optimality);
   const Weighed best = Weighing(problem, sizes, x, optimality, layout, wants_condition).best(told);
   const bool least_violation = optimality == Optimality::LeastViolation;
@@ -238,11 +259,28 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
   }
   result.second_order = is_global_valley(problem, result.objective_slope);
   if (!result.second_order) {
-    const SecondOrderPoint point{problem, sizes, x, layout};
-    const SecondOrder second = second_order(point, best.limits, best.multipliers);
-    result.second_order = second.holds && !improves_along(point, best, second.flat);
+    const SecondOrder second =
+        second_order({problem, sizes, x, layout}, best.limits, best.multipliers);
+    result.second_order =
+        second.holds && !improves_along({stated, sizes, x, layout}, best, second.flat);
   }
+  drop_unborne(problem, sizes, x, layout, best, result);
   return result;
+}
+
+}  // namespace
+
+Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+        const Teller& told, bool wants_condition) {
+  Kkt result = kkt_as_given(problem, problem, sizes, x, optimality, told, wants_condition);
+  const bool least_violation = optimality == Optimality::LeastViolation;
+  if (result.residual <= (least_violation ? kLeastViolationTolerance : kKktTolerance)) {
+    return result;
+  }
+  const std::optional<Problem> apart = with_pieces_apart(problem, sizes, x);
+  if (!apart) return result;
+  Kkt kinked = kkt_as_given(*apart, problem, sizes, x, optimality, {}, wants_condition);
+  return kinked.residual < result.residual ? kinked : result;
 }
 
 }  // namespace camlaw::optim

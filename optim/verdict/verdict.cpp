@@ -9,6 +9,7 @@
 
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/dual_bound.h"
+#include "optim/verdict/unknown_prices.h"
 
 namespace camlaw::optim {
 namespace {
@@ -28,7 +29,7 @@ std::vector<std::string> active_names(const Problem& problem, const Sizes& sizes
                                       const Kkt& conditions, double least) {
   std::vector<std::string> names;
   const auto add = [&](bool active, double multiplier, double size, const std::string& name) {
-    if (active && std::abs(multiplier) * size >= least) names.push_back(name);
+    if (active && !(std::abs(multiplier) * size < least)) names.push_back(name);
   };
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     add(conditions.active_constraints[i], conditions.constraints[i], sizes.constraints[i].size,
@@ -69,7 +70,7 @@ void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& cond
     VariableReport& v = result.variables[i];
     v.at_lower = conditions.active_lower[i];
     v.at_upper = conditions.active_upper[i];
-    v.multiplier = std::max(conditions.lower[i], conditions.upper[i]);
+    v.multiplier = conditions.lower[i] + conditions.upper[i];
   }
   result.active = active_names(problem, sizes, conditions, 0);
 }
@@ -88,16 +89,6 @@ void take_bound(const Problem& problem, const Sizes& sizes, const Kkt& condition
         "easing the limits by no more than their tolerances would change {} by {:.2g} of itself, "
         "so the conditions of optimality say nothing here",
         problem.objective().response.name, conditions.gain_of_tolerances);
-  }
-}
-
-/// Where the conditions do not hold, multipliers are the best there are, and weigh limits beside
-/// the design too: a price is told of a limit that the design stands at.
-void drop_prices_of_room(Assessment& result) {
-  constexpr double kStands = 10;  // tolerances
-  if (result.kkt_residual <= kKktTolerance) return;
-  for (LimitReport& limit : result.limits) {
-    if (!limit.is_equation && limit.margin > kStands * limit.tolerance) limit.multiplier = 0;
   }
 }
 
@@ -301,7 +292,7 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
   take_conditions(problem, sizes, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
-  drop_prices_of_room(result);
+  drop_unknown_prices(result);
   if (prove) conclude(problem, sizes, "", result);
   return result;
 }

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/verdict/unknown_prices.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/reached_output.h"
+#include "output/answers/variable_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
@@ -51,6 +53,7 @@ bool has_prices(const Assessment& a) {
 
 std::string price_text(const LimitReport& limit, bool priced) {
   if (!priced) return "";
+  if (std::isnan(limit.multiplier)) return "not known";
   if (limit.multiplier != 0) return fmt::format("{:.4g}", limit.multiplier);
   return limit.at_rest ? "at rest" : "";
 }
@@ -85,10 +88,20 @@ void add_limits(const Answer& answer, Document& document) {
   }
 }
 
+/// Why what some limits cost is not known; empty where all is.
+std::string unknown_words(const Answer& answer) {
+  const optim::Optimum& optimum = answer.optimum;
+  if (!has_prices(assessment(answer))) return {};
+  return optim::why_no_price(optimum.problem, optimum.found.assessment, optimum.found.x);
+}
+
 /// What one unit more of each pushing limit buys, in words.
 std::string prices(const Answer& answer) {
   const Assessment& a = assessment(answer);
-  if (a.verdict != optim::Verdict::Certified) return {};
+  if (!has_prices(a)) return {};
+  const std::string why = unknown_words(answer);
+  const std::string unknown = why.empty() ? "" : why + "\n";
+  if (a.verdict != optim::Verdict::Certified) return unknown;
   std::string text;
   const auto add = [&](const std::string& what, const std::string& unit, double price) {
     if (!(std::abs(price) > 1e-9 * std::abs(a.objective.value))) return;
@@ -112,7 +125,7 @@ std::string prices(const Answer& answer) {
           v.multiplier);
     }
   }
-  return text.empty() ? "" : "what each limit costs, to first order\n" + text;
+  return text.empty() ? unknown : "what each limit costs, to first order\n" + text + unknown;
 }
 
 /// The solver asked for, and the one that ended the search where that is another: what a global
@@ -219,10 +232,10 @@ std::vector<DesignValue> Answer::values() const {
     result.push_back({choice.name, choice.unit, chosen ? chosen->label() : choice.options[option],
                       choice.values.empty() ? std::nan("") : choice.values[option]});
   }
-  for (const VariableReport& v : optimum.found.assessment.variables) {
-    const double size = std::max({std::abs(v.value), std::abs(v.lower), std::abs(v.upper)});
-    const bool noise = std::abs(v.value) < 1e-12 * size;
-    result.push_back({v.name, v.unit, fmt::format("{:.10g}", noise ? 0 : v.value), v.value,
+  const std::vector<VariableReport>& variables = optimum.found.assessment.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const VariableReport& v = variables[i];
+    result.push_back({v.name, v.unit, variable_in_words(optimum, i), v.value,
                       problems::measure_of(bound.statement(), v.name, v.value)});
   }
   return result;
@@ -295,6 +308,7 @@ void add_conditions(const Answer& answer, Document& document) {
                     a.verdict == optim::Verdict::Infeasible ? "least-violation" : "optimality",
                     a.kkt_residual, condition));
   }
+  document.fact("no_price", unknown_words(answer));
   document.fact("active", a.active);
   document.fact("active_bounds", active_bounds(a));
   document.fact("blamed", a.blamed);

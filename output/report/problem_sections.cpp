@@ -58,6 +58,11 @@ Cell with_html(std::string html) {
   return cell;
 }
 
+Cell price_cell(double price) {
+  if (std::isnan(price)) return "not known";
+  return price != 0 ? fmt::format("{:.4g}", price) : "";
+}
+
 std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& text,
                             const std::string& side, bool priced,
                             const std::vector<std::string>& blamed) {
@@ -73,7 +78,7 @@ std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& te
                         side,
                         with_html(margin_bar(limit)),
                         limit.proved ? "yes" : "no"};
-  if (priced) row.push_back(limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "");
+  if (priced) row.push_back(price_cell(limit.multiplier));
   return row;
 }
 

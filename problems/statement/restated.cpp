@@ -234,6 +234,7 @@ void put_limit(Entry& file, std::string_view name, std::string_view text,
     return;
   }
   Entry table = made_entry(Kind::Table, *list, "constraints", place);
+  table.path = fmt::format("{}[{}]", list->path, list->items.size() + 1);
   table.items = {text_entry(table, "response", response, place),
                  text_entry(table, side, text, place)};
   list->items.push_back(std::move(table));

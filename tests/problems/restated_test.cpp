@@ -171,6 +171,8 @@ TEST_CASE("what cannot be set so is refused by name", "[statement][restated]") {
   CHECK_THAT(says("law="), Contains("give a value"));
   CHECK_THAT(says("undercutt.upper=0.6"), Contains("no limit is called 'undercutt"));
   CHECK_THAT(says("undercut.upper=3 deg"), Contains("undercut"));
+  CHECK_THAT(says("follower_force.upper='50 N'"),
+             Contains("constraints[") && !Contains("constraints.constraints"));
   CHECK_THAT(says("base_radius.upper=10 mm"), Contains("lower 20 mm exceeds upper 10 mm"));
 }
 

@@ -51,4 +51,26 @@ TEST_CASE("limits are blamed that contradict one another, and none without which
   }
 }
 
+TEST_CASE("a limit without a value in one option is not met there", "[optimise]") {
+  // With n = 1 acos(n) / 10 is 0, below 0.1; with n = 2 it has no value.
+  Problem problem;
+  problem.variables = {integer("n", 1, 2, 1)};
+  problem.objectives = {most(linear({0}, [](const auto& u) { return 1.0 * u[0]; }))};
+  problem.constraints = {at_least("rest",
+                                  function({0},
+                                           [](const auto& u) {
+                                             using std::sqrt;
+                                             return sqrt(1.0 - u[0] * u[0]) / 10.0;
+                                           }),
+                                  0.1)};
+  const Assessment a = optimise(problem).found.assessment;
+  CHECK(a.verdict == Verdict::Infeasible);
+  CHECK(a.blamed == Names{"rest"});
+  Problem alone = problem;
+  alone.variables = {variable("n", 2, 2, 2)};
+  const Assessment b = optimise(alone).found.assessment;
+  CHECK(b.verdict == Verdict::Infeasible);
+  CHECK(b.reason == "rest cannot be met: it has no value, and n is fixed at 2 by its bounds");
+}
+
 }  // namespace camlaw::optim::hopeless_test
