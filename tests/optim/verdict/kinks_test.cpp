@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "numerics/scalar/extremes.h"
+#include "numerics/scalar/interval.h"
+#include "numerics/scalar/series.h"
+#include "optim/problem/automatic.h"
 #include "optim/search/optimise.h"
 #include "optim/search/unbounded.h"
 #include "optim/verdict/unknown_prices.h"
+#include "optim/verdict/verdict.h"
 #include "tests/optim/small_problems.h"
 
 namespace camlaw::optim::kinks_test {
