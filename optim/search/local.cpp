@@ -181,14 +181,6 @@ void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& tr
   prove_best(watched, setting, trail);
 }
 
-/// Takes a design as the answer so far.
-void take_design(const std::vector<double>& x, const Setting& setting, Trail& trail) {
-  trail.sizes = sizes(setting.problem, x);
-  trail.found.x = x;
-  trail.told.clear();
-  trail.found.assessment = assess(setting.problem, trail.sizes, x, false);
-}
-
 /// Of a search from several starts: where the box holds a better design than all of them led to, it
 /// goes on from there.
 void search_around(const Setting& setting, Trail& trail) {
@@ -196,11 +188,15 @@ void search_around(const Setting& setting, Trail& trail) {
   const OptimiseOptions& how = setting.options;
   const bool is_wide = !how.starts && how.divides && count_of_starts(setting) > 1;
   const Assessment& a = trail.found.assessment;
-  for (int i = 0; i < kTimes && is_wide && !setting.deadline.passed(); ++i) {
+  if (!is_wide || trail.is_infeasible()) return;
+  for (int i = 0; i < kTimes && !setting.deadline.passed(); ++i) {
     if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
     const auto x = better_elsewhere(setting, trail);
     if (!x) return;
-    take_design(*x, setting, trail);
+    trail.sizes = sizes(setting.problem, *x);
+    trail.found.x = *x;
+    trail.told.clear();
+    trail.found.assessment = assess(setting.problem, trail.sizes, *x, false);
     search_from_start(*x, setting, trail);
   }
 }
@@ -253,7 +249,8 @@ void conclude_search(const Setting& setting, const std::vector<double>& ends, Tr
   Found& found = trail.found;
   found.agreed += agreed(ends, found.assessment.objective.value, trail.sizes.objective);
   Assessment& a = found.assessment;
-  if (a.verdict == Verdict::Feasible && setting.prove && !is_settled(a)) {
+  const bool is_looked_at = setting.prove && !setting.deadline.passed();
+  if (is_looked_at && a.verdict == Verdict::Feasible && !is_settled(a)) {
     const std::string unbounded = unbounded_words(setting.problem, found.x);
     if (!unbounded.empty()) a.reason = fmt::format("{}; {}", unbounded, a.reason);
   }

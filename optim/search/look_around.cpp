@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/problem/interrupted.h"
 #include "optim/problem/starts.h"
 
 namespace camlaw::optim {
@@ -32,7 +33,8 @@ bool keeps_limits(const Problem& problem, Design x) {
 
 }  // namespace
 
-std::optional<std::vector<double>> better_elsewhere(const Setting& setting, const Trail& trail) {
+std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
+                                                    const Trail& trail) try {
   constexpr int kDesigns = 501;
   const Problem& problem = setting.problem;
   if (!can_look_around(problem)) return {};
@@ -49,6 +51,10 @@ std::optional<std::vector<double>> better_elsewhere(const Setting& setting, cons
     best = std::move(x);
   }
   return best;
+} catch (const Interrupted&) {
+  throw;
+} catch (...) {  // the model throws elsewhere: that takes nothing back
+  return {};
 }
 
 }  // namespace camlaw::optim
