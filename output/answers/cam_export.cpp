@@ -294,7 +294,8 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
 
 /// What the cam's roller or a tool cuts into its profiles, whichever curves are asked for.
 std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
-                                 const std::vector<problems::PlaneCurve>& asked) {
+                                 const std::vector<problems::PlaneCurve>& asked,
+                                 const problems::LengthUnit& unit) {
   std::vector<problems::PlaneCurve> curves = asked;
   for (problems::PlaneCurve& own : problems::cam_curves(statement, "all")) {
     const bool there = std::any_of(asked.begin(), asked.end(),
@@ -302,9 +303,9 @@ std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
     if (!there) curves.push_back(std::move(own));
   }
   try {
-    return problems::cuts_into_profiles(curves);
+    return problems::cuts_into_profiles(curves, unit);
   } catch (const std::invalid_argument&) {  // one that was not asked for has no point somewhere
-    return problems::cuts_into_profiles(asked);
+    return problems::cuts_into_profiles(asked, unit);
   }
 }
 
@@ -345,14 +346,17 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
       e.passes = tool_passes(o, e, curve, form, inner);
       e.curves.push_back(e.passes.back().path.exported());
     } else {
-      for (std::string& note : problems::obstacles(curve)) e.notes.push_back(std::move(note));
+      for (std::string& note : problems::obstacles(curve.in(e.accuracy.unit))) {
+        e.notes.push_back(std::move(note));
+      }
       e.curves.push_back(problems::exported(curve, form, inner));
     }
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
     check_step(o, curve, e.curves.back(), e.accuracy.unit);
   }
-  const std::vector<std::string> more =
-      e.passes.empty() ? cuts_of(e.design.statement, curves) : e.passes.back().path.doubts();
+  const std::vector<std::string> more = e.passes.empty()
+                                            ? cuts_of(e.design.statement, curves, e.accuracy.unit)
+                                            : e.passes.back().path.doubts();
   e.notes.insert(e.notes.end(), more.begin(), more.end());
 }
 
@@ -376,13 +380,15 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   }
   if (format.format == ExportFormat::Inspection) {
     const auto curves = curves_asked(o, format, e.design.statement);
-    const auto cuts = cuts_of(e.design.statement, curves);
+    const auto cuts = cuts_of(e.design.statement, curves, e.accuracy.unit);
     e.notes.insert(e.notes.end(), cuts.begin(), cuts.end());
     return inspection_table(o, e, curves.front());
   }
   if (format.format == ExportFormat::Step) {
     form_of(o, format);  // that it takes no other
-    for (std::string& note : cuts_of(e.design.statement, {})) e.notes.push_back(std::move(note));
+    for (std::string& note : cuts_of(e.design.statement, {}, e.accuracy.unit)) {
+      e.notes.push_back(std::move(note));
+    }
     return solid_text(o, e);
   }
   fit_curves(o, format, e);

@@ -113,7 +113,7 @@ std::string inspection_table(const ExportOptions& o, const Exported& e,
   const double step = o.step ? parse_quantity(*o.step, "deg", "deg", "--step") : kStep;
   const double tolerance =
       length_of(o.form_tolerance, "--form-tolerance", unit, kTolerance, 1e-6, 10);
-  if (const auto found = problems::obstacles(profile); !found.empty()) {
+  if (const auto found = problems::obstacles(profile.in(unit)); !found.empty()) {
     throw std::invalid_argument(found.front());
   }
   return problems::inspection_text(problems::inspection_points(profile.in(unit), step), unit.name,

@@ -10,7 +10,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "machines/cams/cam_shape.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
@@ -41,14 +43,18 @@ double angle_about_centre(const PlaneCurve& curve) {
 
 }  // namespace
 
-PlaneCurve::PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y)
-    : name_(std::move(name)), x_(x.curve().trace({})), y_(y.curve().trace({})) {
+PlaneCurve::PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y,
+                       CurveEnd end, const Eigen::Vector2d& advance)
+    : name_(std::move(name)),
+      x_(x.curve().trace({})),
+      y_(y.curve().trace({})),
+      end_(end),
+      advance_(advance) {
   std::set<double> all;
   for (const auto* trace : {x_.get(), y_.get()}) {
     for (const double place : trace->breaks()) all.insert(place);
   }
   breaks_.assign(all.begin(), all.end());
-  closed_ = std::abs(angle_about_centre(*this)) > std::numbers::pi;
 }
 
 CurvePoint PlaneCurve::look(optim::Place place) const {
@@ -86,13 +92,18 @@ PlaneCurve PlaneCurve::in(const LengthUnit& unit) const {
   return result;
 }
 
+Eigen::Vector2d PlaneCurve::way_over(std::size_t number) const {
+  const Eigen::Vector2d before = at({breaks_[number], true}).at;
+  if (number + 1 < breaks_.size()) return at({breaks_[number]}).at - before;
+  return at({begin()}).at + scale_ * advance_ - before;
+}
+
 std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
   std::vector<std::pair<double, double>> result;
-  for (std::size_t k = 1; k < breaks_.size(); ++k) {
-    const bool last = k + 1 == breaks_.size();
-    if (last && !closed_) break;
-    const double way = (at({breaks_[last ? 0 : k]}).at - at({breaks_[k], true}).at).norm();
-    if (way > kJump) result.emplace_back(breaks_[k], way);
+  const std::size_t count = breaks_.size() - (goes_on() ? 0 : 1);
+  for (std::size_t k = 1; k < count; ++k) {
+    const double way = way_over(k).norm();
+    if (way > least_jump()) result.emplace_back(breaks_[k], way);
   }
   return result;
 }
@@ -112,6 +123,28 @@ const std::vector<CurveKind>& curve_kinds() {
   return kinds;
 }
 
+namespace {
+
+/// Of a machine that does not say how its cam is built: a curve is closed that ends where it began.
+CurveEnd end_by_points(const optim::Response& x, const optim::Response& y) {
+  const PlaneCurve closed("", x, y, CurveEnd::Returns);
+  const Eigen::Vector2d way =
+      closed.look({closed.end(), true}).at - closed.look({closed.begin()}).at;
+  return way.norm() <= PlaneCurve::kJump ? CurveEnd::Returns : CurveEnd::Ends;
+}
+
+PlaneCurve curve_of_cam(const ProblemStatement& statement, const char* name,
+                        const optim::Response& x, const optim::Response& y) {
+  const auto shape = cam_shape(*statement.mechanism);
+  if (!shape) return {name, x, y, end_by_points(x, y)};
+  if (*shape == CamShape::Disc) return {name, x, y, CurveEnd::Returns};
+  if (*shape == CamShape::Plate) return {name, x, y, CurveEnd::Ends};
+  const double circumference = 2 * std::numbers::pi * constant_of(statement, "radius");
+  return {name, x, y, CurveEnd::Advances, {circumference, 0}};
+}
+
+}  // namespace
+
 std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::string_view option) {
   std::vector<PlaneCurve> result;
   bool known = option == "all";
@@ -123,7 +156,7 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
     if (option != "all" && option != kind.option) continue;
     const auto* x = find_curve(curves, fmt::format("{}_x", kind.response));
     const auto* y = find_curve(curves, fmt::format("{}_y", kind.response));
-    if (x != nullptr && y != nullptr) result.emplace_back(kind.name, *x, *y);
+    if (x != nullptr && y != nullptr) result.push_back(curve_of_cam(statement, kind.name, *x, *y));
   }
   if (!known) {
     throw std::invalid_argument(fmt::format("there is no curve '{}'; use {}", option, options));
@@ -140,15 +173,22 @@ std::optional<double> turns_back(const PlaneCurve& curve) {
     if (slope.norm() > 0) before = slope;
     return back;
   };
+  const auto jumps_back = [&](std::size_t number) {
+    const Eigen::Vector2d way = curve.way_over(number);
+    return way.norm() > curve.least_jump() && way.dot(before) < 0;
+  };
   for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
     const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
+    if (k > 0 && jumps_back(k)) return from;
     const int count = static_cast<int>(std::ceil((to - from) / kStep));
     for (int i = 0; i <= count; ++i) {
       const optim::Place place = optim::even_place(from, to, count, i);
       if (turns(place)) return place.angle;
     }
   }
-  if (curve.is_closed() && turns({curve.begin()})) return curve.end();
+  const bool over_end =
+      curve.goes_on() && (jumps_back(curve.breaks().size() - 1) || turns({curve.begin()}));
+  if (over_end) return curve.end();
   return {};
 }
 

@@ -34,6 +34,13 @@ struct CurveStretch {
   double bow;
 };
 
+/// How a curve goes on after the cycle.
+enum class CurveEnd {
+  Ends,      ///< it does not, as along a plate
+  Returns,   ///< it is closed, as about a shaft
+  Advances,  ///< from another place, as on a drum that is developed
+};
+
 /// A curve x(phi), y(phi) over the cam angle phi, deg. Between two breaks it is smooth; at a break
 /// it may turn, or jump.
 class PlaneCurve {
@@ -41,7 +48,9 @@ class PlaneCurve {
   static constexpr double kJump = 1e-6;  ///< mm: what is less is rounding
 
   /// Of two responses that are curves over the same angle, in a design in which nothing varies.
-  PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y);
+  /// Of one that advances, by what, mm.
+  PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y, CurveEnd end,
+             const Eigen::Vector2d& advance = {0, 0});
 
   const std::string& name() const { return name_; }
   /// Increasing angles, deg, first and last the ends of the cycle.
@@ -53,9 +62,16 @@ class PlaneCurve {
   /// The same, without numbers where it has no point.
   CurvePoint look(optim::Place place) const;
   /// Whether it goes round the cam's centre, as a disc's does; one that is developed does not.
-  bool is_closed() const { return closed_; }
-  /// Where it jumps, of a closed one at its end too, as profiles do where the velocity jumps:
-  /// angle, deg, and distance, mm.
+  bool is_closed() const { return end_ == CurveEnd::Returns; }
+  /// Whether it goes on after the cycle as it began.
+  bool goes_on() const { return end_ != CurveEnd::Ends; }
+  /// The way over a break, of the last one to where the next cycle begins, mm: 0 but for rounding
+  /// where it does not jump.
+  Eigen::Vector2d way_over(std::size_t number) const;
+  /// What is less is rounding of a jump.
+  double least_jump() const { return kJump * scale_; }
+  /// Where it jumps, also at its end where it goes on there, as profiles do where the velocity
+  /// jumps: angle, deg, and distance, mm.
   std::vector<std::pair<double, double>> jumps() const;
 
   /// Between two of its breaks (docs/theory.md, "How exact an export is").
@@ -84,7 +100,8 @@ class PlaneCurve {
   double left_ = 0;  ///< mm
   LengthUnit unit_ = kMillimetre;
   double scale_ = 1;  ///< of all coordinates
-  bool closed_ = false;
+  CurveEnd end_;
+  Eigen::Vector2d advance_;  ///< mm
 
   friend class CurveEnclosure;
 };
@@ -102,8 +119,8 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
 
 /// Where a curve turns back, deg, as an undercut profile does, or that of a tool too
 /// large for a hollow; none: it nowhere does. Looked for at steps of a tenth of a degree and over
-/// every break, of a closed curve from its end to its beginning too: where the acceleration jumps a
-/// whole stretch may run backwards.
+/// every break, of a curve that goes on from its end to its beginning too: where the acceleration
+/// jumps a whole stretch may run backwards, and where the velocity jumps the curve may jump back.
 std::optional<double> turns_back(const PlaneCurve& curve);
 
 /// What is known of whether a curve turns back.

@@ -15,9 +15,14 @@ namespace {
 
 bool is_profile(const PlaneCurve& curve) { return curve.name().ends_with("profile"); }
 
+/// A length of so many mm: "0.5 in".
+std::string length_text(double mm, int digits, const LengthUnit& unit) {
+  return fmt::format("{:.{}g} {}", mm / unit.mm, digits, unit.name);
+}
+
 /// What a circle along a curve cuts of a profile; empty: nothing, or it does not touch it.
 std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneCurve& profile,
-                      std::vector<std::string>* doubts) {
+                      const LengthUnit& unit, std::vector<std::string>* doubts) {
   constexpr double kLeast = 1e-3;  // mm, above what is known
   const auto radius = even_distance(centre, profile);
   if (!radius) return "";
@@ -28,10 +33,10 @@ std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneC
   }
   if (found.depth <= found.certain + kLeast) return "";
   return fmt::format(
-      "the {}, {:.6g} mm in radius, cuts {:.3g} mm into the {} near {:.4g} deg when it is at "
-      "{:.4g} deg: the profile is undercut there, or the {} is too large",
-      circle, *radius, found.depth, profile.name(), found.profile_angle, found.circle_angle,
-      circle);
+      "the {}, {} in radius, cuts {} into the {} near {:.4g} deg when it is at {:.4g} deg: the "
+      "profile is undercut there, or the {} is too large",
+      circle, length_text(*radius, 6, unit), length_text(found.depth, 3, unit), profile.name(),
+      found.profile_angle, found.circle_angle, circle);
 }
 
 /// The curve and, once each, the cam's own; what runs beside a profile under its name, as roughing
@@ -50,23 +55,24 @@ std::vector<PlaneCurve> with_own_curves(const ProblemStatement& design, const Pl
 /// the straight moves within the way of such a circle: these are where its centre is, `radius`, mm,
 /// its radius.
 void check_profile_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
-                        const std::vector<Eigen::Vector2d>& centres, double radius) {
+                        const std::vector<Eigen::Vector2d>& centres, double radius,
+                        const LengthUnit& unit) {
   constexpr double kLeast = 2e-3;  // mm
   for (const PlaneCurve& profile : curves) {
     if (profile.name() != curve.name()) continue;
     const double clearance = clearance_of(centres, profile);
     if (clearance >= radius - kLeast) continue;
-    throw std::invalid_argument(
-        fmt::format("--lead: a tool nearly as large as the lead, {:.6g} mm in radius, would cut "
-                    "{:.3g} mm into the {} as it approaches the path; use a smaller lead",
-                    radius, radius - clearance, profile.name()));
+    throw std::invalid_argument(fmt::format(
+        "--lead: a tool nearly as large as the lead, {} in radius, would cut {} into "
+        "the {} as it approaches the path; use a smaller lead",
+        length_text(radius, 6, unit), length_text(radius - clearance, 3, unit), profile.name()));
   }
 }
 
 /// Throws where a circle on the arcs of a lead cuts into a profile that it does not cut at their
 /// joint with the path.
 void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
-                const std::vector<Eigen::Vector2d>& way) {
+                const std::vector<Eigen::Vector2d>& way, const LengthUnit& unit) {
   constexpr double kLeast = 2e-3;  // mm
   for (const PlaneCurve& profile : curves) {
     if (!is_profile(profile) || profile.name() == curve.name()) continue;
@@ -74,10 +80,10 @@ void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
     if (!radius) continue;
     const double clearance = clearance_of(way, profile);
     if (clearance >= *radius - kLeast) continue;
-    throw std::invalid_argument(
-        fmt::format("--lead: as it approaches the path, the tool, {:.6g} mm in radius, would cut "
-                    "{:.3g} mm into the {}; use a smaller lead",
-                    *radius, *radius - clearance, profile.name()));
+    throw std::invalid_argument(fmt::format(
+        "--lead: as it approaches the path, the tool, {} in radius, would cut {} into "
+        "the {}; use a smaller lead",
+        length_text(*radius, 6, unit), length_text(*radius - clearance, 3, unit), profile.name()));
   }
 }
 
@@ -111,7 +117,7 @@ void ToolPath::add_lead(const ProblemStatement& design, double radius) {
     way.push_back(unit_.mm * (end + radius * (m - m * s + u * c)));
   }
   const std::vector<PlaneCurve> curves = with_own_curves(design, curve_);
-  check_lead(curves, curve_, way);
+  check_lead(curves, curve_, way, unit_);
   if (is_profile(curve_)) {
     std::vector<Eigen::Vector2d> centres;
     for (int i = 0; i <= kSteps; ++i) {
@@ -119,7 +125,7 @@ void ToolPath::add_lead(const ProblemStatement& design, double radius) {
       centres.push_back(unit_.mm * (begin + radius * (n + left_to_go * (n - t))));
       centres.push_back(unit_.mm * (end + radius * (m + left_to_go * (m + u))));
     }
-    check_profile_lead(curves, curve_, centres, unit_.mm * radius);
+    check_profile_lead(curves, curve_, centres, unit_.mm * radius, unit_);
   }
   lead_ = lead;
 }
@@ -132,14 +138,16 @@ std::vector<std::string> obstacles(const PlaneCurve& curve) {
         curve.name(), *angle));
   }
   for (const auto& [place, length] : curve.jumps()) {
-    result.push_back(
-        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg: a straight line bridges it",
-                    curve.name(), length, place));
+    const bool next = place == curve.end() && !curve.is_closed();
+    result.push_back(fmt::format(
+        "the {} jumps by {:.4g} {} at {:.6g} deg: {}", curve.name(), length, curve.unit(), place,
+        next ? "its next turn begins there" : "a straight line bridges it"));
   }
   return result;
 }
 
 std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves,
+                                            const LengthUnit& unit,
                                             std::vector<std::string>* doubts) {
   std::vector<std::string> result;
   for (const PlaneCurve& profile : curves) {
@@ -148,7 +156,7 @@ std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curve
     for (const PlaneCurve& centre : curves) {
       const bool roller = centre.name() == "pitch curve", tool = centre.name() == "cutter path";
       if ((!roller && !tool) || !centre.jumps().empty()) continue;
-      std::string words = cut_words(roller ? "roller" : "tool", centre, profile, doubts);
+      std::string words = cut_words(roller ? "roller" : "tool", centre, profile, unit, doubts);
       if (!words.empty()) result.push_back(std::move(words));
     }
   }
@@ -158,15 +166,15 @@ std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curve
 ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, CurveForm form,
                    const ExportAccuracy& accuracy)
     : curve_(curve), unit_(accuracy.unit) {
-  std::vector<std::string> found = obstacles(curve);
+  std::vector<std::string> found = obstacles(curve.in(unit_));
   const std::vector<PlaneCurve> curves = with_own_curves(design, curve);
   const auto add = [&](const std::vector<std::string>& more) {
     found.insert(found.end(), more.begin(), more.end());
   };
   for (const PlaneCurve& own : curves) {
-    if (is_profile(own) && turns_back(own)) add(obstacles(own));
+    if (is_profile(own) && turns_back(own)) add(obstacles(own.in(unit_)));
   }
-  if (found.empty()) add(cuts_into_profiles(curves, &doubts_));
+  if (found.empty()) add(cuts_into_profiles(curves, unit_, &doubts_));
   if (!found.empty()) throw std::invalid_argument(found.front());
   for (const PlaneCurve& own : curves) {
     if ((&own == &curves.front() || is_profile(own)) && !turning(own).proved) {

@@ -7,14 +7,16 @@
 /// What a tool can follow, and what keeps it from that.
 namespace camlaw::problems {
 
-/// What keeps a tool from going along a curve, in words: first that it turns back, of which jumps
-/// may be the mere consequence.
+/// What keeps a tool from going along a curve, in words and in the curve's unit: first that it
+/// turns back, of which jumps may be the mere consequence.
 std::vector<std::string> obstacles(const PlaneCurve& curve);
 
 /// What the roller along the pitch curve and the tool along the cutter path cut of the profiles
-/// that are to stay, in words: a hollow is too narrow for them although they fit where they touch.
+/// that are to stay, in words with lengths in `unit`: a hollow is too narrow for them although they
+/// fit where they touch. The curves are in mm.
 /// `doubts`, if wanted, gets what was looked at without being proved.
 std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves,
+                                            const LengthUnit& unit = kMillimetre,
                                             std::vector<std::string>* doubts = nullptr);
 
 /// How the tool comes to a path and leaves it: a quarter of a circle that is tangent to the path,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/cams/cam_shape.h"
 #include "output/report/scene.h"
 
 // Cams that are developed, or are plates: the profile travels along x under a roller. And the mark
@@ -35,8 +36,8 @@ std::vector<Point> repeated(const std::vector<Point>& profile, double period, do
 }  // namespace
 
 std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
-  const Form form = design.mechanism->form;
-  if (form != Form::EndRoller && form != Form::EndArm && form != Form::Plate) return {};
+  const auto shape = problems::cam_shape(*design.mechanism);
+  if (shape != problems::CamShape::Drum && shape != problems::CamShape::Plate) return {};
   const SceneCurves curves(design, points);
   const std::vector<Point> profile = curves.points("profile"), pitch = curves.points("pitch");
   const double period = pitch.back().x - pitch.front().x;
@@ -45,7 +46,7 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   for (const Point& p : profile) low = std::min(low, p.y);
   for (const Point& p : pitch) high = std::max(high, p.y);
   if (!std::isfinite(low) || !std::isfinite(high) || !(period > 0)) return {};
-  const bool arm = form == Form::EndArm;
+  const bool arm = design.mechanism->form == Form::EndArm;
   const double back = low - 1.5 * radius, centre = pitch.front().x;
   Scene scene(fmt::format("{}, developed, drawn to scale", design.mechanism->title));
   scene.drawn_at("displacement", curves.values("displacement").front());

@@ -443,8 +443,9 @@ TEST_CASE("a cam that jumps is drawn with a note, and not cut", "[export]") {
   CHECK_THAT(said, Contains("the profile jumps by") && Contains("mm at 120 deg") &&
                        Contains("mm at 360 deg"));
   CHECK(read_by_ezdxf(folder / "cam.dxf").facts["errors"] == "0 ");
+  // The face leaves the flank backwards where its velocity falls.
   CHECK_THAT(failed({"export", path, "--format", "gcode", "--curve", "profile"}, 2),
-             Contains("the profile jumps by"));
+             Contains("the profile turns back near 120 deg"));
 }
 
 TEST_CASE("a cam that is undercut is drawn with a note, and not cut", "[export]") {

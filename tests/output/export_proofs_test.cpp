@@ -81,7 +81,8 @@ PlaneCurve circle(const std::string& name, const Vector2d& centre, double radius
     });
     return made;
   };
-  return {name, response(centre.x(), 0), response(centre.y(), -std::numbers::pi / 2)};
+  return {name, response(centre.x(), 0), response(centre.y(), -std::numbers::pi / 2),
+          CurveEnd::Returns};
 }
 
 }  // namespace
