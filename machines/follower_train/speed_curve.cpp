@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "machines/follower_train/speed_curve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,16 +135,32 @@ class SpeedTrace final : public optim::Trace {
   std::array<Interval, 3> moments_{Interval(0.0), Interval(0.0), Interval(0.0)};
 };
 
+/// Why a law leaves no vibration to look at over a range of speeds, in words; empty where it does.
+std::string why_no_vibration(const PartsAt& parts, const Possible<Law<double>>& law) {
+  if (!parts.possible) return "there is no such follower train";
+  if (!law) return law.why();
+  const std::span<const double> plain(parts.plain);
+  const double slowest = plain[Slowest], fastest = plain[Fastest];
+  if (!(slowest < fastest)) {
+    return fmt::format(
+        "slowest_speed must be below fastest_speed, but they are {:.6g} rpm and {:.6g} rpm",
+        slowest / by_minute<double>(), fastest / by_minute<double>());
+  }
+  const auto state = train_at(plain, slowest).after(*law);
+  return state ? "" : state.why();
+}
+
 /// Where there is no machine, no law, or no range of speeds.
 class NoSpeeds final : public optim::Trace {
  public:
+  explicit NoSpeeds(std::string why) : why_(std::move(why)) {}
   std::vector<double> breaks() const override { return {0, 1}; }
   std::array<double, 3> at(optim::Place) const override { return {kNaN, kNaN, kNaN}; }
   optim::Bounds enclose(double, double) const override { return {}; }
-  std::string why_unbounded() const override {
-    return "slowest_speed must be below fastest_speed, and the law must be one that an elastic "
-           "train can follow";
-  }
+  std::string why_unbounded() const override { return why_; }
+
+ private:
+  std::string why_;
 };
 
 }  // namespace
@@ -183,11 +201,9 @@ std::unique_ptr<optim::Trace> SpeedCurve::trace(optim::Design x) const {
   const Member member = binding_.law->member_at(x);
   const auto law = member.possible_law();
   auto enclosing_law = member.possible_law<Interval>();
-  const std::span<const double> plain(parts.plain);
-  if (!parts.possible || !law || !enclosing_law || !(plain[Slowest] < plain[Fastest]) ||
-      !train_at(plain, plain[Slowest]).after(*law)) {
-    return std::make_unique<NoSpeeds>();
-  }
+  std::string why = why_no_vibration(parts, law);
+  if (why.empty() && !enclosing_law) why = enclosing_law.why();
+  if (!why.empty()) return std::make_unique<NoSpeeds>(std::move(why));
   return std::make_unique<SpeedTrace>(std::move(parts.plain), std::move(parts.enclosing),
                                       factor_.as<double>(), *law, std::move(*enclosing_law));
 }

@@ -4,6 +4,7 @@
 #include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
+#include "machines/model/why_impossible.h"
 #include "machines/servo_axis/servo_axis.h"
 #include "numerics/scalar/by_side.h"
 
@@ -316,6 +317,14 @@ Mechanism servo_axis_mechanism() {
 Mechanism linear_servo_axis_mechanism() {
   return servo_mechanism<LinearServoAxis>(
       "linear-servo-axis", "servo motor that moves a load by screw, pinion or belt", kLinear);
+}
+
+std::string why_servo_axis_impossible(std::span<const double> values) {
+  return why_impossible_as<ServoAxis>(values);
+}
+
+std::string why_linear_servo_axis_impossible(std::span<const double> values) {
+  return why_impossible_as<LinearServoAxis>(values);
 }
 
 }  // namespace camlaw::problems

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/law.h"
+#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/extremes.h"
 #include "numerics/scalar/where_positive.h"
@@ -20,8 +21,10 @@ struct ServoMotor {
   T maximum_speed;      ///< omega_max, rad/s
   T end_torque;         ///< M_e, N m, at the maximum speed
 
-  bool is_possible() const {
-    return value_of(corner_speed) >= 0 && value_of(corner_speed) < value_of(maximum_speed);
+  Possibility is_possible() const {
+    return {{value_of(corner_speed) >= 0, "corner_speed must be 0 or above"},
+            {value_of(corner_speed) < value_of(maximum_speed),
+             "corner_speed must be below maximum_speed"}};
   }
   /// (SV7) Greatest torque at a speed of either sense, N m: M_max up to the corner speed, from
   /// there on the line down to M_e at the maximum speed.
@@ -121,7 +124,7 @@ struct MotorOfAxis {
     return {motor_inertia, continuous_torque, maximum_torque,
             corner_speed,  maximum_speed,     end_torque};
   }
-  bool is_possible() const { return motor().is_possible(); }
+  Possibility is_possible() const { return motor().is_possible(); }
 };
 
 /// An axis that turns its load. Fields in SI units.

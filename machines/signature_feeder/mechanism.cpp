@@ -3,6 +3,7 @@
 
 #include "machines/model/append.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/why_impossible.h"
 #include "machines/signature_feeder/signature_feeder.h"
 
 namespace camlaw::problems {
@@ -123,6 +124,10 @@ Mechanism signature_feeder_mechanism() {
           .moved_by = MovedBy::Nothing,
           .form = Form::SignatureFeeder,
           .possible = {{{"crank_radius", "centre_distance", "offset", "pinion_radius"}, "DS4"}}};
+}
+
+std::string why_signature_feeder_impossible(std::span<const double> values) {
+  return why_impossible_as<SignatureFeeder>(values);
 }
 
 }  // namespace camlaw::problems

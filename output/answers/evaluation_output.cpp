@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
@@ -13,6 +14,7 @@
 #include "output/answers/segments_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
+#include "problems/statement/why_undefined.h"
 
 namespace camlaw::cli {
 namespace {
@@ -51,7 +53,19 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
   return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
-Json responses_json(const std::vector<EvaluatedResponse>& responses) {
+/// Why curves have no numbers, by their names, where that is known.
+std::map<std::string, std::string> reasons_of(const ProblemStatement& statement,
+                                              const std::vector<EvaluatedResponse>& responses) {
+  std::map<std::string, std::string> reasons;
+  for (const EvaluatedResponse& r : responses) {
+    std::string why = problems::why_undefined(statement, r);
+    if (!why.empty()) reasons[r.name] = std::move(why);
+  }
+  return reasons;
+}
+
+Json responses_json(const std::vector<EvaluatedResponse>& responses,
+                    const std::map<std::string, std::string>& reasons) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -62,6 +76,8 @@ Json responses_json(const std::vector<EvaluatedResponse>& responses) {
                         {"unit", r.unit},
                         {"along", r.along},
                         {"proved", r.proved}};
+      const auto why = reasons.find(r.name);
+      if (why != reasons.end()) values[r.name]["why_undefined"] = why->second;
     } else {
       values[r.name] = {{"value", to_json(r.value)}, {"unit", r.unit}};
       if (!r.proved) values[r.name]["proved"] = false;
@@ -117,7 +133,11 @@ Document evaluation_document(const ProblemStatement& statement,
   document.say("\n");
   document.add(response_table(responses));
   document.say(sampled_text(responses));
-  document.fact("responses", responses_json(responses));
+  const auto reasons = reasons_of(statement, responses);
+  for (const auto& [name, why] : reasons) {
+    document.say(fmt::format("{} is undefined: {}\n", name, why));
+  }
+  document.fact("responses", responses_json(responses, reasons));
   if (moved) add_segments(statement.laws.front(), document);
   if (!limits.empty()) document.say("\n");
   document.add(limits_document(limits, statement));

@@ -8,6 +8,7 @@
 #include "optim/verdict/limits.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/speed_curves.h"
+#include "problems/statement/why_undefined.h"
 
 namespace camlaw::problems {
 namespace {
@@ -55,6 +56,12 @@ EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismRe
 EvaluatedResponse evaluate_response(const ProblemStatement& statement,
                                     const MechanismResponse& declared) {
   return evaluated(statement, declared, fixed(statement));
+}
+
+std::string why_undefined(const ProblemStatement& statement, const EvaluatedResponse& response) {
+  if (!response.is_curve || !std::isnan(response.highest)) return {};
+  const auto name = find_response(*statement.mechanism, response.name);
+  return response_of(statement, name, fixed(statement)).curve().trace({})->why_unbounded();
 }
 
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {

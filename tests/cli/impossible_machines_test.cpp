@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What camlaw evaluate says of values that make no machine, and of curves without numbers.
+#include "machines/impossible.h"
+#include "machines/registry.h"
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli::impossible_machines_test {
+namespace {
+
+std::string file_of(const Folder& folder, const std::string& text) {
+  const std::string path = folder / "f.toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+const char* const kProgram =
+    "[program]\nsegments = [{angle = 120, law = 'cycloidal'}, {law = 'cycloidal'}]\n";
+
+}  // namespace
+
+TEST_CASE("values that make no machine are answered with the condition that fails", "[program]") {
+  const Folder folder;
+  const auto refused = [&](const std::string& text) {
+    return failed({"evaluate", file_of(folder, text)}, 2);
+  };
+  CHECK_THAT(
+      refused(std::string("mechanism = 'servo-axis'\nconstants.corner_speed = 7000\n") + kProgram),
+      Contains("servo-axis is not possible with these values: corner_speed = 7000 rpm, "
+               "maximum_speed = 6000 rpm; corner_speed must be below maximum_speed\n"));
+  const std::string feeder =
+      "mechanism = 'signature-feeder'\n[constants]\ncrank_radius = 135\ncentre_distance = 177\n";
+  CHECK_THAT(refused(feeder + "offset = 0\npinion_radius = 95"),
+             Contains(": crank_radius = 135 mm, centre_distance = 177 mm, pinion_radius = 95 mm; "
+                      "pinion_radius must be below centre_distance - crank_radius\n"));
+  CHECK_THAT(refused(feeder + "offset = 42\npinion_radius = 20"),
+             Contains("offset = 42 mm; offset must be less in size than"));
+}
+
+TEST_CASE("a machine names a condition where it is impossible, and nowhere else", "[program]") {
+  for (const char* name : {"servo-axis", "linear-servo-axis", "signature-feeder"}) {
+    const problems::Mechanism& mechanism = problems::find_mechanism(name);
+    std::vector<double> usual;
+    for (const auto& parameter : mechanism.parameters) usual.push_back(parameter.default_value);
+    int found = 0;
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+      const problems::MechanismParameter& parameter = mechanism.parameters[i];
+      for (const double bound : {parameter.low, parameter.default_value, parameter.high}) {
+        std::vector<double> values = usual;
+        values[i] = bound;
+        INFO(name << ": " << parameter.name << " = " << bound);
+        const std::string why = problems::why_impossible(mechanism, values);
+        CHECK(why.empty() == mechanism.responses.front().is_possible(values));
+        if (why.empty()) continue;
+        ++found;
+        CHECK_THAT(why, Contains(parameter.name));  // it is about what was changed
+      }
+    }
+    CHECK(found >= 2);
+  }
+}
+
+TEST_CASE("a curve without numbers says why, if that is known", "[program]") {
+  const Folder folder;
+  const std::string path = file_of(folder,
+                                   "mechanism = 'follower-train'\nlaw.name = 'cycloidal'\n"
+                                   "[constants]\nslowest_speed = 360\nfastest_speed = 240\n");
+  const std::string why =
+      "slowest_speed must be below fastest_speed, but they are 360 rpm and 240 rpm";
+  CHECK_THAT(done({"evaluate", path}), Contains("residual_over_speed is undefined: " + why + "\n"));
+  const ParsedJson answer = json_of({"evaluate", path, "--json"});
+  CHECK(answer["responses"]["residual_over_speed"]["why_undefined"] == why);
+  CHECK(answer["responses"]["residual_over_speed"]["highest"].is_null());
+  CHECK_FALSE(answer["responses"]["deviation"].contains("why_undefined"));
+}
+
+}  // namespace camlaw::cli::impossible_machines_test
