@@ -29,8 +29,15 @@ std::optional<int> samples_of(const LawOptions& options) {
   return static_cast<int>(problems::parse_integer(*options.samples, kFewest, kMost, "--samples"));
 }
 
+/// Whether a text is a fraction, "1/3", of which the last part is no unit.
+bool is_fraction(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  return slash != std::string_view::npos && text.find_first_not_of("0123456789.+-/ ") == text.npos;
+}
+
 /// Reads a parameter's value with its unit.
 double read_quantity(std::string_view text, const Parameter& parameter, const std::string& what) {
+  if (is_fraction(text)) return read_plain_number(text, parameter, what);
   return parse_quantity(text, parameter.unit, parameter.unit, what);
 }
 

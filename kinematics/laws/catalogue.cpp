@@ -11,6 +11,7 @@
 #include <set>
 
 #include "kinematics/laws/families.h"
+#include "kinematics/laws/law_names.h"
 #include "numerics/text/names.h"
 
 namespace camlaw {
@@ -183,23 +184,54 @@ void set_argument(Member& member, std::string_view assignment, ValueReader reade
   member.arguments.values()[index] = std::move(values);
 }
 
-Member find_law(std::string_view given, ValueReader reader) {
-  // Spaces beside an equals sign or after a comma do not part words.
+namespace {
+
+/// Whether a text begins with "name =": the value before it is empty.
+bool begins_assignment(std::string_view text) {
+  const std::size_t end = text.find_first_of(" ,=");
+  const std::size_t next = text.find_first_not_of(' ', end);
+  return end != 0 && next != std::string_view::npos && text[next] == '=';
+}
+
+/// Without the spaces that do not part words: those beside an equals sign, except before another
+/// assignment, and those after a comma.
+std::string without_loose_spaces(std::string_view text) {
   std::string joined;
-  for (const char c : trimmed(given)) {
+  while (!text.empty()) {
+    const char c = text.front();
     while (c == '=' && !joined.empty() && joined.back() == ' ') joined.pop_back();
-    const bool beside = !joined.empty() && (joined.back() == '=' || joined.back() == ',');
-    if (c != ' ' || !beside) joined += c;
+    const char last = joined.empty() ? ' ' : joined.back();
+    const bool loose =
+        c == ' ' && (last == ',' || (last == '=' && !begins_assignment(trimmed(text))));
+    if (!loose) joined += c;
+    text.remove_prefix(1);
   }
+  return joined;
+}
+
+/// Where the first assignment behind a place starts: at the last space before its equals sign. The
+/// text's end where there is none; npos where no space comes before.
+std::size_t assignment_start(std::string_view text, std::size_t from) {
+  const std::size_t equals = text.find('=', from);
+  return equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
+}
+
+}  // namespace
+
+bool names_catalogue_law(std::string_view given) {
+  const std::string joined = without_loose_spaces(trimmed(given));
+  const std::string_view text = joined;
+  return find_exact(text) != nullptr ||
+         find_exact(trimmed(text.substr(0, text.find(' ')))) != nullptr ||
+         find_exact(trimmed(text.substr(0, assignment_start(text, 0)))) != nullptr;
+}
+
+Member find_law(std::string_view given, ValueReader reader) {
+  const std::string joined = without_loose_spaces(trimmed(given));
   const std::string_view text = joined;
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
   if (const Family* family = find_exact(text)) return {family, family->defaults()};
-  // An assignment starts at the last space before its equals sign.
-  const auto assignment_start = [&](std::size_t from) {
-    const std::size_t equals = text.find('=', from);
-    return equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
-  };
-  std::size_t start = assignment_start(0);
+  std::size_t start = assignment_start(text, 0);
   if (start == std::string_view::npos) {
     throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
   }
@@ -207,7 +239,7 @@ Member find_law(std::string_view given, ValueReader reader) {
   Member member{&family, family.defaults()};
   std::set<std::string> seen;
   while (start < text.size()) {
-    const std::size_t next = assignment_start(text.find('=', start) + 1);
+    const std::size_t next = assignment_start(text, text.find('=', start) + 1);
     const std::string_view name = trimmed(text.substr(start, text.find('=', start) - start));
     if (!seen.insert(folded(name)).second) {
       throw std::invalid_argument(

@@ -65,6 +65,12 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
   return result + fmt::format("accept the jump with matched = \"{}\"", lesser);
 }
 
+/// A value without what is mere rounding beside another one.
+double beside(double value, double other) {
+  constexpr double kRounding = 1e-12;
+  return std::abs(value) <= kRounding * std::abs(other) ? 0 : value;
+}
+
 }  // namespace
 
 std::optional<Impossible> bad_joint(const StatedProgram& program,
@@ -83,7 +89,8 @@ std::optional<Impossible> bad_joint(const StatedProgram& program,
       return Impossible{fmt::format(
           "where '{}' meets '{}', at {:.6g} deg, the {} jumps from {:.6g} to {:.6g} {}{}",
           program.segments[before].name, program.segments[i].name, at * kCycle, kWhat[*k],
-          joint.left[*k], joint.right[*k], kUnit[*k], remedies(program, segments, joint, *k))};
+          beside(joint.left[*k], joint.right[*k]), beside(joint.right[*k], joint.left[*k]),
+          kUnit[*k], remedies(program, segments, joint, *k))};
     }
     at += segments[i].share;
   }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "kinematics/laws/law_names.h"
 #include "kinematics/laws/lone_law.h"
 #include "kinematics/peaks.h"
 #include "kinematics/shape.h"
@@ -146,7 +147,10 @@ Member read_law_text(const std::string& text, const std::string& asked) {
 }
 
 bool is_law_path(std::string_view name) {
-  return name.ends_with(".json") || name.find('/') != std::string_view::npos;
+  const bool ends_as_file = name.ends_with(".json");
+  if (ends_as_file && name.find('=') == std::string_view::npos) return true;
+  const bool like_path = ends_as_file || name.find('/') != std::string_view::npos;
+  return like_path && !names_catalogue_law(name);
 }
 
 Member find_any_law(std::string_view text, const std::string& folder, ValueReader reader) {

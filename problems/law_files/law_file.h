@@ -36,7 +36,7 @@ bool is_law_file(const Member& law);
 /// A law of a file, called by the path that it was asked for by, where it was.
 Member called_by_path(const Member& law);
 
-/// Whether a law is asked for by a path: the name ends in ".json" or has a "/".
+/// Whether a name is a path: it ends in ".json" or has a "/", and is no law with arguments.
 bool is_law_path(std::string_view name);
 
 /// A law by what people may write for it: "NAME k=v" of the catalogue; the path of a law file,

@@ -82,10 +82,22 @@ void read_fixed(const Entry& entry, const std::set<std::string>& given, ProblemS
   put_values(problem, parameter, fixed_values(entry, parameter));
 }
 
+/// The law's name in the table that is to be written: the one given as a text, if it is such a
+/// name.
+std::string name_for_table(const Entry& law) {
+  constexpr std::size_t kMostShown = 100;
+  const bool plain =
+      law.kind == Kind::Text && !law.text.empty() && law.text.size() <= kMostShown &&
+      std::none_of(law.text.begin(), law.text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '"' || c == '\\';
+      });
+  return plain ? law.text : "polynomial-5";
+}
+
 const Entry& law_entry(const Entry& file) {
   const Entry* law = find(file, "law");
   if (law == nullptr) refuse(file, "law is missing; write [law] and name = \"polynomial-5\"");
-  expect(*law, Kind::Table, "a table, [law] with name = \"polynomial-5\"");
+  expect(*law, Kind::Table, fmt::format("a table, [law] with name = \"{}\"", name_for_table(*law)));
   return *law;
 }
 

@@ -68,6 +68,10 @@ TEST_CASE("segments that do not meet are named with the jump", "[program]") {
   CHECK(
       contains(why, "where 'low' meets 'rise', at 0 deg, the acceleration jumps from 0 to 44.41"));
   CHECK(refusal(usual("cosine"), Matched::Velocity).empty());
+  // The modified sine ends with an acceleration of rounding, which is printed as 0.
+  CHECK(contains(refusal({move("up", 120, 1, "modified-sine"), move("down", 120, 0, "cosine"),
+                          rest("low", 120, 0)}),
+                 "where 'up' meets 'down', at 120 deg, the acceleration jumps from 0 to -44.41"));
   // Rise and return in 180 deg each without a rest: there the cosine's accelerations meet.
   CHECK(refusal({move("up", 180, 1, "cosine"), move("down", 180, 0, "cosine")}).empty());
   CHECK(contains(refusal({move("up", 180, 1, "constant-velocity"), rest("high", 20, 1),

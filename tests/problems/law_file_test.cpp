@@ -105,6 +105,44 @@ TEST_CASE("A law is known by its path, and in one's own folder by its name", "[l
   CHECK_THROWS_WITH(own_laws(), Contains("CAMLAW_LAWS") && Contains("none"));
 }
 
+TEST_CASE("A law of the catalogue with arguments is no path", "[law-files]") {
+  const OwnFolder own;
+  CHECK_THROWS_WITH(find_any_law("cosine crossover=1/3"),
+                    Contains("parameter crossover: '1/3' is not a number"));
+  CHECK_THROWS_WITH(find_any_law("cosine crossover = 1/3"), Contains("'1/3' is not a number"));
+  CHECK_THROWS_WITH(find_any_law("modifizierte Sinoide crossover=1/3"),
+                    Contains("'1/3' is not a number"));
+  CHECK_THROWS_WITH(find_any_law("polynomial-5 alpha=-3/1"), Contains("'-3/1' is not a number"));
+  CHECK_THROWS_WITH(find_any_law("cosine crossover=a.json"), Contains("'a.json' is not a number"));
+  CHECK(law_file_of("cosine crossover=1/3").empty());
+  // What begins with such a name and is a file's name stays one.
+  own.put("cosine as run.json", text_of(find_law("cosine").law()));
+  CHECK(is_law_file(find_any_law("cosine as run.json", own.folder())));
+  own.put("a=b.json", text_of(find_law("cosine").law()));
+  CHECK(is_law_file(find_any_law("a=b.json", own.folder())));
+  CHECK(is_law_file(find_any_law(own.folder() + "/a=b.json")));
+}
+
+TEST_CASE("A list of a law may be empty wherever it stands", "[law-files]") {
+  const Member last = find_law("b-spline degree=3 coefficients=0,0.1,0.9,1 knots=");
+  for (const char* text : {"b-spline degree=3 knots= coefficients=0,0.1,0.9,1",
+                           "b-spline knots= degree=3 coefficients=0, 0.1, 0.9, 1",
+                           "b-spline knots =  degree = 3 coefficients = 0,0.1,0.9,1",
+                           "b-spline degree= 3 knots=coefficients coefficients=0,0.1,0.9,1"}) {
+    INFO(text);
+    if (std::string(text).find("=coefficients") != std::string::npos) {
+      CHECK_THROWS_WITH(find_law(text), Contains("'coefficients' is not a number"));
+      continue;
+    }
+    const Member member = find_law(text);
+    CHECK(member.name() == last.name());
+    // Cubic Bernstein polynomials: s(1/3) = (12 * 0.1 + 6 * 0.9 + 1) / 27.
+    CHECK(member.law()(1.0 / 3).s == Approx((12 * 0.1 + 6 * 0.9 + 1) / 27).epsilon(1e-14));
+  }
+  CHECK_THROWS_WITH(find_law("cosine crossover= "), Contains("'' is not a number"));
+  CHECK_THROWS_WITH(find_law("scca a= b=0.2 c=0.1"), Contains("parameter a: '' is not a number"));
+}
+
 TEST_CASE("A problem file takes laws from files beside it", "[law-files]") {
   const OwnFolder own;
   own.put("mine.json", text_of(find_law("modified-sine").law()));

@@ -132,7 +132,12 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
 
 TEST_CASE("a table where a value is expected is refused, and the reverse", "[statement]") {
   check({
-      {"mechanism = 'spine-cutter'\nlaw = 'cosine'", ":2: law: a text is given", {"[law]"}},
+      {"mechanism = 'spine-cutter'\nlaw = 'cosine'",
+       ":2: law: a text is given",
+       {"[law] with name = \"cosine\""}},
+      {"mechanism = 'spine-cutter'\nlaw = 'a\"b'",
+       ":2: law: a text is given",
+       {"[law] with name = \"polynomial-5\""}},
       {"mechanism = 'spine-cutter'", ": law is missing", {"[law]", "name"}},
       {"mechanism = 'spine-cutter'\n[law]\ncrossover = 0.5", ":2: law: name is missing", {}},
   });
