@@ -32,8 +32,7 @@ bool is_better(const ConstantsFit& a, const ConstantsFit& b) {
 /// What a law makes of the prints with some of the constants left out.
 class PrintedLaw {
  public:
-  PrintedLaw(const ConstantsQuestion& question, const Member& law)
-      : model_(std::make_unique<PrintedModel>(question, law)) {}
+  explicit PrintedLaw(std::unique_ptr<const PrintedModel> model) : model_(std::move(model)) {}
 
   std::size_t unknowns() const { return model_->unknowns().size(); }
 
@@ -71,7 +70,7 @@ class PrintedLaw {
     return cost;
   }
 
-  std::unique_ptr<PrintedModel> model_;
+  std::unique_ptr<const PrintedModel> model_;
   bool is_explained_ = false;
 };
 
@@ -87,7 +86,7 @@ bool is_same(const ConstantsFit& a, const ConstantsFit& b) {
 }
 
 /// The best first, each motion once; of a family's member that has a place of its own in the
-/// catalogue that which tells the ranges of its coefficients.
+/// catalogue, and so takes no digits, that which tells the ranges of its coefficients.
 std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
   std::stable_sort(fits.begin(), fits.end(), is_better);
   std::vector<ConstantsFit> result;
@@ -102,6 +101,7 @@ std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
       if (!named) known->also.push_back(fit.law);
     } else if (known->numbers.size() < fit.numbers.size()) {
       fit.also = std::move(known->also);
+      fit.cost = known->cost;
       *known = std::move(fit);
     }
   }
@@ -111,7 +111,7 @@ std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
 }  // namespace
 
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law) {
-  PrintedLaw candidate(question, law);
+  PrintedLaw candidate(std::make_unique<const PrintedModel>(question, law));
   if (candidate.unknowns() == 0) return {candidate.as_it_is()};
   std::vector<ConstantsFit> result;
   for (std::size_t out = 0; out < question.constants.size() && result.empty(); ++out) {
@@ -120,18 +120,45 @@ std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const
   return ranked(std::move(result));
 }
 
+namespace {
+
+/// Those with few unknowns first: they are quick. A law with more of them than there are constants
+/// is tried with the coefficients that it has.
+std::vector<PrintedLaw> printed_laws_of(const ConstantsQuestion& question,
+                                        const std::vector<Member>& laws) {
+  const std::size_t most = question.constants.size();
+  const std::vector<Unknown> of_machine = machine_unknowns_of(question);
+  std::vector<std::pair<std::size_t, PrintedLaw>> candidates;
+  for (const Member& law : laws) {
+    const std::vector<Unknown> all = unknowns_of(question, law);
+    const auto& searched = all.size() > most ? of_machine : all;
+    if (searched.size() > most) continue;
+    candidates.emplace_back(
+        all.size(), PrintedLaw(std::make_unique<const PrintedModel>(question, law, searched)));
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<PrintedLaw> result;
+  for (auto& [unknowns, candidate] : candidates) result.push_back(std::move(candidate));
+  return result;
+}
+
+/// A law that was tried with the coefficients that it has tells their ranges.
+void add_ranges(const ConstantsQuestion& question, std::vector<ConstantsFit>& fits) {
+  for (ConstantsFit& fit : fits) {
+    const PrintedModel model(question, fit.law);
+    if (fit.numbers.size() < model.unknowns().size()) fit = with_ranges(model, std::move(fit));
+  }
+}
+
+}  // namespace
+
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws) {
-  std::vector<PrintedLaw> candidates;
-  for (const Member& law : laws) {
-    if (unknowns_of(question, law).size() > question.constants.size()) continue;
-    candidates.emplace_back(question, law);
-  }
-  // Quick ones first, all with few constants left out before any with more: what costs more than
-  // the best found on the path is not looked for. Of explanations that leave something out only
-  // those count that are shorter than the print itself.
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.unknowns() < b.unknowns(); });
+  std::vector<PrintedLaw> candidates = printed_laws_of(question, laws);
+  // All with few constants left out before any with more: what costs more than the best found on
+  // the path is not looked for. Of explanations that leave something out only those count that are
+  // shorter than the print itself.
   constexpr double kMargin = 3;  // digits: what comes near is worth knowing
   std::vector<ConstantsFit> result;
   double best = optim::kInfinity;
@@ -144,7 +171,9 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
       }
     }
   }
-  return ranked(std::move(result));
+  result = ranked(std::move(result));
+  add_ranges(question, result);
+  return result;
 }
 
 std::vector<Member> laws_to_try() {

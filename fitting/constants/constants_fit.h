@@ -15,11 +15,12 @@ namespace camlaw::problems {
 /// agree with the most; none where not one constant can be made to agree.
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law);
 
-/// With each of the laws, the best of all first. Laws with more unknowns than there are constants
-/// are left out: they can be made to agree with anything. So are explanations that take more than
-/// three digits above the best found before them, those that leave constants out and are no shorter
-/// than the print itself, and a motion that is there already under another name. Empty where
-/// nothing is left.
+/// With each of the laws, the best of all first. Laws with more unknowns than there are constants,
+/// which can be made to agree with anything, are tried with the coefficients that they have; they
+/// are left out where the machine alone has more. So are explanations that take more than three
+/// digits above the best found before them, those that leave constants out and are no shorter than
+/// the print itself, and a motion that is there already under another name. Empty where nothing is
+/// left.
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws);
 

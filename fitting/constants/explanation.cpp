@@ -106,6 +106,26 @@ std::optional<ConstantsFit> shortest(const PrintedModel& model,
   return result;
 }
 
+ConstantsFit with_ranges(const PrintedModel& model, ConstantsFit fit) {
+  std::vector<double> x = model.defaults();
+  for (std::size_t i = 0; i < fit.numbers.size(); ++i) x[i] = fit.numbers[i].value;
+  std::vector<std::size_t> agreeing;
+  for (std::size_t c = 0; c < fit.constants.size(); ++c) {
+    if (fit.constants[c].agrees) agreeing.push_back(c);
+  }
+  const Agreement search(model, agreeing);
+  const Solution solution = search.within(x);
+  const std::vector<bool> determined = search.determined(x);
+  fit.numbers.clear();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Unknown& u = model.unknowns()[i];
+    fit.numbers.push_back(
+        {u.name, u.unit, u.of_law, x[i], solution.low[i], solution.high[i], determined[i]});
+    fit.identifiable = fit.identifiable && determined[i];
+  }
+  return fit;
+}
+
 ConstantsFit as_it_is(const PrintedModel& model) {
   ConstantsFit result{model.law_at(model.defaults()), {}, {}, 0, false, true};
   check(model, model.defaults(), result);

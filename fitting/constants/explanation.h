@@ -50,6 +50,10 @@ std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
                                      const Solution& solution, std::span<const Solution> all,
                                      double limit);
+/// What was found with the law's coefficients held, with these among its numbers: the ranges of
+/// all in which the same constants agree. `model` has the law's coefficients and the machine's
+/// variables as unknowns.
+ConstantsFit with_ranges(const PrintedModel& model, ConstantsFit fit);
 /// Of the default values, whether the constants agree or not.
 ConstantsFit as_it_is(const PrintedModel& model);
 

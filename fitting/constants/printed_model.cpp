@@ -25,12 +25,17 @@ Binding bound(const std::vector<double>& constants, std::shared_ptr<const LawBin
 
 }  // namespace
 
-std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member& law) {
+std::vector<Unknown> machine_unknowns_of(const ConstantsQuestion& question) {
   std::vector<Unknown> result;
   for (const VariableStatement& v : question.machine.variables) {
     if (v.of_law) continue;
     result.push_back({v.name, v.unit, false, v.parameter, 0, v.lower, v.upper, v.start});
   }
+  return result;
+}
+
+std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member& law) {
+  std::vector<Unknown> result = machine_unknowns_of(question);
   for (const Coefficient& c : coefficients_of(law)) {
     result.push_back({c.name, c.unit, true, c.at.parameter, c.at.element, c.low, c.high, c.value});
   }
@@ -38,7 +43,11 @@ std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member
 }
 
 PrintedModel::PrintedModel(const ConstantsQuestion& question, Member law)
-    : question_(&question), law_(std::move(law)), unknowns_(unknowns_of(question, law_)) {
+    : PrintedModel(question, law, unknowns_of(question, law)) {}
+
+PrintedModel::PrintedModel(const ConstantsQuestion& question, Member law,
+                           std::vector<Unknown> unknowns)
+    : question_(&question), law_(std::move(law)), unknowns_(std::move(unknowns)) {
   std::vector<LawVariable> of_law;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
     const Unknown& u = unknowns_[i];

@@ -27,12 +27,16 @@ struct Unknown {
 
 /// The machine's variables, then the law's coefficients but the crossover and what shapes its data.
 std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member& law);
+/// The machine's variables alone.
+std::vector<Unknown> machine_unknowns_of(const ConstantsQuestion& question);
 
 /// The printed constants as functions of what is unknown of one law and its machine. Keeps what it
 /// worked out for the last few designs. The question must outlive it.
 class PrintedModel {
  public:
   PrintedModel(const ConstantsQuestion& question, Member law);
+  /// Of these unknowns alone: other coefficients of the law stay as they are.
+  PrintedModel(const ConstantsQuestion& question, Member law, std::vector<Unknown> unknowns);
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   const std::vector<PrintedConstant>& constants() const { return question_->constants; }

@@ -209,6 +209,73 @@ TEST_CASE("what the prints do not determine is said", "[constants]") {
   for (const FoundNumber& n : fits.front().numbers) CHECK_FALSE(n.identifiable);
 }
 
+TEST_CASE("a family as it is in the catalogue is tried however few the constants are",
+          "[constants]") {
+  struct Case {
+    std::string law, constants;
+  };
+  for (const Case& c : std::vector<Case>{
+           {"universal", "C_v=1.88, C_a_max=7.24, C_a_min=-4.13"},
+           {"universal", "C_v=1.8772, C_a_max=7.2436, C_a_min=-4.1290, C_j_max=113.78"},
+           {"scca", "C_v=1.667, C_a=5.728"},
+           {"scca", "C_v=1.67, C_a=5.73"}}) {
+    INFO(c.constants);
+    const ConstantsFit fit = first_of(law_alone(), c.constants);
+    CHECK(same_motion(fit.law, find_law(c.law)));
+    CHECK(fit.cost == 0);
+    CHECK(fit.consistent);
+    // More numbers than constants: some are not determined, and the ranges hold the defaults.
+    CHECK_FALSE(fit.identifiable);
+    REQUIRE(fit.numbers.size() == find_law(c.law).family->parameters.size() - 1);
+    for (const FoundNumber& n : fit.numbers) {
+      INFO(n.name);
+      CHECK(n.low <= n.value);
+      CHECK(n.value <= n.high);
+      CHECK(n.high > n.low);
+    }
+  }
+}
+
+TEST_CASE("a family that is held still leaves the machine its unknowns", "[constants]") {
+  const Member law = find_law("scca");
+  const auto its = peaks(law.law());
+  ProblemStatement machine = read_problem(
+      "mechanism = 'spine-cutter'\n[law]\nname = 'cubic'\n[constants]\ndepth = '1 mm'\n"
+      "[variables.stroke]\nlower = '30 mm'\nupper = '50 mm'\nstart = '40 mm'\n",
+      "cutter.toml");
+  const auto fits =
+      rank_laws(question_of(machine, fmt::format("C_v={:.5g}, C_a={:.5g}", its.max_velocity(),
+                                                 its.max_acceleration())),
+                {law});
+  REQUIRE_FALSE(fits.empty());
+  CHECK(fits.front().consistent);
+  REQUIRE(fits.front().numbers.size() == 4);
+  CHECK_FALSE(fits.front().numbers[0].of_law);
+  CHECK_FALSE(fits.front().numbers[0].identifiable);
+}
+
+TEST_CASE("explanations stand by their digits, and members with a place in the catalogue take none",
+          "[constants]") {
+  for (const char* constants : {"C_v=1.69", "C_v=1.7", "C_v=2", "C_v=1.875, C_a=5.77"}) {
+    INFO(constants);
+    const auto fits = rank_laws(question_of(law_alone(), constants), laws_to_try());
+    for (std::size_t i = 1; i < fits.size(); ++i) {
+      INFO(fits[i - 1].law.name() << ", " << fits[i].law.name());
+      CHECK(fits[i - 1].cost <= fits[i].cost);
+    }
+    for (const char* name : {"polynomial-5 alpha=-5", "polynomial-7 A=48"}) {
+      for (const ConstantsFit& fit : fits) {
+        if (fit.law.name() == name) CHECK(fit.cost == 0);
+      }
+    }
+  }
+  const auto fits = rank_laws(question_of(law_alone(), "C_v=1.69"), laws_to_try());
+  REQUIRE(fits.size() > 1);
+  CHECK(fits[0].law.name() == "polynomial-5 alpha=-5");
+  CHECK(fits[0].numbers.size() == 1);  // the family's, with its range
+  CHECK(fits[1].cost == 0);
+}
+
 TEST_CASE("rounded constants of every law of the reference name that law first",
           "[constants][heavy]") {
   for (auto& row : testing::read_table("problems/laws/motion_laws.csv")) {
