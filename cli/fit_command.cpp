@@ -302,7 +302,9 @@ int run_fit(const FitCommand& options) {
   constexpr double kTrying = 0.6;  // of the time: intervals and drawings take the rest
   using Clock = problems::LawFitOptions::Clock;
   const auto began = Clock::now();
-  const auto ended = watched({limit}, [&](const Teller& teller) {
+  constexpr double kOfLate = 0.45;  // of what it may be late: as much again to be ended in
+  const double grace = options.data ? kOfLate * most_late(*limit) : Watch().grace;
+  const auto ended = watched({.limit = limit, .grace = grace}, [&](const Teller& teller) {
     FitCommand own = options;
     own.deadline = began + std::chrono::duration_cast<Clock::duration>(
                                std::chrono::duration<double>(kTrying * *limit));

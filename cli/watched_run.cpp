@@ -136,8 +136,7 @@ class Parent {
   /// Asks the child to end, and ends it where it does not.
   void look_at_clock() {
     const bool stopped = watch_.stop != nullptr && *watch_.stop;
-    constexpr double kAfter = 0.1;  // s: what looks at the clock itself is to come first
-    const bool late = watch_.limit && spent() >= *watch_.limit + kAfter;
+    const bool late = watch_.limit && spent() >= *watch_.limit + watch_.grace;
     if (!asked_at_ && (stopped || late)) {
       why_ =
           stopped ? "stopped" : fmt::format("the time limit of {:g} s was reached", *watch_.limit);

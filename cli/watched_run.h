@@ -20,6 +20,9 @@ struct Watch {
   std::optional<double> limit;              ///< seconds
   double spent = 0;                         ///< seconds of it that have passed
   const std::atomic<bool>* stop = nullptr;  ///< set where the work is to end with what it has
+  /// Seconds behind the limit after which the child is asked to end. Work that looks at the clock
+  /// itself, and has no answer where it is asked to end, needs more where the computer is busy.
+  double grace = 0.1;
 };
 
 /// What the child tells its parent.

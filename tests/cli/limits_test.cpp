@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
 
 #include "cli/run_limits.h"
+#include "cli/watched_run.h"
+#include "optim/crew/child_process.h"
 #include "optim/search/free_memory.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -325,6 +329,20 @@ TEST_CASE("a law's samples as JSON are told one by one", "[program][heavy]") {
   CHECK(many.status == 0);
   CHECK(many.out.size() > 20'000'000);
   CHECK(many.memory < least.memory + 4e7);
+}
+
+TEST_CASE("work that ends in time by itself is asked to end only behind its grace",
+          "[cli][limits]") {
+  if (!optim::has_one_thread()) return;  // then there is no child to be asked
+  const auto ended = [](double grace) {
+    return watched({.limit = 0.05, .grace = grace}, [](const Teller&) {
+      std::signal(SIGTERM, [](int) { _exit(3); });
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      return 7;
+    });
+  };
+  CHECK(std::get<int>(ended(0.1)) == 3);
+  CHECK(std::get<int>(ended(5)) == 7);
 }
 
 }  // namespace camlaw::cli::limits_test
