@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "machines/model/enclosed.h"
@@ -16,6 +17,12 @@ namespace camlaw::problems {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A value without what is left of a velocity that is infinitely small (velocity_from_within).
+double without_traces(double value) {
+  constexpr double kTraces = 1e-80;
+  return std::abs(value) < kTraces ? 0 : value;
+}
 
 }  // namespace
 
@@ -114,7 +121,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
   const double rate = 1 / stretch.length();
-  return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
+  return {without_traces(f.c[0]), f.c[1] * rate, 2 * f.c[2] * rate * rate};
 }
 
 std::optional<double> MechanismTrace::place_inside(const Section& section,
@@ -152,7 +159,7 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
     rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
   }
   const std::vector<double> values = formula_->values(rows);
-  for (std::size_t k = 0; k < inside.size(); ++k) result[inside[k]] = values[k];
+  for (std::size_t k = 0; k < inside.size(); ++k) result[inside[k]] = without_traces(values[k]);
   return result;
 }
 
