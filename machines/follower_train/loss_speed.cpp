@@ -8,10 +8,12 @@
 #include <optional>
 
 #include "machines/follower_train/parts_at.h"
+#include "machines/follower_train/resonances.h"
 #include "machines/follower_train/train_curve.h"
 #include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/recent.h"
+#include "numerics/scalar/extremes.h"
 #include "numerics/scalar/root.h"
 #include "optim/cycle/extremes.h"
 
@@ -54,21 +56,6 @@ struct Crossing {
   optim::Place place;
 };
 
-/// Bounds of y'' and of its second derivative by the logarithm of the speed, over max |s''|.
-template <class T>
-T most_response(const T& zeta) {
-  using std::sqrt;
-  const T one = number<T>(1);
-  return one / (zeta * sqrt(one - zeta * zeta));
-}
-template <class T>
-T most_bend(const T& zeta) {
-  using std::sqrt;
-  const T one = number<T>(1);
-  return (one + number<T>(3) / zeta + number<T>(2) / (zeta * zeta)) /
-         (zeta * sqrt(one - zeta * zeta));
-}
-
 /// The train of one design at any speed.
 class LossTrain {
  public:
@@ -104,6 +91,8 @@ class LossTrain {
                        enclosing_law_);
   }
 
+  /// Of s'', over a turn.
+  double variation() const { return acceleration_variation(enclosing_law_); }
   double periods(double speed) const { return 2 * pi<double>() * parts_.plain[Natural] / speed; }
   optim::Extreme lowest(double speed, double held_at) const {
     const int samples = static_cast<int>(std::max(256.0, kSamples * periods(speed)));
@@ -120,16 +109,32 @@ class LossTrain {
 template <class T>
 struct Rule {
   T slowest;  ///< below it inertia is too small, whatever the train makes of it
-  T bend;     ///< of the force over speed^2, by the logarithm of the speed
+  T natural;  ///< rad/s
+  T damping;
+  T end_inertia;  ///< of the force over speed^2, in y''
+  BoundedAcceleration<T> acceleration;
 };
 
 template <class T>
-Rule<T> rule_of(std::span<const T> part, const T& least_hold, const T& most_bent) {
+Rule<T> rule_of(std::span<const T> part, const T& least_hold,
+                const BoundedAcceleration<T>& acceleration) {
   using std::sqrt;
-  const T scale = most_bent / four_pi_squares<T>();
+  const T scale = acceleration.most / four_pi_squares<T>();
   const T zeta = part[LossDamping];
   return {T(sqrt(least_hold / (scale * (part[AtCam] + part[AtTheEnd] * most_response(zeta))))),
-          T(scale * part[AtTheEnd] * most_bend(zeta))};
+          T(number<T>(2) * pi<T>() * part[Natural]), zeta, T(part[AtTheEnd] / four_pi_squares<T>()),
+          acceleration};
+}
+
+/// Of the force over speed^2 between two speeds, by the logarithm of the speed: the lesser of (U12)
+/// and (U13).
+template <class T>
+T bend_between(const Rule<T>& rule, const T& slow, const T& fast) {
+  const T anywhere = rule.acceleration.most * most_bend(rule.damping);
+  if (!std::isfinite(value_of(rule.acceleration.variation))) return rule.end_inertia * anywhere;
+  const T here = resonant_bend(rule.acceleration, rule.damping, T(slow / rule.natural),
+                               T(fast / rule.natural));
+  return rule.end_inertia * lesser_of(anywhere, here);
 }
 
 /// How far a force is below its chord between two speeds, at most.
@@ -137,12 +142,20 @@ template <class T>
 T below_chord(const Rule<T>& rule, const T& slow, const T& fast) {
   using std::log;
   const T ratio = log(T(fast / slow));
-  return rule.bend * ratio * ratio / number<T>(8);
+  return bend_between(rule, slow, fast) * ratio * ratio / number<T>(8);
 }
 
-/// The ratio of two speeds whose chord leaves half of a room.
-double step_within(const Rule<double>& rule, double room) {
-  return std::exp(std::min(0.3, std::sqrt(4 * room / rule.bend)));
+/// A ratio of speeds, of which one is known and the other lies above it or below, whose chord
+/// leaves half of a room.
+double step_within(const Rule<double>& rule, double speed, bool upwards, double room) {
+  constexpr double kLongest = 0.3, kShorter = 0.6, kShortest = 1e-9;  // logarithms
+  double step = kLongest;
+  for (; step > kShortest; step *= kShorter) {
+    const double other = speed * std::exp(upwards ? step : -step);
+    const double slow = std::min(speed, other), fast = std::max(speed, other);
+    if (2 * below_chord(rule, slow, fast) <= room) break;
+  }
+  return std::exp(step);
 }
 
 Impossible none(const std::string& why) { return {"contact with an elastic train: " + why}; }
@@ -162,7 +175,7 @@ Possible<Crossing> first_crossing(const LossTrain& train, const Rule<double>& ru
     const bool near = step - 1 < kBracket;
     if (room > 0 && (near || (room > bent && train.lowest(slow, fast).value > bent))) {
       slow = fast;
-      step = std::max(step_within(rule, room), 1 + kBracket);
+      step = std::max(step_within(rule, slow, true, room), 1 + kBracket);
       continue;
     }
     if (!near) {
@@ -201,7 +214,7 @@ Possible<Crossing> crossing_of(const LossTrain& train) {
   }
   const double bent = std::abs(optim::extreme_of(*train.bend(), optim::Part::Magnitude).value);
   if (!(bent > 0)) return none("the follower does not move");
-  const Rule<double> rule = rule_of<double>(train.plain(), least.value, bent);
+  const Rule<double> rule = rule_of<double>(train.plain(), least.value, {bent, train.variation()});
   if (train.periods(rule.slowest) > kMostPeriods) {
     return none(
         "it is as good as rigid, a turn lasts thousands of its natural periods: see "
@@ -301,12 +314,14 @@ class LossKernel final : public optim::Kernel {
     const Interval least(step_down(hold.peak.value - hold.slack));
     const Interval most(step_up(std::abs(bent.peak.value) + bent.slack));
     if (!(least.lower() > 0)) return false;
-    const auto rule = rule_of<Interval>(train.enclosing(), least, most);
-    const auto quick = rule_of<double>(train.plain(), least.lower(), most.upper());
+    const double variation = train.variation();
+    const auto rule = rule_of<Interval>(train.enclosing(), least, {most, Interval(variation)});
+    const auto quick = rule_of<double>(train.plain(), least.lower(), {most.upper(), variation});
     double fast = speed;
     for (int steps = 0; fast > rule.slowest.lower(); ++steps) {
       if (steps > kMostSteps) return false;
-      double step = step_within(quick, train.lowest(fast, fast).value), slow = fast / step;
+      double step = step_within(quick, fast, false, train.lowest(fast, fast).value);
+      double slow = fast / step;
       while (step > 1 && !(train.lowest(slow, fast).value > below_chord(quick, slow, fast))) {
         step = 1 + (step - 1) / 2;
         slow = fast / step;

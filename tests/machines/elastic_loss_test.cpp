@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "machines/follower_train/resonances.h"
 #include "machines/registry.h"
 #include "tests/machines/system_fixture.h"
 
@@ -212,6 +213,61 @@ TEST_CASE("the first of several speeds at which a follower leaves its cam is fou
   const auto bounds = loss.enclose({});
   CHECK((bounds.lower <= found && found <= bounds.upper));
   CHECK(bounds.upper - bounds.lower <= 3e-8 * found);
+}
+
+TEST_CASE("how much an elastic train's response bends with the speed is within its bound",
+          "[elastic-loss]") {
+  const std::complex<double> i(0, 1);
+  for (const char* name : {"cycloidal", "modified-sine", "simple-harmonic", "parabolic"}) {
+    INFO(name);
+    const Member motion = dwells(name);
+    const Law<double> law = motion.law();
+    const double variation = acceleration_variation(motion.law<Interval>());
+    constexpr int kPoints = 7200, kHarmonics = 300;
+    std::vector<double> acceleration;
+    double most = 0, known = std::abs(law(1.0, Side::Left).a - law(0.0, Side::Right).a);
+    for (int p = 0; p < kPoints; ++p) {
+      acceleration.push_back(law((p + 0.5) / kPoints).a);
+      most = std::max(most, std::abs(acceleration.back()));
+      if (p > 0) known += std::abs(acceleration[p] - acceleration[p - 1]);
+    }
+    CHECK(variation >= known);
+    CHECK(variation <= 1.1 * known);
+    std::vector<double> sizes{0};
+    for (int k = 1; k <= kHarmonics; ++k) {
+      std::complex<double> sum = 0;
+      for (int p = 0; p < kPoints; ++p) {
+        sum += acceleration[p] * std::exp(-i * (kTurn * k * (p + 0.5) / kPoints));
+      }
+      sizes.push_back(std::abs(sum) / kPoints);
+      CHECK(sizes.back() <= std::min(most, variation / (kTurn * k)) + 1e-4 * most);
+    }
+    for (const double zeta : {0.002, 0.05, 0.6}) {
+      const auto H = [&](double log_r) {
+        const double r = std::exp(log_r);
+        return (1.0 + 2.0 * i * zeta * r) / (1.0 - r * r + 2.0 * i * zeta * r);
+      };
+      for (const double ratio : {0.011, 0.02, 0.3, 1.7}) {
+        const double slow = ratio, fast = 1.01 * ratio;
+        const double bound = resonant_bend<double>({most, variation}, zeta, slow, fast);
+        for (const double at : {slow, 1.004 * ratio, fast}) {
+          double bend = 0;
+          for (int k = 1; k <= kHarmonics; ++k) {
+            const double h = 1e-4 * zeta, r = std::log(k * at);
+            bend += 2 * sizes[k] * std::abs(H(r + h) - 2.0 * H(r) + H(r - h)) / (h * h);
+          }
+          CHECK(bend <= bound * (1 + 1e-3));
+        }
+        const auto exact = resonant_bend<Interval>({Interval(most), Interval(variation)},
+                                                   Interval(zeta), Interval(slow), Interval(fast));
+        CHECK(exact.lower() <= bound * (1 + 1e-9));
+        CHECK(exact.upper() >= bound * (1 - 1e-9));
+      }
+    }
+    // Where there are many periods in a turn it is far below what holds at any speed.
+    CHECK(30 * resonant_bend<double>({most, variation}, 0.002, 0.02, 0.0201) <
+          most * most_bend(0.002));
+  }
 }
 
 TEST_CASE("the speed of contact loss has exact derivatives", "[elastic-loss]") {
