@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/rest_velocity.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -205,7 +207,7 @@ std::vector<double> CurveRow::point_at(std::span<const double> u, const Point& p
 }
 
 double CurveRow::value(std::span<const double> u) const {
-  return point_->value(point_at(u, point(u.subspan(machine_), 0)));
+  return without_traces(point_->value(point_at(u, point(u.subspan(machine_), 0))));
 }
 
 double CurveRow::gradient(std::span<const double> u, std::span<double> g) const {

@@ -18,12 +18,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A value without what is left of a velocity that is infinitely small (velocity_from_within).
-double without_traces(double value) {
-  constexpr double kTraces = 1e-80;
-  return std::abs(value) < kTraces ? 0 : value;
-}
-
 }  // namespace
 
 MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,

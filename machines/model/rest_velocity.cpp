@@ -42,4 +42,9 @@ double velocity_from_within(double v, const Piece<double>& piece, double x, doub
   return std::abs(inside) > rounding ? std::copysign(kTiny, inside) : 0;
 }
 
+double without_traces(double value) {
+  constexpr double kTraces = 1e-80;
+  return std::abs(value) < kTraces ? 0 : value;
+}
+
 }  // namespace camlaw::problems

@@ -16,4 +16,7 @@ double velocity_rounding(const Law<double>& law);
 /// where s' is no more than rounding there too, as in a dwell.
 double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding);
 
+/// A value of a formula without what such a velocity leaves of it.
+double without_traces(double value);
+
 }  // namespace camlaw::problems

@@ -58,10 +58,26 @@ EvaluatedResponse evaluate_response(const ProblemStatement& statement,
   return evaluated(statement, declared, fixed(statement));
 }
 
+namespace {
+
+/// Why a curve has no numbers; empty where it has, or nothing is known.
+std::string why_without_numbers(const ProblemStatement& statement, const std::string& curve) {
+  const auto name = find_response(*statement.mechanism, curve);
+  return response_of(statement, name, fixed(statement)).curve().trace({})->why_unbounded();
+}
+
+}  // namespace
+
 std::string why_undefined(const ProblemStatement& statement, const EvaluatedResponse& response) {
   if (!response.is_curve || !std::isnan(response.highest)) return {};
-  const auto name = find_response(*statement.mechanism, response.name);
-  return response_of(statement, name, fixed(statement)).curve().trace({})->why_unbounded();
+  std::string why = why_without_numbers(statement, response.name);
+  if (why.empty()) return why;
+  // What is of a part that the machine has only where it is stated, as an elastic train, goes
+  // without saying.
+  ProblemStatement plain = statement;
+  for (std::size_t i = 0; i < plain.constants.size(); ++i)
+    plain.constants[i] = statement.mechanism->parameters[i].default_value;
+  return why_without_numbers(plain, response.name) == why ? std::string() : why;
 }
 
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {

@@ -135,7 +135,7 @@ TEST_CASE("Each round begins where the one before has ended", "[free][knots]") {
 }
 
 TEST_CASE("A free law comes near what theory knows of all laws, and the answer is global",
-          "[free][knots]") {
+          "[free][knots][heavy]") {
   ProblemStatement problem = read(law("degree = 5\nknots = 'auto'\nbegin = 'U'\nend = 'U'\n",
                                       "[objective]\nminimize = 'C_Mdyn'\n"));
   const RefinedKnots found = refine_knots(problem, solved, kNever);
