@@ -188,12 +188,15 @@ Member as_b_spline(const FreeLaw& shape, const Arguments<double>& arguments) {
   return result;
 }
 
+/// The knots that are parameters, where they are stated.
+std::vector<double> knot_arguments(const FreeLaw& shape) {
+  const std::size_t count = shape.moving_knots ? own_knots(shape) : 0;
+  return {shape.knots.begin(), shape.knots.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
 /// `start` at the means of each `degree` neighbouring knots.
 std::vector<double> starting_coefficients(const FreeLaw& shape, const Law<double>& start) {
-  const auto own = std::vector<double>(
-      shape.knots.begin(),
-      shape.knots.begin() + static_cast<std::ptrdiff_t>(shape.moving_knots ? own_knots(shape) : 0));
-  const auto knots = detail::clamped(shape.degree, repeated_knots(shape, own));
+  const auto knots = detail::clamped(shape.degree, repeated_knots(shape, knot_arguments(shape)));
   std::vector<double> result;
   for (const std::size_t i : free_coefficients(shape)) {
     double sum = 0;
@@ -205,9 +208,7 @@ std::vector<double> starting_coefficients(const FreeLaw& shape, const Law<double
 
 /// The arguments of the member that is such a law.
 Arguments<double> moving_as(const FreeLaw& shape, const Law<double>& law) {
-  const std::vector<double> own(
-      shape.knots.begin(),
-      shape.knots.begin() + static_cast<std::ptrdiff_t>(shape.moving_knots ? own_knots(shape) : 0));
+  const std::vector<double> own = knot_arguments(shape);
   const std::vector<double> all =
       spline_coefficients(law, shape.degree, repeated_knots(shape, own));
   std::vector<std::vector<double>> lists(1);
@@ -240,9 +241,8 @@ Member free_law(const FreeLaw& shape, const Law<double>& start) {
   constexpr std::size_t kDecided = 3;
   parameters.back().reach = static_cast<std::size_t>(shape.degree) + 1 + kDecided;
   if (shape.moving_knots) {
-    const auto end = shape.knots.begin() + static_cast<std::ptrdiff_t>(own_knots(shape));
     parameters.push_back(
-        {"knots", "1", 0, 1, {shape.knots.begin(), end}, "abscissas where the pieces meet", true});
+        {"knots", "1", 0, 1, knot_arguments(shape), "abscissas where the pieces meet", true});
   }
   Family family{
       .name = "free",

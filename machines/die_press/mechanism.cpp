@@ -42,7 +42,7 @@ namespace {
 using optim::Part;
 using S = optim::Shape;
 
-enum class Quantity {
+enum class PressQuantity {
   Force,
   LineLoad,
   Stress,
@@ -55,29 +55,29 @@ enum class Quantity {
 
 /// A quantity of the contact under a force.
 template <class Machine, class X>
-X under(const Machine& press, Quantity wanted, const X& force) {
+X under(const Machine& press, PressQuantity wanted, const X& force) {
   switch (wanted) {
-    case Quantity::Force:
+    case PressQuantity::Force:
       return force;
-    case Quantity::LineLoad:
+    case PressQuantity::LineLoad:
       return press.line_load(force);
-    case Quantity::Stress:
+    case PressQuantity::Stress:
       return press.stress(force);
-    case Quantity::HalfWidth:
+    case PressQuantity::HalfWidth:
       return press.half_width(force);
-    case Quantity::Approach:
+    case PressQuantity::Approach:
       return press.approach(force);
-    case Quantity::ExactStress:
+    case PressQuantity::ExactStress:
       return press.exact_stress(force);
-    case Quantity::ExactHalfWidth:
+    case PressQuantity::ExactHalfWidth:
       return press.exact_half_width(force);
-    case Quantity::ExactApproach:
+    case PressQuantity::ExactApproach:
       break;
   }
   return press.exact_approach(force);
 }
 
-MechanismResponse given(Quantity which, ResponseAbout about) {
+MechanismResponse given(PressQuantity which, ResponseAbout about) {
   return number_response<DiePress>(
       std::move(about), [which](const auto& press) { return under(press, which, press.load()); });
 }
@@ -87,9 +87,9 @@ const Cycle& turn() {
   return turn;
 }
 
-MechanismResponse running(Quantity which, ResponseAbout about) {
+MechanismResponse running(PressQuantity which, ResponseAbout about) {
   return listed_curve<DiePress>(std::move(about), turn(), which,
-                                [](const auto& press, Quantity wanted, const auto& motion) {
+                                [](const auto& press, PressQuantity wanted, const auto& motion) {
                                   return under(press, wanted, press.running_force(motion));
                                 });
 }
@@ -98,35 +98,35 @@ MechanismResponse displacement() {
   const ResponseAbout about{"displacement", "mm", "m",
                             "travel of the rollers from their lowest position"};
   return listed_curve<DiePress>(
-      about, turn(), Quantity{},
-      [](const auto& press, Quantity, const auto& motion) { return press.stroke * motion.s; });
+      about, turn(), PressQuantity{},
+      [](const auto& press, PressQuantity, const auto& motion) { return press.stroke * motion.s; });
 }
 
 struct Row {
-  Quantity quantity;
+  PressQuantity quantity;
   const char *number, *curve, *unit, *stored, *meaning;
   S in_radii;  ///< form in the two radii
 };
 
 constexpr Row kRows[] = {
-    {Quantity::Stress, "contact_stress", "running_stress", "MPa", "Pa",
+    {PressQuantity::Stress, "contact_stress", "running_stress", "MPa", "Pa",
      "contact stress, as published", S::Convex},
-    {Quantity::HalfWidth, "contact_half_width", "running_half_width", "mm", "m",
+    {PressQuantity::HalfWidth, "contact_half_width", "running_half_width", "mm", "m",
      "half the contact's width, as published", S::Concave},
-    {Quantity::Approach, "elastic_approach", "running_approach", "um", "m",
+    {PressQuantity::Approach, "elastic_approach", "running_approach", "um", "m",
      "elastic approach of cam and roller, as published", S::Concave},
-    {Quantity::ExactStress, "exact_contact_stress", "running_exact_stress", "MPa", "Pa",
+    {PressQuantity::ExactStress, "exact_contact_stress", "running_exact_stress", "MPa", "Pa",
      "contact stress according to Hertz", S::Convex},
-    {Quantity::ExactHalfWidth, "exact_contact_half_width", "running_exact_half_width", "mm", "m",
-     "half the contact's width according to Hertz", S::Concave},
-    {Quantity::ExactApproach, "exact_elastic_approach", "running_exact_approach", "um", "m",
+    {PressQuantity::ExactHalfWidth, "exact_contact_half_width", "running_exact_half_width", "mm",
+     "m", "half the contact's width according to Hertz", S::Concave},
+    {PressQuantity::ExactApproach, "exact_elastic_approach", "running_exact_approach", "um", "m",
      "approach of the axes according to Hertz", S::Concave}};
 
 std::vector<MechanismResponse> responses() {
   std::vector<MechanismResponse> all{
-      given(Quantity::Force, {"load", "N", "N", "contact load, F_k + k F_s"}),
-      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "contact load per unit width"}),
-      running(Quantity::Force,
+      given(PressQuantity::Force, {"load", "N", "N", "contact load, F_k + k F_s"}),
+      given(PressQuantity::LineLoad, {"line_load", "N/mm", "N/m", "contact load per unit width"}),
+      running(PressQuantity::Force,
               {"running_force", "N", "N",
                "force between cam and roller; below 0 the roller leaves the cam"})};
   all.push_back(displacement());

@@ -111,7 +111,7 @@ MotionDerivatives PlaceMotion::law_at(std::span<const double> values, int order)
 }
 
 double PlaceMotion::one_sided(double v, std::span<const double> values) const {
-  constexpr double kStill = 1e-12, kBeside = 1e-4, kTiny = 1e-100;
+  constexpr double kStill = 1e-12, kBeside = 1e-4;
   if (!uses_[1] || !(std::abs(v) <= kStill)) return v;
   const double place = joint_ ? law_->end_place({*joint_, true}, values, 0).value[0] : place_.x;
   const double x = place + (place_.side == Side::Left ? -kBeside : kBeside);
@@ -122,8 +122,7 @@ double PlaceMotion::one_sided(double v, std::span<const double> values) const {
                                         : law_->motion(x, place_.side, values, 0).value,
                               {},
                               {}};
-  const double inside = follower_motion(stretch_, law).value[1];
-  return std::abs(inside) > kStill ? std::copysign(kTiny, inside) : 0;
+  return resting_velocity(follower_motion(stretch_, law).value[1], kStill);
 }
 
 MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {

@@ -48,7 +48,7 @@ class PlaceMotion {
  private:
   MotionDerivatives linear_at(std::span<const double> values) const;
   MotionDerivatives law_at(std::span<const double> values, int order) const;
-  /// s' as one comes to the place from its side (velocity_from_within).
+  /// s' as one comes to the place from its side (resting_velocity).
   double one_sided(double v, std::span<const double> values) const;
 
   std::shared_ptr<const LawBinding> law_;

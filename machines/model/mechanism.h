@@ -326,7 +326,10 @@ struct Mechanism {
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run
   std::vector<BuildableInput> inputs = {};  ///< of these checks
   std::vector<PossibleSet> possible = {};   ///< where a set is not stated, nothing is known of it
-  std::vector<ShaftCam> cams = {};          ///< of several on one shaft (machines/model/shaft.h)
+  /// The condition that a machine of these values, in their listed units, does not meet, in the
+  /// names of its parameters; empty where it meets all. None of a machine that names no conditions.
+  std::function<std::string(std::span<const double>)> why_impossible = {};
+  std::vector<ShaftCam> cams = {};  ///< of several on one shaft (machines/model/shaft.h)
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;

@@ -31,15 +31,19 @@ double velocity_rounding(const Law<double>& law) {
   return kRounding * terms;
 }
 
+double resting_velocity(double inside, double rounding) {
+  constexpr double kTiny = 1e-100;
+  return std::abs(inside) > rounding ? std::copysign(kTiny, inside) : 0;
+}
+
 double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding) {
-  constexpr double kBeside = 1e-3, kTiny = 1e-100;
+  constexpr double kBeside = 1e-3;
   if (!(std::abs(v) <= rounding)) return v;
   const double beside = kBeside * (piece.end - piece.begin);
   const bool at_begin = x <= piece.begin + beside;
   if (!at_begin && x < piece.end - beside) return v;
-  const double inside =
-      derivatives<2>(piece, at_begin ? piece.begin + beside : piece.end - beside)[1];
-  return std::abs(inside) > rounding ? std::copysign(kTiny, inside) : 0;
+  const double farther = at_begin ? piece.begin + beside : piece.end - beside;
+  return resting_velocity(derivatives<2>(piece, farther)[1], rounding);
 }
 
 double without_traces(double value) {

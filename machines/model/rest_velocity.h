@@ -9,11 +9,14 @@ namespace camlaw::problems {
 /// that s' is summed from, in the piece of the law where these are largest.
 double velocity_rounding(const Law<double>& law);
 
-/// The velocity at a place x of a piece, as one comes there from within. Where a law comes to rest
-/// rounding leaves a velocity of either sign, and friction or the loss of a gear, which follow its
-/// sign, would push the wrong way: at an end of the piece, and within a thousandth of its length,
-/// what is no more than `rounding` becomes 1e-100 with the sign that s' has farther inside. It is 0
-/// where s' is no more than rounding there too, as in a dwell.
+/// The velocity of a rest, as one comes there from within, where s' is `inside`. Rounding leaves
+/// one of either sign at a rest, and friction or the loss of a gear, which follow its sign, would
+/// push the wrong way: this is 1e-100 with the sign that s' has inside, and 0 where s' is no more
+/// than `rounding` there too, as in a dwell.
+double resting_velocity(double inside, double rounding);
+
+/// The velocity at a place x of a piece: at its ends, and within a thousandth of its length, where
+/// it is no more than `rounding`, that of a rest.
 double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding);
 
 /// A value of a formula without what such a velocity leaves of it.

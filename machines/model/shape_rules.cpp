@@ -28,7 +28,7 @@ struct Curvature {
   bool convex_below() const { return quasiconvex || is_monotone(); }
   bool convex_above() const { return quasiconcave || is_monotone(); }
 };
-constexpr Curvature kLinear{true, true, true, true};
+constexpr Curvature kLinearShape{true, true, true, true};
 
 /// What is known of a step's result. A constant has every curvature.
 struct Ruled : Curvature {
@@ -115,7 +115,7 @@ Ruled reciprocal(const Ruled& b) {
   const Curvature opposite = mirrored(b);
   if (b.is_positive()) static_cast<Curvature&>(result) = increasing(opposite, true, false);
   if (b.is_negative()) static_cast<Curvature&>(result) = increasing(opposite, false, true);
-  if (b.is_constant) static_cast<Curvature&>(result) = kLinear;
+  if (b.is_constant) static_cast<Curvature&>(result) = kLinearShape;
   return result;
 }
 
@@ -224,14 +224,14 @@ class Rules {
   Ruled ruled_of(const Step& step) const {
     if (step.operation == Operation::Input) {
       const RuledInput& input = inputs_[step.a];
-      Curvature own = input.varies == Varies::Otherwise ? Curvature{} : kLinear;
+      Curvature own = input.varies == Varies::Otherwise ? Curvature{} : kLinearShape;
       own.rises = one_ && input.varies == Varies::Linearly;
       return {own, input.varies == Varies::Not, input.range};
     }
     if (step.operation == Operation::Constant) {
-      return {kLinear, true, Interval(step.lower, step.upper)};
+      return {kLinearShape, true, Interval(step.lower, step.upper)};
     }
-    if (step.operation == Operation::Pi) return {kLinear, true, pi<Interval>()};
+    if (step.operation == Operation::Pi) return {kLinearShape, true, pi<Interval>()};
     const Ruled &a = ruled_[step.a], &b = ruled_[step.b], &c = ruled_[step.c];
     if (step.operation == Operation::WherePositive && step.a == step.b) return where_positive(a);
     Interval range = step.operation == Operation::Unknown
@@ -241,7 +241,7 @@ class Rules {
     const std::size_t used = operands(step.operation);
     const bool is_constant =
         a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
-    return {is_constant ? kLinear : curvature(step, a, b, c), is_constant, range};
+    return {is_constant ? kLinearShape : curvature(step, a, b, c), is_constant, range};
   }
 
   Curvature curvature(const Step& step, const Ruled& a, const Ruled& b, const Ruled& c) const {

@@ -6,8 +6,7 @@
 
 namespace camlaw::problems {
 
-/// The condition that a machine M<double> of these values, in their listed units, does not meet;
-/// empty where it meets all. Its is_possible() is a Possibility.
+/// Mechanism::why_impossible of a machine M whose is_possible() is a Possibility.
 template <template <class> class M>
 std::string why_impossible_as(std::span<const double> values) {
   const Possibility possibility = detail::machine_of<M>(values).is_possible();

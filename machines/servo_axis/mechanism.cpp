@@ -304,7 +304,8 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
                 {"peak_torque_utilisation", "torque_utilisation", Part::Highest,
                  "greatest torque over the available torque; above 1 the motor cannot follow"}},
       .moved_by = MovedBy::Program,
-      .possible = {{{"corner_speed", "maximum_speed"}, "DS12"}}};
+      .possible = {{{"corner_speed", "maximum_speed"}, "DS12"}},
+      .why_impossible = why_impossible_as<M>};
 }
 
 }  // namespace
@@ -317,14 +318,6 @@ Mechanism servo_axis_mechanism() {
 Mechanism linear_servo_axis_mechanism() {
   return servo_mechanism<LinearServoAxis>(
       "linear-servo-axis", "servo motor that moves a load by screw, pinion or belt", kLinear);
-}
-
-std::string why_servo_axis_impossible(std::span<const double> values) {
-  return why_impossible_as<ServoAxis>(values);
-}
-
-std::string why_linear_servo_axis_impossible(std::span<const double> values) {
-  return why_impossible_as<LinearServoAxis>(values);
 }
 
 }  // namespace camlaw::problems

@@ -10,8 +10,4 @@ namespace camlaw::problems {
 Mechanism servo_axis_mechanism();
 Mechanism linear_servo_axis_mechanism();
 
-/// machines/impossible.h
-std::string why_servo_axis_impossible(std::span<const double> values);
-std::string why_linear_servo_axis_impossible(std::span<const double> values);
-
 }  // namespace camlaw::problems

@@ -48,7 +48,7 @@ namespace {
 
 using optim::Part;
 
-enum class Quantity {
+enum class DeliveryQuantity {
   RodAngle,
   GuideAngle,
   RelativeSpeed,
@@ -65,16 +65,17 @@ enum class Quantity {
 };
 
 template <class Machine, class X>
-X efficiency(const Machine& drive, Quantity wanted, const RodPlace<X>& at, Friction friction) {
+X efficiency(const Machine& drive, DeliveryQuantity wanted, const RodPlace<X>& at,
+             Friction friction) {
   switch (wanted) {
-    case Quantity::EfficiencyA:
-    case Quantity::PrintedEfficiencyA:
+    case DeliveryQuantity::EfficiencyA:
+    case DeliveryQuantity::PrintedEfficiencyA:
       return drive.efficiency_A(at, friction);
-    case Quantity::EfficiencyB:
-    case Quantity::PrintedEfficiencyB:
+    case DeliveryQuantity::EfficiencyB:
+    case DeliveryQuantity::PrintedEfficiencyB:
       return drive.efficiency_B(at, friction);
-    case Quantity::Efficiency:
-    case Quantity::PrintedEfficiency:
+    case DeliveryQuantity::Efficiency:
+    case DeliveryQuantity::PrintedEfficiency:
       return drive.efficiency(at, friction);
     default:
       return drive.reverse_efficiency(at, friction);
@@ -82,39 +83,40 @@ X efficiency(const Machine& drive, Quantity wanted, const RodPlace<X>& at, Frict
 }
 
 template <class Machine, class X>
-X along_guide(const Machine& drive, Quantity wanted, const Motion<X>& motion) {
+X along_guide(const Machine& drive, DeliveryQuantity wanted, const Motion<X>& motion) {
   switch (wanted) {
-    case Quantity::RodAngle:
+    case DeliveryQuantity::RodAngle:
       return drive.rod_angle(motion);
-    case Quantity::GuideAngle:
+    case DeliveryQuantity::GuideAngle:
       return drive.guide_angle(motion);
     default:
       break;
   }
   const auto at = drive.place(motion);
   switch (wanted) {
-    case Quantity::RelativeSpeed:
+    case DeliveryQuantity::RelativeSpeed:
       return drive.relative_speed(at);
-    case Quantity::SpeedRatio:
+    case DeliveryQuantity::SpeedRatio:
       return drive.speed_ratio(at);
-    case Quantity::SlowSpeedRatio:
+    case DeliveryQuantity::SlowSpeedRatio:
       return drive.slow_speed_ratio(at);
-    case Quantity::PrintedEfficiencyA:
-    case Quantity::PrintedEfficiencyB:
-    case Quantity::PrintedEfficiency:
-    case Quantity::PrintedReverseEfficiency:
+    case DeliveryQuantity::PrintedEfficiencyA:
+    case DeliveryQuantity::PrintedEfficiencyB:
+    case DeliveryQuantity::PrintedEfficiency:
+    case DeliveryQuantity::PrintedReverseEfficiency:
       return efficiency(drive, wanted, at, Friction::AsPrinted);
     default:
       return efficiency(drive, wanted, at, Friction::Dissipates);
   }
 }
 
-MechanismResponse curve(Quantity which, ResponseAbout about) {
+MechanismResponse curve(DeliveryQuantity which, ResponseAbout about) {
   static const Cycle stretch{"1", {{0, 1}}};
-  return listed_curve<SheetDelivery>(std::move(about), stretch, which,
-                                     [](const auto& drive, Quantity wanted, const auto& motion) {
-                                       return along_guide(drive, wanted, motion);
-                                     });
+  return listed_curve<SheetDelivery>(
+      std::move(about), stretch, which,
+      [](const auto& drive, DeliveryQuantity wanted, const auto& motion) {
+        return along_guide(drive, wanted, motion);
+      });
 }
 
 std::vector<MechanismResponse> delivery_numbers() {
@@ -132,7 +134,7 @@ std::vector<MechanismResponse> delivery_numbers() {
 }
 
 std::vector<MechanismResponse> delivery_curves() {
-  using Q = Quantity;
+  using Q = DeliveryQuantity;
   return {
       curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
       curve(Q::GuideAngle, {"guide_angle", "deg", "rad", "angle of the curved guide, beta"}),

@@ -123,11 +123,8 @@ Mechanism signature_feeder_mechanism() {
                      "greatest angular acceleration of the cylinder"}},
           .moved_by = MovedBy::Nothing,
           .form = Form::SignatureFeeder,
-          .possible = {{{"crank_radius", "centre_distance", "offset", "pinion_radius"}, "DS4"}}};
-}
-
-std::string why_signature_feeder_impossible(std::span<const double> values) {
-  return why_impossible_as<SignatureFeeder>(values);
+          .possible = {{{"crank_radius", "centre_distance", "offset", "pinion_radius"}, "DS4"}},
+          .why_impossible = why_impossible_as<SignatureFeeder>};
 }
 
 }  // namespace camlaw::problems

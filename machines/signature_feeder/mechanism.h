@@ -9,7 +9,4 @@ namespace camlaw::problems {
 /// nearest to the guide's centre.
 Mechanism signature_feeder_mechanism();
 
-/// machines/impossible.h
-std::string why_signature_feeder_impossible(std::span<const double> values);
-
 }  // namespace camlaw::problems

@@ -265,7 +265,7 @@ std::vector<double> kept_after(const Equations& all, const SmoothedFit& fit,
 /// Fits again with the weights that each fit leaves, until these stay.
 Possible<SmoothedFit> reweighted(const Equations& all) {
   // Few steps settle it; where weights go on oscillating the last ones are as good as any.
-  constexpr int kMostSteps = 30;
+  constexpr int kMostReweightings = 30;
   constexpr double kSettled = 1e-3;
   const Reweighting wanted = all.options.reweighting;
   std::vector<double> kept(all.samples.size(), 1.0);
@@ -281,7 +281,7 @@ Possible<SmoothedFit> reweighted(const Equations& all) {
     for (std::size_t i = 0; i < kept.size(); ++i) {
       change = std::max(change, std::abs(next[i] - kept[i]));
     }
-    if (change < kSettled || step + 1 == kMostSteps) return found;
+    if (change < kSettled || step + 1 == kMostReweightings) return found;
     kept = next;
   }
 }

@@ -12,9 +12,9 @@
 namespace camlaw {
 namespace {
 
-constexpr std::size_t kBlock = 64, kRounds = 64;  // bytes; 4.2.2
+constexpr std::size_t kBlockBytes = 64, kRounds = 64;  // bytes; 4.2.2
 using State = std::array<std::uint32_t, 8>;
-using Block = std::array<std::uint8_t, kBlock>;
+using Block = std::array<std::uint8_t, kBlockBytes>;
 
 /// 4.2.2: the first 32 bits of the fractions of the cube roots of the first 64 primes.
 constexpr std::array<std::uint32_t, kRounds> kConstants{
@@ -61,7 +61,7 @@ State with(const State& before, const Block& block) {
 std::string padded_message(std::string_view bytes) {
   std::string message(bytes);
   message += '\x80';
-  while (message.size() % kBlock != kBlock - 8) message += '\0';
+  while (message.size() % kBlockBytes != kBlockBytes - 8) message += '\0';
   const std::uint64_t bits = 8 * static_cast<std::uint64_t>(bytes.size());
   for (int shift = 56; shift >= 0; shift -= 8) message += static_cast<char>(bits >> shift & 0xff);
   return message;
@@ -74,9 +74,10 @@ std::string sha256(std::string_view bytes) {
   State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
               0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   const std::string message = padded_message(bytes);
-  for (std::size_t at = 0; at < message.size(); at += kBlock) {
+  for (std::size_t at = 0; at < message.size(); at += kBlockBytes) {
     Block block;
-    for (std::size_t i = 0; i < kBlock; ++i) block[i] = static_cast<std::uint8_t>(message[at + i]);
+    for (std::size_t i = 0; i < kBlockBytes; ++i)
+      block[i] = static_cast<std::uint8_t>(message[at + i]);
     state = with(state, block);
   }
   std::string digest;

@@ -25,7 +25,7 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr const char* kPlugin = "camlaw-mpi.so";
+constexpr const char* kMpiPlugin = "camlaw-mpi.so";
 
 /// What a message is, by its first letter.
 constexpr char kProblem = 'p', kOrders = 'o', kCancel = 'c', kEnd = 'e';
@@ -135,18 +135,18 @@ struct MpiRanks::Plugin {
 };
 
 MpiRanks::MpiRanks() : plugin_(std::make_unique<Plugin>()) {
-  const auto path = own_file(kPlugin);
+  const auto path = own_file(kMpiPlugin);
   if (!path) {
     throw std::runtime_error(
         fmt::format("MPI is a plug-in, {}, which is not installed: it is built where MPI is, such "
                     "as by the packages of packages-mpi.txt",
-                    kPlugin));
+                    kMpiPlugin));
   }
   // Global, as an MPI loads parts of its own that look for what it has. Its own libraries first
   // (DEEPBIND): the sequential MUMPS of Ipopt brings functions by MPI's names that know one rank.
   void* plugin = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_DEEPBIND);
   void* open = plugin != nullptr ? dlsym(plugin, CAMLAW_TEXT(CAMLAW_MPI)) : nullptr;
-  if (open == nullptr) throw std::runtime_error(fmt::format("{}: {}", kPlugin, dlerror()));
+  if (open == nullptr) throw std::runtime_error(fmt::format("{}: {}", kMpiPlugin, dlerror()));
   if (const char* error = reinterpret_cast<CamlawMpiOpen>(open)(&plugin_->mpi)) {
     throw std::runtime_error(error);
   }

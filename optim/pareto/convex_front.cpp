@@ -9,12 +9,12 @@
 namespace camlaw::optim {
 namespace {
 
-struct Point {
+struct FrontVertex {
   double x, y;
 };
 
 /// Area between the straight piece from a to b and the reference, left of it and below it.
-double area_above(Point a, Point b, const Costs& reference) {
+double area_above(FrontVertex a, FrontVertex b, const Costs& reference) {
   if (a.x >= reference[0] || b.y >= reference[1]) return 0;
   if (!(b.x > a.x)) return 0;
   const double slope = (b.y - a.y) / (b.x - a.x);
@@ -30,8 +30,8 @@ double area_beyond(const Costs& last, const Costs& reference) {
 }
 
 /// Where the supporting lines of two neighbours meet, no lower than the second.
-Point meeting(const Costs& a, const std::vector<double>& of_a, const Costs& b,
-              const std::vector<double>& of_b) {
+FrontVertex meeting(const Costs& a, const std::vector<double>& of_a, const Costs& b,
+                    const std::vector<double>& of_b) {
   const double low = b[1];
   const auto value_at = [](const Costs& p, const std::vector<double>& w, double x) {
     return p[1] - w[0] / w[1] * (x - p[0]);
@@ -66,7 +66,7 @@ double hypervolume_within(std::span<const Costs> front,
   double area = area_beyond(front.back(), reference);
   for (std::size_t i = 1; i < front.size(); ++i) {
     const Costs &a = front[i - 1], &b = front[i];
-    const Point middle = meeting(a, weights[i - 1], b, weights[i]);
+    const FrontVertex middle = meeting(a, weights[i - 1], b, weights[i]);
     area += area_above({a[0], a[1]}, middle, reference);
     area += area_above(middle, {b[0], b[1]}, reference);
   }

@@ -14,7 +14,7 @@ namespace camlaw::optim {
 namespace {
 
 /// What remains of a number between two machines, or two ways of adding.
-constexpr double kRounding = 1e-9;
+constexpr double kSaidRounding = 1e-9;
 
 bool agree(double stated, double found, double tolerance) {
   if (std::isnan(stated) || std::isnan(found)) return std::isnan(stated) == std::isnan(found);
@@ -54,9 +54,9 @@ void compare_objectives(const Problem& multi, const FrontPoint& point,
     const auto same = [&](double tolerance) {
       return agree(point.objectives[i], value, tolerance) && agree(point.costs[i], cost, tolerance);
     };
-    if (same(kRounding * std::abs(value))) continue;
+    if (same(kSaidRounding * std::abs(value))) continue;
     const double tolerance = sizes(multi.alone(i), point.x).objective_tolerance;
-    if (same(std::max(tolerance, kRounding * std::abs(value)))) continue;
+    if (same(std::max(tolerance, kSaidRounding * std::abs(value)))) continue;
     const bool of_cost = agree(point.objectives[i], value, tolerance);
     found.push_back(both(o.response.name,
                          of_cost ? as_cost(o, point.costs[i]) : point.objectives[i], value,
@@ -69,7 +69,7 @@ void compare_objectives(const Problem& multi, const FrontPoint& point,
 bool stands_so(const Standing& stated, const Constraint& constraint, Design x, LimitReport report,
                double tolerance) {
   const auto rounding = [&] {
-    return kRounding * std::max(std::abs(report.value), std::abs(report.bound));
+    return kSaidRounding * std::max(std::abs(report.value), std::abs(report.bound));
   };
   const bool met = report.margin >= -std::max(tolerance, rounding());
   if (stated.met != met) return false;

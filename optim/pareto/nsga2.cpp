@@ -19,7 +19,7 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr const char* kPlugin = "camlaw-nsga2.so";
+constexpr const char* kNsga2Plugin = "camlaw-nsga2.so";
 
 struct Loaded {
   CamlawNsga2 function = nullptr;
@@ -29,7 +29,7 @@ struct Loaded {
 /// Stays loaded: the function is needed until the program ends.
 Loaded load() {
   if (!CAMLAW_HAS_PAGMO) return {.why_not = "this build does not include it"};
-  const auto path = own_file(kPlugin);
+  const auto path = own_file(kNsga2Plugin);
   if (!path) return {.why_not = "it is not installed"};
   void* plugin = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
   void* function = plugin != nullptr ? dlsym(plugin, CAMLAW_TEXT(CAMLAW_NSGA2)) : nullptr;
@@ -81,7 +81,8 @@ bool has_nsga2() { return loaded().function != nullptr; }
 
 void require_nsga2() {
   if (has_nsga2()) return;
-  throw std::runtime_error(fmt::format("NSGA-II is a plug-in, {}: {}", kPlugin, loaded().why_not));
+  throw std::runtime_error(
+      fmt::format("NSGA-II is a plug-in, {}: {}", kNsga2Plugin, loaded().why_not));
 }
 
 std::vector<Evolved> nsga2(const Evolution& evolution) {

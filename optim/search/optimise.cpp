@@ -22,7 +22,7 @@ namespace camlaw::optim {
 namespace {
 
 /// How the combinations went, for the words of the verdict.
-struct Tally {
+struct StartTally {
   std::size_t combinations = 0, solved = 0, missed = 0;
   bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
   std::string stopped = {};                 ///< why the search ended early, where it did
@@ -48,7 +48,7 @@ std::string not_looked_at_words(std::size_t count) {
 }
 
 /// What a search over combinations adds to the verdict of the best one.
-void judge_combinations(const Tally& tally, Assessment& a) {
+void judge_combinations(const StartTally& tally, Assessment& a) {
   if (tally.combinations == 1) return;
   a.best_possible.reset();  // what bounds one combination says nothing of the others
   const std::string how =
@@ -216,7 +216,7 @@ class Optimiser {
   Deadline deadline_;
   std::shared_ptr<SearchDesk> desk_;
   Combinations combinations_;
-  Tally tally_;
+  StartTally tally_;
   Optimum best_;
   bool started_ = false;
   Found work_;  ///< what all combinations took, and nothing else

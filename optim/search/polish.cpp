@@ -13,14 +13,14 @@ namespace camlaw::optim {
 namespace {
 
 constexpr int kMostVariables = 300;
-constexpr double kPushes = 1e-9;  // over the sizes: a limit with less does not hold the design
+constexpr double kHolds = 1e-9;  // over the sizes: a limit with less does not hold the design
 
 /// The limits that push, as equations, and the Lagrangian's second derivatives: one linear system.
 /// Its solution is the step of the design, by typical changes; empty where there is none.
 std::optional<Eigen::VectorXd> newton_step(const SecondOrderPoint& point, const Weighed& weighed) {
   std::vector<std::size_t> pushing;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
-    if (weighed.limits[j].is_equation || weighed.multipliers[j] > kPushes) pushing.push_back(j);
+    if (weighed.limits[j].is_equation || weighed.multipliers[j] > kHolds) pushing.push_back(j);
   }
   const Eigen::Index n = point.layout.rows, m = static_cast<Eigen::Index>(pushing.size());
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + m, n + m);

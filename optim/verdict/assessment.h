@@ -23,9 +23,10 @@ struct LimitReport {
   std::optional<double> worst_angle;  ///< of a curve
   bool from_left = false;             ///< the side of a break that it stands at
   bool is_equation = false;
-  bool met = false;       ///< margin >= -tolerance
-  bool proved = false;    ///< by intervals: over the whole cycle, rounding included
-  double multiplier = 0;  ///< objective gained per unit by which the bound is relaxed
+  bool met = false;     ///< margin >= -tolerance
+  bool proved = false;  ///< by intervals: over the whole cycle, rounding included
+  /// Objective gained per unit by which the bound is relaxed; NaN where no price is known.
+  double multiplier = 0;
   /// It pushes at a rest, where it vanishes whatever the design: what easing it gains there has no
   /// price, and is not counted in the multiplier.
   bool at_rest = false;
@@ -54,7 +55,8 @@ struct VariableReport {
   double value = 0;
   double lower = -kInfinity, upper = kInfinity;
   bool at_lower = false, at_upper = false;
-  double multiplier = 0;  ///< objective gained per unit by which that bound is relaxed
+  /// Objective gained per unit by which that bound is relaxed; NaN where no price is known.
+  double multiplier = 0;
 };
 
 struct Assessment {

@@ -10,8 +10,9 @@ namespace camlaw::optim {
 /// Which of the limits that push, numbers and variables' bounds, have a price that small steps do
 /// not bear out: a step by a millionth of the limit's size, or by its tolerance where that is less,
 /// to either side. There the limit's slope or what the others leave of the objective's slope
-/// differs from that at the design by more than half, or is no number, or the step is longer than
-/// typical changes of the variables (docs/optimisation.md, "Prices"). The indexes into the limits.
+/// differs from that at the design by more than half, or is not a number, or the step is longer
+/// than typical changes of the variables (docs/optimisation.md, "Prices"). The indexes into the
+/// limits.
 std::vector<std::size_t> unborne_prices(const Problem& problem, const Sizes& sizes, Design x,
                                         const Layout& layout, const Weighed& weighed);
 

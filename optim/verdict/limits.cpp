@@ -13,12 +13,13 @@ namespace camlaw::optim {
 namespace {
 
 /// One side at a design: how much room is left, and where on the cycle.
-struct Standing {
+struct SideOfLimit {
   double value, margin;
   std::optional<Place> place;
 };
 
-Standing standing(const Response& response, MaximaAt& maxima, Design x, double sign, double bound) {
+SideOfLimit side_of(const Response& response, MaximaAt& maxima, Design x, double sign,
+                    double bound) {
   if (!response.is_curve()) {
     const double value = response.function().value(x);
     return {value, sign * (bound - value), {}};
@@ -28,9 +29,9 @@ Standing standing(const Response& response, MaximaAt& maxima, Design x, double s
 }
 
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
-/// the search did, the standing becomes that.
+/// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
-                double tolerance, Standing& side) {
+                double tolerance, SideOfLimit& side) {
   if (!response.is_curve()) {
     const Function& f = response.function();
     if (f.is_searched()) {
@@ -48,7 +49,7 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
   return proof.proved;
 }
 
-void show(const Standing& side, double sign, double bound, LimitReport& report) {
+void show(const SideOfLimit& side, double sign, double bound, LimitReport& report) {
   report.value = side.value;
   report.bound = bound;
   report.is_upper = sign > 0;
@@ -68,7 +69,7 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
   result.margin = kInfinity;
   result.proved = prove;
   const auto look = [&](double sign, double bound) {
-    Standing side = standing(c.response, maxima, x, sign, bound);
+    SideOfLimit side = side_of(c.response, maxima, x, sign, bound);
     if (prove) {
       result.proved =
           prove_side(c.response, maxima, x, sign, bound, size.tolerance, side) && result.proved;
@@ -132,7 +133,7 @@ std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& size
 void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
   MaximaAt maxima(x);
   const double sign = upper ? 1 : -1, bound = upper ? *c.upper : *c.lower;
-  show(standing(c.response, maxima, x, sign, bound), sign, bound, report);
+  show(side_of(c.response, maxima, x, sign, bound), sign, bound, report);
 }
 
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {

@@ -35,7 +35,7 @@ void drop_unknown_prices(Assessment& assessment) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (assessment.kkt_residual <= kKktTolerance) return;
   const bool is_known = assessment.kkt_residual <= kPriceTolerance;
-  // The best multipliers there are weigh limits beside the design too.
+  // Multipliers that fit as well as any can also weigh limits that the design keeps clear of.
   for (LimitReport& limit : assessment.limits) {
     if (!limit.is_equation && limit.margin > kStands * limit.tolerance) limit.multiplier = 0;
     if (!is_known && limit.multiplier != 0) limit.multiplier = kNone;

@@ -6,7 +6,7 @@
 #include "optim/problem/problem.h"
 #include "optim/verdict/assessment.h"
 
-/// Multipliers that are no prices are not numbers (docs/optimisation.md, "Prices").
+/// A multiplier that is not a price is NaN (docs/optimisation.md, "Prices").
 namespace camlaw::optim {
 
 /// The residual of the conditions of optimality up to which multipliers are prices, which are told

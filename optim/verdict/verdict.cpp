@@ -9,6 +9,7 @@
 
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/dual_bound.h"
+#include "optim/verdict/known_limit.h"
 #include "optim/verdict/unknown_prices.h"
 
 namespace camlaw::optim {
@@ -111,13 +112,6 @@ bool is_bounded(const Assessment& a) {
   return std::abs(a.objective.value - *a.best_possible) <= kBoundTolerance * a.objective_measure;
 }
 
-/// How far the objective is from what no design passes, as a share of that; none: none is known.
-std::optional<double> gap_to_limit(const Problem& problem, const Assessment& a) {
-  const std::optional<KnownLimit>& limit = problem.objective().limit;
-  if (!limit) return {};
-  return std::abs(a.objective.value - limit->value) / std::abs(limit->value);
-}
-
 /// What keeps a design that meets every limit from being certified; empty where nothing does.
 std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& a) {
   const auto needs_proof = [](const Response& response) {
@@ -195,16 +189,6 @@ std::string global_words(const Problem& problem, const Assessment& a, const std:
           ? ""
           : fmt::format(", as far as {:g} times the variables' own magnitudes", kFar),
       why.empty() ? *why_convex(problem) : why);
-}
-
-/// "no design is below 2.25: no law ... has less; this is 0.008 % above", of a limit that theory
-/// knows.
-std::string near_limit_words(const Problem& problem, const Assessment& a) {
-  const KnownLimit& limit = *problem.objective().limit;
-  const Response& response = problem.objective().response;
-  return fmt::format("to within {:.2g} %: no design below {:.7g}{}, as {}",
-                     100 * gap_to_limit(problem, a).value_or(0), limit.value,
-                     response.unit == "1" ? "" : " " + response.unit, limit.why);
 }
 
 /// The verdict of a design that meets every limit, with proofs; `why`: as of global_words.
@@ -385,12 +369,6 @@ bool is_feasible(const Assessment& a) {
 
 bool is_settled(const Assessment& a) {
   return is_feasible(a) && (is_bounded(a) || (a.kkt_residual <= kKktTolerance && a.second_order));
-}
-
-bool is_near_limit(const Problem& problem, const Assessment& a) {
-  constexpr double kNear = 1e-4;
-  const std::optional<double> gap = gap_to_limit(problem, a);
-  return gap && *gap <= kNear;
 }
 
 bool better(const Problem& problem, const Assessment& a, const Assessment& b) {

@@ -19,7 +19,7 @@ namespace {
 using optim::FrontPoint;
 
 /// More variables than this are not listed in tables.
-constexpr std::size_t kListed = 6;
+constexpr std::size_t kListedPoints = 6;
 
 /// Where a curve is worst, with the unit of its places.
 std::string place_of(const FrontAnswer& answer, const optim::Standing& limit) {
@@ -55,7 +55,7 @@ Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
 
 /// "a = 1 mm, b = 2", or how many there are.
 std::string design_text(const std::vector<DesignValue>& values) {
-  if (values.size() > kListed) return fmt::format("{} variables", values.size());
+  if (values.size() > kListedPoints) return fmt::format("{} variables", values.size());
   std::vector<std::string> parts;
   for (const auto& value : values) {
     parts.push_back(fmt::format("{} = {}", value.name, value.words()));
@@ -157,7 +157,7 @@ Document point_document(const FrontAnswer& answer, std::size_t k) {
     document.say("  law " + law + "\n");
   }
   const auto values = answer.values(point);
-  if (values.size() > 4 * kListed) {
+  if (values.size() > 4 * kListedPoints) {
     document.say(fmt::format("  {} variables; --json and --csv have them\n", values.size()));
   } else {
     for (const auto& value : values) {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/verdict/unknown_prices.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/price_words.h"
 #include "output/answers/reached_output.h"
 #include "output/answers/variable_words.h"
 #include "output/answers/warnings.h"
@@ -43,12 +43,6 @@ std::string objective_name(const Answer& answer) {
 
 const std::string& objective_unit(const Answer& answer) {
   return answer.optimum.problem.objective().response.unit;
-}
-
-/// Multipliers are prices of the objective where every limit is met; else they only weigh the
-/// limits that contradict one another.
-bool has_prices(const Assessment& a) {
-  return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
 }
 
 std::string price_text(const LimitReport& limit, bool priced) {
@@ -86,46 +80,6 @@ void add_limits(const Answer& answer, Document& document) {
     if (!by) continue;
     document.say(fmt::format("{} is a limit because {} requires it\n", sided.limits[i].name, *by));
   }
-}
-
-/// Why what some limits cost is not known; empty where all is.
-std::string unknown_words(const Answer& answer) {
-  const optim::Optimum& optimum = answer.optimum;
-  if (!has_prices(assessment(answer))) return {};
-  return optim::why_no_price(optimum.problem, optimum.found.assessment, optimum.found.x);
-}
-
-/// What one unit more of each pushing limit buys, in words.
-std::string prices(const Answer& answer) {
-  const Assessment& a = assessment(answer);
-  if (!has_prices(a)) return {};
-  const std::string why = unknown_words(answer);
-  const std::string unknown = why.empty() ? "" : why + "\n";
-  if (a.verdict != optim::Verdict::Certified) return unknown;
-  std::string text;
-  const auto add = [&](const std::string& what, const std::string& unit, double price) {
-    if (!(std::abs(price) > 1e-9 * std::abs(a.objective.value))) return;
-    const bool falls = answer.bound.statement().objectives.front().sense == optim::Sense::Minimize;
-    text += fmt::format("  {} by 1{} would {} {} by {}\n", what, unit == "1" ? "" : " " + unit,
-                        falls == (price > 0) ? "reduce" : "increase", objective_name(answer),
-                        with_unit(fmt::format("{:.4g}", std::abs(price)), objective_unit(answer)));
-  };
-  for (const LimitReport& limit : a.limits) {
-    if (limit.is_equation) continue;
-    add(fmt::format("easing the limit on {}", limit.name), limit.unit, limit.multiplier);
-    if (!limit.at_rest) continue;
-    text += fmt::format(
-        "  the limit on {} holds the design where the motion rests, and easing it there gains more "
-        "than in proportion: it has no price\n",
-        limit.name);
-  }
-  for (const VariableReport& v : a.variables) {
-    if (v.at_lower != v.at_upper) {
-      add(fmt::format("easing the {} bound of {}", v.at_upper ? "upper" : "lower", v.name), v.unit,
-          v.multiplier);
-    }
-  }
-  return text.empty() ? unknown : "what each limit costs, to first order\n" + text + unknown;
 }
 
 /// The solver asked for, and the one that ended the search where that is another: what a global
@@ -296,7 +250,9 @@ void add_design(const Answer& answer, Document& document) {
 void add_conditions(const Answer& answer, Document& document) {
   const Assessment& a = assessment(answer);
   if (!a.active.empty()) document.say(fmt::format("\nactive: {}\n", fmt::join(a.active, ", ")));
-  if (const std::string costs = prices(answer); !costs.empty()) document.say("\n" + costs);
+  const std::string unknown = unknown_price_words(answer);
+  if (const std::string costs = price_words(answer, unknown); !costs.empty())
+    document.say("\n" + costs);
   if (std::isfinite(a.kkt_residual)) {
     const std::string condition =
         std::isnan(a.condition) ? ""
@@ -308,7 +264,7 @@ void add_conditions(const Answer& answer, Document& document) {
                     a.verdict == optim::Verdict::Infeasible ? "least-violation" : "optimality",
                     a.kkt_residual, condition));
   }
-  document.fact("no_price", unknown_words(answer));
+  document.fact("no_price", unknown);
   document.fact("active", a.active);
   document.fact("active_bounds", active_bounds(a));
   document.fact("blamed", a.blamed);

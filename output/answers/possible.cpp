@@ -9,7 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "machines/impossible.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
@@ -36,7 +35,8 @@ void check_possible(const std::string& file, const problems::ProblemStatement& s
     return !std::isnan(r.is_curve ? r.highest : r.value);
   });
   if (possible) return;
-  const std::string why = problems::why_impossible(*statement.mechanism, statement.constants);
+  const auto& condition = statement.mechanism->why_impossible;
+  const std::string why = condition ? condition(statement.constants) : "";
   std::vector<std::string> values;
   const auto& parameters = statement.mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {

@@ -17,7 +17,7 @@ namespace camlaw::cli {
 namespace {
 
 /// Variables beyond which a table has no column for each.
-constexpr std::size_t kListed = 6;
+constexpr std::size_t kListedBars = 6;
 
 std::string number(double value) { return fmt::format("{:.4g}", value + 0.0); }
 
@@ -77,7 +77,7 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
                             "0.1 deg, anything else by up to a hundredth of its value.",
                             variables.size() == 1 ? plain_name(variables.front().name) + " deviates"
                                                   : "each continuous variable deviates"));
-  if (variables.size() <= kListed) html += change_table(variables, tolerances, report);
+  if (variables.size() <= kListedBars) html += change_table(variables, tolerances, report);
   html += spread_table(report);
   std::string notes = fmt::format(
       "Lowest and highest over {}; the rest over {} samples, of which {:.1f} % meet every limit.",

@@ -2,7 +2,6 @@
 #include "problems/statement/bind.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +11,12 @@
 #include <tuple>
 
 #include "kinematics/laws/build.h"
-#include "kinematics/peaks.h"
-#include "kinematics/shape.h"
 #include "machines/model/kernel_of.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "optim/search/interruptible.h"
 #include "problems/statement/choices.h"
+#include "problems/statement/known_limit.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parts.h"
 
@@ -84,37 +82,6 @@ optim::Constraint limit_on(const ProblemStatement& statement, const ConstraintSt
   result.tolerance = c.tolerance;
   if (c.response.part == Part::Magnitude && c.upper) result.lower = -*c.upper;
   return result;
-}
-
-/// Whether what is asked for is the peak of one of a law's own curves, over the whole law.
-bool is_law_peak(const ResponseName& name) {
-  return name.part == Part::Magnitude && name.response != nullptr && name.response->of_law &&
-         !name.window;
-}
-
-/// What no law that moves from rest to rest can better, where an objective is the peak of a curve
-/// of a free law that rests at its ends: what a free law has there it has whatever its
-/// coefficients.
-std::optional<optim::KnownLimit> known_limit(const ProblemStatement& statement,
-                                             const ObjectiveStatement& objective,
-                                             const Member& member) {
-  if (!member.family->moving_as || !is_law_peak(objective.response)) return {};
-  const Law<double> law = member.law();
-  if (!vanishes(law, false, 1) || !vanishes(law, true, 1)) return {};
-  PeakLimits limits;
-  std::vector<std::string> words;
-  for (const ConstraintStatement& c : statement.constraints) {
-    if (!is_law_peak(c.response) || !c.upper) continue;
-    double* limit = limit_among(limits, *c.response.response->of_law);
-    if (limit == nullptr || !(*c.upper < *limit)) continue;
-    *limit = *c.upper;
-    words.push_back(fmt::format("{} of at most {:.6g}", c.response.name, *c.upper));
-  }
-  const double value = least_peak(*objective.response.response->of_law, limits);
-  if (!std::isfinite(value)) return {};
-  return optim::KnownLimit{
-      value, fmt::format("no law from rest to rest{}{} has less", words.empty() ? "" : " with a ",
-                         fmt::join(words, " and a "))};
 }
 
 /// A response that is the same at every design.

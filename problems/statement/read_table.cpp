@@ -26,7 +26,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr std::size_t kMostRows = 20000;
+constexpr std::size_t kMostStatedRows = 20000;
 constexpr double kWidestGap = 30;  // deg between rows
 
 /// A lift over the turn: places from 0 to 1, increasing.
@@ -125,9 +125,9 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
 }
 
 void check_turn(const TurnTable& turn) {
-  if (turn.x.size() > kMostRows) {
+  if (turn.x.size() > kMostStatedRows) {
     throw std::invalid_argument(
-        fmt::format("{} rows; at most {} are accepted", turn.x.size(), kMostRows));
+        fmt::format("{} rows; at most {} are accepted", turn.x.size(), kMostStatedRows));
   }
   for (std::size_t i = 0; i < turn.x.size(); ++i) {
     const bool last = i + 1 == turn.x.size();

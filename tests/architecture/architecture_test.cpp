@@ -312,6 +312,62 @@ TEST_CASE("who asks for dual numbers alone gets Ceres, and Eigen with it", "[arc
   }
 }
 
+/// A type or a constant that stands in a namespace, not in a class or a function.
+struct Declared {
+  std::string file, scope, text;  ///< scope: the namespace's name; text: the line that declares it
+  bool is_own;                    ///< in an unnamed namespace, for its source alone
+};
+
+/// The types and constants of a file by their names. What clang-format lets begin a line without
+/// indentation stands in a namespace.
+std::multimap<std::string, Declared> declared_in(const std::string& file) {
+  static const std::regex space(R"(^namespace ?([\w:]*) \{)"), end_of_space(R"(^\}  // namespace)");
+  static const std::regex type(R"(^(?:struct|class|enum class|enum|concept) (\w+)(?!.*;))");
+  static const std::regex alias(R"(^using (\w+) =)");
+  static const std::regex constant(
+      R"(^(?:inline |static )?constexpr [^(=]*?\b(\w+)(?:\[\])?(?: =|\{))");
+  std::multimap<std::string, Declared> all;
+  std::vector<std::string> spaces;
+  std::string before;
+  std::istringstream text(testing::read(fs::path(testing::source()) / file));
+  for (std::string line; std::getline(text, line); before = line) {
+    std::smatch found;
+    if (std::regex_search(line, found, space)) spaces.push_back(found[1]);
+    if (std::regex_search(line, end_of_space) && !spaces.empty()) spaces.pop_back();
+    // What follows a template's parameters, "using S = ..." among them, hides nothing of another.
+    if (before.starts_with("template")) continue;
+    if (std::regex_search(line, found, type) || std::regex_search(line, found, alias) ||
+        std::regex_search(line, found, constant)) {
+      Declared one{file, {}, line, false};
+      for (const std::string& name : spaces) {
+        if (name.empty()) one.is_own = true;
+        one.scope += "::" + name;
+      }
+      while (one.scope.ends_with("::")) one.scope.resize(one.scope.size() - 2);
+      all.emplace(found[1], one);
+    }
+  }
+  return all;
+}
+
+TEST_CASE("what a source keeps to itself has a name of its own in its room", "[architecture]") {
+  // Sources of a room form units that the compiler sees as one, in groups that a new file or
+  // another preset forms anew. Aliases of the same text may stand in several.
+  for (const auto& [room, below] : rooms()) {
+    std::multimap<std::string, Declared> all;
+    for (const std::string& file : sources_of(room)) all.merge(declared_in(file));
+    for (const auto& [name, own] : all) {
+      if (!own.is_own) continue;
+      const auto [first, last] = all.equal_range(name);
+      for (auto other = first; other != last; ++other) {
+        if (other->second.file == own.file || other->second.scope != own.scope) continue;
+        INFO(own.file << " and " << other->second.file << " name " << name);
+        CHECK((own.text.starts_with("using ") && other->second.text == own.text));
+      }
+    }
+  }
+}
+
 TEST_CASE("every source is compiled, every header is included somewhere", "[architecture]") {
   const fs::path root = testing::source();
   std::vector<std::string> files = sources();

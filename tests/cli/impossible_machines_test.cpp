@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What camlaw evaluate says of values that make no machine, and of curves without numbers.
-#include "machines/impossible.h"
 #include "machines/registry.h"
 #include "tests/cli/program_runner.h"
 
@@ -48,7 +47,7 @@ TEST_CASE("a machine names a condition where it is impossible, and nowhere else"
         std::vector<double> values = usual;
         values[i] = bound;
         INFO(name << ": " << parameter.name << " = " << bound);
-        const std::string why = problems::why_impossible(mechanism, values);
+        const std::string why = mechanism.why_impossible(values);
         CHECK(why.empty() == mechanism.responses.front().is_possible(values));
         if (why.empty()) continue;
         ++found;
