@@ -53,8 +53,9 @@ X steps_passed(const X& y, const T& step, double before) {
   return count;
 }
 
-/// A dwell at a hand-over is the taking roller's, in spite of rounding: this part of a step.
-inline constexpr double kHandoverRounding = 1e-9;
+/// A dwell at a hand-over is the taking roller's, in spite of rounding: this part of a step. A
+/// motion that ends there is farther from it (problems::kRestRounding), with the leaving roller.
+inline constexpr double kHandoverRounding = 1e-12;
 
 /// (IX5) y - step floor(y / step): what the turret's angle y has gained, rad, since the roller took
 /// over that serves now, for y from 0 to kMostHandovers + 1 steps.

@@ -82,12 +82,12 @@ PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cyc
 }
 
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
-                         std::size_t stretch, std::size_t piece, Side side,
+                         std::size_t stretch, std::size_t piece, LawPlace side,
                          const std::array<bool, 4>& uses)
     : law_(std::move(law)),
       stretch_(cycle.stretches[stretch]),
       part_(cycle.part_of(stretch_)),
-      place_{0, side},
+      place_(side),
       uses_(uses),
       joint_(piece) {
   for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
@@ -110,25 +110,40 @@ MotionDerivatives PlaceMotion::law_at(std::span<const double> values, int order)
   return follower_motion(stretch_, std::move(motion));
 }
 
-double PlaceMotion::one_sided(double v, std::span<const double> values) const {
-  constexpr double kStill = 1e-12, kBeside = 1e-4;
-  if (!uses_[1] || !(std::abs(v) <= kStill)) return v;
+std::optional<MotionDerivatives> PlaceMotion::beside(double distance,
+                                                     std::span<const double> values) const {
   const double place = joint_ ? law_->end_place({*joint_, true}, values, 0).value[0] : place_.x;
-  const double x = place + (place_.side == Side::Left ? -kBeside : kBeside);
-  if (!(x > 0 && x < 1)) return v;
+  const double x = place + (place_.side == Side::Left ? -distance : distance);
+  if (!(x > 0 && x < 1)) return {};
   // A law that is linear in what varies is looked at with its own values: those here are few.
   const bool is_linear = !joint_ && law_->is_linear();
-  const MotionDerivatives law{is_linear ? law_->linear_motion_at(x, place_.side).value
-                                        : law_->motion(x, place_.side, values, 0).value,
-                              {},
-                              {}};
-  return resting_velocity(follower_motion(stretch_, law).value[1], kStill);
+  return follower_motion(stretch_, {is_linear ? law_->linear_motion_at(x, place_.side).value
+                                              : law_->motion(x, place_.side, values, 0).value,
+                                    {},
+                                    {}});
+}
+
+void PlaceMotion::come_from_within(MotionDerivatives& motion,
+                                   std::span<const double> values) const {
+  constexpr double kStill = 1e-12, kBeside = 1e-4;  // of s' alone
+  constexpr double kSlow = 1e-9, kFarther = 1e-3;   // where s counts, to a rounding
+  const double v = std::abs(motion.value[1]);
+  if (uses_[1] && v <= kStill) {
+    if (const auto near = beside(kBeside, values)) {
+      motion.value[1] = resting_velocity(near->value[1], kStill);
+    }
+  }
+  if (place_.may_jump && uses_[0] && v <= kSlow) {
+    if (const auto far = beside(kFarther, values)) {
+      motion.value[0] = resting_displacement(motion.value[0], far->value[0]);
+    }
+  }
 }
 
 MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
   const bool is_linear = !joint_ && law_->is_linear();
   MotionDerivatives motion = is_linear ? linear_at(values) : law_at(values, order);
-  motion.value[1] = one_sided(motion.value[1], values);
+  come_from_within(motion, values);
   return motion;
 }
 

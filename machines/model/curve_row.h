@@ -24,7 +24,7 @@ class PlaceMotion {
               const LawPlace& place, const std::array<bool, 4>& uses);
   /// Where a piece of the law meets the next one, wherever that is.
   PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, std::size_t stretch,
-              std::size_t piece, Side side, const std::array<bool, 4>& uses);
+              std::size_t piece, LawPlace side, const std::array<bool, 4>& uses);
 
   /// The law's variables that the motion here depends on: of a linear law only those whose
   /// derivatives are not all zero, such as the few coefficients of a spline.
@@ -48,8 +48,11 @@ class PlaceMotion {
  private:
   MotionDerivatives linear_at(std::span<const double> values) const;
   MotionDerivatives law_at(std::span<const double> values, int order) const;
-  /// s' as one comes to the place from its side (resting_velocity).
-  double one_sided(double v, std::span<const double> values) const;
+  /// s and s' as one comes to the place from its side, where that is a rest (resting_velocity,
+  /// resting_displacement).
+  void come_from_within(MotionDerivatives& motion, std::span<const double> values) const;
+  /// The follower's motion beside the place, on its side; none at an end of the law.
+  std::optional<MotionDerivatives> beside(double distance, std::span<const double> values) const;
 
   std::shared_ptr<const LawBinding> law_;
   Stretch stretch_;

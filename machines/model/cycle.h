@@ -46,6 +46,7 @@ struct Cycle {
 struct LawPlace {
   double x;
   Side side;
+  bool may_jump = false;  ///< of a curve whose formula may jump as the motion goes on
 };
 LawPlace law_place(const Stretch& stretch, optim::Place place);
 

@@ -112,6 +112,7 @@ std::vector<double> Jumps::places(const Cycle& cycle, const Law<double>& law,
 
 LawPlace law_place(const Stretch& stretch, optim::Place place, bool may_jump) {
   LawPlace at = law_place(stretch, place);
+  at.may_jump = may_jump;
   if (may_jump && at.side == Side::Left && at.x < 1) at.x = std::max(0.0, at.x - 2 * kBesideJump);
   return at;
 }

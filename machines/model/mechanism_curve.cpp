@@ -104,7 +104,7 @@ PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
           parts_->cycle,
           stretch_of(place.joint),
           piece_of(place.joint),
-          place.from_left ? Side::Left : Side::Right,
+          {0, place.from_left ? Side::Left : Side::Right, jumps().possible()},
           parts_->uses};
 }
 
@@ -144,17 +144,17 @@ optim::Function MechanismCurve::at(optim::Place place) const {
 /// the place counting among q, which moves evenly and not with p.
 std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
   const Stretch& stretch = parts_->cycle.stretch_at(place);
-  const auto [at, side] = law_place(stretch, place);
+  const LawPlace at = law_place(stretch, place);
   const std::vector<double> values = law_->values_at(x);
-  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
-  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
+  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at.x, at.side, values, 1));
+  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at.x, at.side, values));
   const std::size_t machine = variables_.size();
   const std::size_t inner = machine + (parts_->uses_place ? 5 : 4);
   std::vector<double> u = arguments_at(variables_, x);
   std::vector<double> g(inner), h(optim::packed_size(inner));
   u.insert(u.end(), motion.value.begin(), motion.value.end());
   const Cycle::Part part = parts_->cycle.part_of(stretch);
-  if (parts_->uses_place) u.push_back(part.at(at));
+  if (parts_->uses_place) u.push_back(part.at(at.x));
   parts_->point->hessian(u, g, h);
   // The place itself is the last argument where it is one.
   const auto by_place = [&](std::size_t k) {

@@ -112,6 +112,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const Piece<double>& piece = law_->pieces()[section.piece];
   auto d = derivatives<6>(piece, x);
   d[1] = velocity_from_within(d[1], piece, x, still_);
+  if (may_jump_) d[0] = displacement_from_within(d[0], piece, x);
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
   const double rate = 1 / stretch.length();
@@ -148,7 +149,8 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const auto& piece = law_->pieces()[sections[k]->piece];
     const double v = velocity_from_within(rows.v[k], piece, rows.x[k], still_);
-    const Motion<double> law{rows.s[k], v, rows.a[k], rows.j[k]};
+    const double s = may_jump_ ? displacement_from_within(rows.s[k], piece, rows.x[k]) : rows.s[k];
+    const Motion<double> law{s, v, rows.a[k], rows.j[k]};
     const auto m = follower_motion(cycle_.stretches[sections[k]->stretch], law);
     rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
   }

@@ -46,6 +46,22 @@ double velocity_from_within(double v, const Piece<double>& piece, double x, doub
   return resting_velocity(derivatives<2>(piece, farther)[1], rounding);
 }
 
+double resting_displacement(double s, double inside) {
+  if (!(std::abs(inside - s) > kRestRounding)) return s;
+  return s + std::copysign(2 * kRestRounding, inside - s);
+}
+
+double displacement_from_within(double s, const Piece<double>& piece, double x) {
+  constexpr double kBeside = 1e-2;
+  const double beside = kBeside * (piece.end - piece.begin);
+  const bool at_begin = x <= piece.begin + beside;
+  if (!at_begin && x < piece.end - beside) return s;
+  const double end = derivatives<1>(piece, at_begin ? piece.begin : piece.end)[0];
+  if (!(std::abs(s - end) <= kRestRounding)) return s;
+  const double farther = at_begin ? piece.begin + beside : piece.end - beside;
+  return resting_displacement(end, derivatives<1>(piece, farther)[0]);
+}
+
 double without_traces(double value) {
   constexpr double kTraces = 1e-80;
   return std::abs(value) < kTraces ? 0 : value;

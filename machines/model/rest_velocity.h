@@ -19,6 +19,18 @@ double resting_velocity(double inside, double rounding);
 /// it is no more than `rounding`, that of a rest.
 double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding);
 
+/// Of the law's displacement: what tells the end of a motion from a place just inside it.
+inline constexpr double kRestRounding = 1e-12;
+
+/// The displacement of a rest at s, as one comes there from a place inside a motion, where it is
+/// `inside`: twice kRestRounding on its side, and s in a dwell. A formula that goes over to another
+/// number at s itself, as an index drive does to the next roller, has its limit from within there.
+double resting_displacement(double s, double inside);
+
+/// The displacement at a place x of a piece: within a hundredth of its length from its ends, where
+/// it is no farther than kRestRounding from that at the end, that of a rest.
+double displacement_from_within(double s, const Piece<double>& piece, double x);
+
 /// A value of a formula without what such a velocity leaves of it.
 double without_traces(double value);
 

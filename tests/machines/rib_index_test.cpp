@@ -10,6 +10,8 @@
 #include "machines/index_drives/barrel_index_cam.h"
 #include "machines/index_drives/globoidal_cam.h"
 #include "machines/registry.h"
+#include "optim/cycle/extremes.h"
+#include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/machines/index_fixture.h"
 #include "tests/machines/system_fixture.h"
@@ -307,6 +309,33 @@ TEST_CASE("at rest an axial roller's pressure angle is its angle to the line of 
   const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
   CHECK(curves["pressure_angle"][360] == Approx(std::atan(80 * rate / 60) / kDegree));
   CHECK(curves["displacement"].back() == Approx(45));
+}
+
+TEST_CASE("a motion that ends at a hand-over ends with the roller that leaves", "[index-drives]") {
+  // The motion comes to rest there so gently that rounding hides where the taking roller begins.
+  const auto lowest = [](const std::string& segments) {
+    std::string text = barrel();
+    const std::size_t from = text.find("segments = [");
+    text.replace(from, text.find("]", from) + 1 - from,
+                 "matched = 'velocity'\nsegments = [" + segments + "]");
+    const ProblemStatement statement = read_problem(text, "drive.toml");
+    for (const optim::Response& response : curves_of(statement)) {
+      if (response.name != "pressure_angle") continue;
+      const auto trace = response.curve().trace({});
+      const optim::Extreme worst = optim::highest(*trace, -1);
+      CHECK(optim::proved_highest(*trace, -1).peak.value == Approx(worst.value).epsilon(1e-9));
+      CHECK(response.curve().at(worst.place).value({}) == Approx(worst.value).epsilon(1e-9));
+      return worst.value;
+    }
+    throw std::logic_error("the drive has no pressure angle");
+  };
+  for (const char* law :
+       {"modified-sine", "cycloidal", "poly-3-4-5", "poly-4-5-6-7", "parabolic", "cosine"}) {
+    INFO(law);
+    CHECK(lowest(fmt::format("{{name = 'dwell', angle = '100 deg'}}, {{name = 'index', angle = "
+                             "'120 deg', law = '{}'}}, {{name = 'rest'}}",
+                             law)) == Approx(-22.5).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("a cam with ribs that does not close is refused in words", "[index-drives]") {
