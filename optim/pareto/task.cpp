@@ -10,6 +10,7 @@
 
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
+#include "optim/pareto/part_front.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
 #include "optim/verdict/limits.h"
@@ -151,17 +152,32 @@ FrontPoint point_of(const Problem& multi, const Task& task, const Stated& stated
   return point;
 }
 
-/// Where a cost keeps clear of its limit on the way along a direction, the distance does not tell
-/// how small it could be: it is sought with the others held, eased so that there is room.
+/// How near a cost may come to a limit of a task as to be held by it.
+double slack_at(double cost, double limit) {
+  constexpr double kSlack = 1e-6;
+  return kSlack * std::max(std::abs(cost), std::abs(limit - cost));
+}
+
+/// Whether a cost keeps clear of the limit that a task set it: the task's optimum does not tell how
+/// small it could be.
+bool is_free(const FrontPoint& point, const Task& task, std::size_t i) {
+  constexpr double kSlack = 1e-6;
+  if (task.kind == Task::Kind::Toward) return point.weights[i] * task.direction[i] <= kSlack;
+  if (i == task.sought || i >= task.bounds.size()) return false;
+  const double limit = task.bounds[i];
+  return std::isfinite(limit) && limit - point.costs[i] > slack_at(point.costs[i], limit);
+}
+
+/// Costs that are free are sought with the others held, eased so that there is room.
 FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
                    const OptimiseOptions& options, long& evaluations) {
-  constexpr double kSlack = 1e-6;
+  const std::vector<double>& limits = task.kind == Task::Kind::Toward ? task.origin : task.bounds;
+  const auto room = [&](std::size_t k) {
+    const double cost = point.costs[k];
+    return slack_at(cost, k < limits.size() && std::isfinite(limits[k]) ? limits[k] : cost);
+  };
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
-    if (!(point.weights[i] * task.direction[i] <= kSlack)) continue;
-    const auto room = [&](std::size_t k) {
-      const double way = std::abs(point.costs[k] - task.origin[k]);
-      return kSlack * std::max(std::abs(point.costs[k]), way);
-    };
+    if (!is_free(point, task, i)) continue;
     Task beside = as_good_as(point, task.part, i);
     for (std::size_t k = 0; k < point.costs.size(); ++k) beside.bounds[k] += room(k);
     beside.starts = {point.x};
@@ -169,7 +185,10 @@ FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
     const Found found = best_of_starts(stated.problem, multi, beside, options, evaluations);
     const bool sound = is_certified(found) || (point.verdict != Verdict::Certified &&
                                                found.assessment.verdict == Verdict::Feasible);
-    if (!sound) continue;
+    if (!sound) {
+      if (task.kind == Task::Kind::Bounded) point = doubted(std::move(point));
+      continue;
+    }
     FrontPoint better = point_of(multi, beside, stated, found);
     if (better.costs[i] < point.costs[i] - room(i)) point = std::move(better);
   }
@@ -192,11 +211,8 @@ Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& op
     outcome.failure = a.reason;
     return outcome;
   }
-  FrontPoint point = point_of(multi, task, stated, found);
-  if (task.kind == Task::Kind::Toward) {
-    point = pressed(std::move(point), multi, task, options, outcome.evaluations);
-  }
-  outcome.points.push_back(std::move(point));
+  outcome.points.push_back(
+      pressed(point_of(multi, task, stated, found), multi, task, options, outcome.evaluations));
   return outcome;
 }
 

@@ -15,7 +15,7 @@ namespace camlaw::cli {
 namespace {
 
 /// In what the master is counted.
-problems::MasterUnit master_of(const ExportOptions& o, const problems::Motion& motion) {
+problems::MasterUnit master_of(const ExportOptions& o, const problems::ExportedMotion& motion) {
   const std::string unit = o.master.value_or(motion.place_unit == "1" ? "x" : motion.place_unit);
   const bool is_own = unit == motion.place_unit || (unit == "x" && motion.place_unit == "1");
   if (!is_own && unit != "ms" && unit != "increments") {
@@ -79,7 +79,7 @@ problems::TableStyle style_of(const ExportOptions& o, int decimals) {
 }
 
 /// The largest value less the least, at some places, in the unit that is written.
-double range_of(const problems::Motion& motion) {
+double range_of(const problems::ExportedMotion& motion) {
   constexpr int kLooks = 720;
   const auto values =
       motion.trace->values(optim::even_places(motion.begin(), motion.end(), kLooks));
@@ -87,7 +87,7 @@ double range_of(const problems::Motion& motion) {
   return motion.slave_factor * (*most - *least);
 }
 
-double tolerance_of(const ExportOptions& o, const problems::Motion& motion, int decimals) {
+double tolerance_of(const ExportOptions& o, const problems::ExportedMotion& motion, int decimals) {
   constexpr double kShare = 1e-5;  // of the range
   const double digit = std::pow(10.0, -decimals);
   if (!o.tolerance) return std::max(kShare * range_of(motion), 10 * digit);
@@ -97,7 +97,7 @@ double tolerance_of(const ExportOptions& o, const problems::Motion& motion, int 
                                           tolerance, motion.unit, 10 * digit, motion.unit));
 }
 
-int steps_of(const ExportOptions& o, const problems::Motion& motion) {
+int steps_of(const ExportOptions& o, const problems::ExportedMotion& motion) {
   constexpr int kSteps = 360;
   if (!o.step) return kSteps;
   return problems::count_steps(
@@ -109,7 +109,8 @@ int steps_of(const ExportOptions& o, const problems::Motion& motion) {
 double single(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 /// Points at even steps; of a controller of 32 bits as these have them.
-std::vector<problems::MotionKnot> points_of(const ExportOptions& o, const problems::Motion& motion,
+std::vector<problems::MotionKnot> points_of(const ExportOptions& o,
+                                            const problems::ExportedMotion& motion,
                                             const problems::DriveFormat& drive,
                                             const problems::WrittenMotion& written) {
   constexpr int kAllDigits = 12;
@@ -128,7 +129,7 @@ std::vector<problems::MotionKnot> points_of(const ExportOptions& o, const proble
 }
 
 /// Refuses even steps between which a drive leaves the motion by much of its range.
-void check_step(const ExportOptions& o, const problems::Motion& motion, double deviation) {
+void check_step(const ExportOptions& o, const problems::ExportedMotion& motion, double deviation) {
   constexpr double kShare = 0.01;
   const double range = range_of(motion);
   if (!o.step || !(deviation > kShare * range)) return;
@@ -139,7 +140,7 @@ void check_step(const ExportOptions& o, const problems::Motion& motion, double d
 }
 
 std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,
-                       const problems::Motion& motion, const problems::MasterUnit& master,
+                       const problems::ExportedMotion& motion, const problems::MasterUnit& master,
                        Exported& e) {
   const problems::WrittenMotion written{motion, master.per_place};
   problems::PiecewiseMotion path;
@@ -175,7 +176,7 @@ problems::LengthUnit unit_of(const ExportOptions& o) {
 }
 
 std::string motion_text(const ExportOptions& o, const FormatRow& format, Exported& e) {
-  const problems::Motion motion =
+  const problems::ExportedMotion motion =
       problems::motion_of(e.design.statement, o.slave, e.accuracy.unit.mm != 1).value();
   const problems::MasterUnit master = master_of(o, motion);
   if (format.drive != nullptr) return drive_text(o, *format.drive, motion, master, e);

@@ -50,10 +50,10 @@ class LawTrace final : public optim::Trace {
   std::vector<PieceExpander> expanders_;
 };
 
-Possible<Motion> whole_law_motion(const ProblemStatement& statement) {
+Possible<ExportedMotion> whole_law_motion(const ProblemStatement& statement) {
   auto law = statement.laws.front().possible_law();
   if (!law) return law.reason();
-  Motion motion{.master = "x", .place_unit = "1", .slave = "s", .unit = "1", .trace = {}};
+  ExportedMotion motion{.master = "x", .place_unit = "1", .slave = "s", .unit = "1", .trace = {}};
   motion.trace = std::make_shared<LawTrace>(*law, 0);
   motion.velocity = std::make_shared<LawTrace>(*law, 1);
   return motion;
@@ -81,9 +81,9 @@ std::optional<double> times_slope(const optim::Trace& curve, const optim::Trace&
   return factor;
 }
 
-Motion curve_motion(const ProblemStatement& statement, const optim::Response& response,
-                    const std::vector<optim::Response>& curves) {
-  Motion motion;
+ExportedMotion curve_motion(const ProblemStatement& statement, const optim::Response& response,
+                            const std::vector<optim::Response>& curves) {
+  ExportedMotion motion;
   motion.place_unit = find_response(*statement.mechanism, response.name).response->along;
   motion.master = motion.place_unit == "1" ? "x" : place_name(statement);
   motion.slave = response.name;
@@ -101,19 +101,19 @@ Motion curve_motion(const ProblemStatement& statement, const optim::Response& re
 
 }  // namespace
 
-std::array<double, 4> Motion::at(optim::Place place) const {
+std::array<double, 4> ExportedMotion::at(optim::Place place) const {
   const auto f = trace->at(place);
   const double third = velocity ? velocity->at(place)[2] / velocity_factor : kUnknown;
   return {slave_factor * f[0], slave_factor * f[1], slave_factor * f[2], slave_factor * third};
 }
 
-Possible<Motion> motion_of(const ProblemStatement& statement,
-                           const std::optional<std::string>& slave, bool inches) {
+Possible<ExportedMotion> motion_of(const ProblemStatement& statement,
+                                   const std::optional<std::string>& slave, bool inches) {
   std::vector<std::string> names;
   const auto curves = curves_of(statement);
   for (const optim::Response& response : curves) {
     if (response.name == slave.value_or("displacement")) {
-      Motion motion = curve_motion(statement, response, curves);
+      ExportedMotion motion = curve_motion(statement, response, curves);
       if (inches && motion.unit == "mm")
         motion.unit = kInch.name, motion.slave_factor = 1 / kInch.mm;
       return motion;

@@ -18,7 +18,7 @@ struct MasterUnit {
   double per_place = 1;
 };
 
-struct Motion {
+struct ExportedMotion {
   std::string master;       ///< heading of the places: "cam_angle [deg]", "x"
   std::string place_unit;   ///< "deg", "1"
   std::string slave, unit;  ///< "displacement", "mm"
@@ -40,7 +40,7 @@ struct Motion {
 /// The motion of a mechanism: `slave` names one of its curves; none: the curve "displacement", else
 /// the law itself, s over x. With `inches` a slave in mm is in inches. Impossible where there is no
 /// such curve, with those that there are.
-Possible<Motion> motion_of(const ProblemStatement& statement,
-                           const std::optional<std::string>& slave, bool inches = false);
+Possible<ExportedMotion> motion_of(const ProblemStatement& statement,
+                                   const std::optional<std::string>& slave, bool inches = false);
 
 }  // namespace camlaw::problems

@@ -15,7 +15,7 @@
 namespace camlaw::problems {
 namespace {
 
-double table_step_of(const Motion& motion, const std::optional<std::string>& text) {
+double table_step_of(const ExportedMotion& motion, const std::optional<std::string>& text) {
   constexpr int kSteps = 360;
   if (!text) return (motion.end() - motion.begin()) / kSteps;
   return parse_quantity(*text, motion.place_unit, motion.place_unit, "--step");
@@ -39,15 +39,16 @@ bool keeps_places(const MotionTable& table, int decimals) {
   });
 }
 
-std::vector<optim::Place> table_places(const Motion& motion,
+std::vector<optim::Place> table_places(const ExportedMotion& motion,
                                        const std::optional<std::string>& step) {
   const int count =
       count_steps(motion.end() - motion.begin(), table_step_of(motion, step), motion.place_unit);
   return optim::even_places(motion.begin(), motion.end(), count);
 }
 
-Possible<MotionTable> table_at(const Motion& motion, const std::vector<optim::Place>& places,
-                               int decimals, const MasterUnit& master) {
+Possible<MotionTable> table_at(const ExportedMotion& motion,
+                               const std::vector<optim::Place>& places, int decimals,
+                               const MasterUnit& master) {
   MotionTable table{master.heading, motion.slave_heading(), {}, motion.trace->values(places)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!std::isfinite(table.values[i])) {
@@ -62,7 +63,7 @@ Possible<MotionTable> table_at(const Motion& motion, const std::vector<optim::Pl
 }
 
 /// At a place inside the motion the derivative from its right, at the end that from its left.
-TableColumn derivative_column(const Motion& motion, const std::vector<optim::Place>& places,
+TableColumn derivative_column(const ExportedMotion& motion, const std::vector<optim::Place>& places,
                               char letter, const MasterUnit& master) {
   constexpr std::string_view kLetters = "svaj";
   const int order = static_cast<int>(kLetters.find(letter));
@@ -109,14 +110,14 @@ Possible<MotionTable> possible_motion_table(const ProblemStatement& statement,
   return possible_table_of(*motion, step, decimals, {motion->master});
 }
 
-Possible<MotionTable> possible_table_of(const Motion& motion,
+Possible<MotionTable> possible_table_of(const ExportedMotion& motion,
                                         const std::optional<std::string>& step, int decimals,
                                         const MasterUnit& master) {
   return table_at(motion, table_places(motion, step), decimals, master);
 }
 
-MotionTable table_of(const Motion& motion, const std::optional<std::string>& step, int decimals,
-                     const MasterUnit& master, const std::string& columns) {
+MotionTable table_of(const ExportedMotion& motion, const std::optional<std::string>& step,
+                     int decimals, const MasterUnit& master, const std::string& columns) {
   const auto places = table_places(motion, step);
   MotionTable table = table_at(motion, places, decimals, master).value();
   for (const char letter : columns.substr(1)) {

@@ -10,7 +10,7 @@
 /// Motions as the cam tables of controllers: where the slave is for each place of the master.
 namespace camlaw::problems {
 
-struct Motion;
+struct ExportedMotion;
 struct MasterUnit;
 
 /// A derivative of the slave by the master.
@@ -43,11 +43,11 @@ MotionTable motion_table(const ProblemStatement& statement, const std::optional<
 /// The same of a motion, its master counted in another unit (the step is still in that of the
 /// places), with further columns: `columns` are letters of "svaj", s first. A derivative that is
 /// infinite or unknown throws std::invalid_argument.
-Possible<MotionTable> possible_table_of(const Motion& motion,
+Possible<MotionTable> possible_table_of(const ExportedMotion& motion,
                                         const std::optional<std::string>& step, int decimals,
                                         const MasterUnit& master);
-MotionTable table_of(const Motion& motion, const std::optional<std::string>& step, int decimals,
-                     const MasterUnit& master, const std::string& columns = "s");
+MotionTable table_of(const ExportedMotion& motion, const std::optional<std::string>& step,
+                     int decimals, const MasterUnit& master, const std::string& columns = "s");
 
 /// How numbers stand in a table.
 struct TableStyle {

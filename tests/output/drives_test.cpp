@@ -44,7 +44,7 @@ double stated_deviation(const std::string& text) {
 }
 
 /// How far a controller's motion is from the exact one at many places.
-double departure(const Cam& cam, const Motion& motion, double per_place) {
+double departure(const Cam& cam, const ExportedMotion& motion, double per_place) {
   double worst = 0;
   for (std::size_t k = 0; k + 1 < motion.trace->breaks().size(); ++k) {
     constexpr int kLooks = 997;
@@ -74,7 +74,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
           "[exports][drives][heavy]") {
   for (const std::string& file : cam_files()) {
     const ProblemStatement statement = read_problem_file(file);
-    const Motion motion = motion_of(statement, {}).value();
+    const ExportedMotion motion = motion_of(statement, {}).value();
     for (const Drive& drive : kDrives) {
       INFO(file << " " << drive.name);
       cli::ExportOptions options;
@@ -97,7 +97,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
 TEST_CASE("Drives count the master in milliseconds or increments, and the slave in inches",
           "[exports][drives][heavy]") {
   const std::string file = testing::source("problems/cams/roller_least_base.toml");
-  const Motion motion = motion_of(read_problem_file(file), {}, true).value();
+  const ExportedMotion motion = motion_of(read_problem_file(file), {}, true).value();
   CHECK(motion.unit == "in");
   for (const Drive& drive : kDrives) {
     INFO(drive.name);
@@ -119,7 +119,7 @@ TEST_CASE("Drives count the master in milliseconds or increments, and the slave 
 
 TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
   const auto statement = read_problem_file(testing::source("problems/cams/roller_least_base.toml"));
-  const Motion motion = motion_of(statement, {}).value();
+  const ExportedMotion motion = motion_of(statement, {}).value();
   const WrittenMotion written{motion};
   const QuinticMotion found = quintics_within(written, 1e-3, 9, 1000);
   CHECK(found.deviation.proved);
@@ -135,7 +135,7 @@ TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
 TEST_CASE("Quintics through a polynomial of degree 5 are that polynomial", "[exports][drives]") {
   const auto statement =
       read_problem("mechanism = 'follower-train'\n[law]\nname = 'poly-3-4-5'\n", "f.toml");
-  const Motion motion = motion_of(statement, {}).value();
+  const ExportedMotion motion = motion_of(statement, {}).value();
   const QuinticMotion found = quintics_within({motion}, 1e-6, 9, 50);
   CHECK(found.path.pieces.size() == 1);
   CHECK(found.deviation.proved);
@@ -151,7 +151,7 @@ TEST_CASE("Where the acceleration jumps quintics still stay within the tolerance
   // The parabola's acceleration jumps from 4 to -4 in the middle, and a table has one of both.
   const auto statement =
       read_problem("mechanism = 'follower-train'\n[law]\nname = 'parabolic'\n", "f.toml");
-  const Motion motion = motion_of(statement, {}).value();
+  const ExportedMotion motion = motion_of(statement, {}).value();
   const QuinticMotion found = quintics_within({motion}, 1e-5, 9, 200);
   CHECK(found.deviation.proved);
   CHECK(found.deviation.most <= 1e-5);
@@ -173,7 +173,7 @@ TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
       "{name = 'rise', angle = 180, law = 'poly-3-4-5'},"
       "{name = 'return', law = 'poly-3-4-5'}]\n",
       "f.toml");
-  const Motion motion = motion_of(statement, {}).value();
+  const ExportedMotion motion = motion_of(statement, {}).value();
   const double cycle = 720;  // ms
   const MotionTable table = table_of(motion, "10 deg", 9, {"time [ms]", cycle / 360}, "svaj");
   REQUIRE(table.more.size() == 3);

@@ -216,7 +216,7 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
                               std::size_t most) {
   constexpr double kLeast = 1e-7;  // of the cycle
   constexpr int kTries = 8;
-  const Motion& motion = exact.motion;
+  const ExportedMotion& motion = exact.motion;
   const double cycle = motion.end() - motion.begin();
   double inner = 0.95 * tolerance;
   for (int i = 0; i < kTries; ++i, inner *= 0.8) {

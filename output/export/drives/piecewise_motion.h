@@ -17,7 +17,7 @@ struct MotionKnot {
 
 /// A motion in the units that are written: places of the curve times `per_place` are the master's.
 struct WrittenMotion {
-  const Motion& motion;
+  const ExportedMotion& motion;
   double per_place = 1;
 
   /// Rounded as it is written: the master's places and s to so many decimals, v and a to doubles.

@@ -616,6 +616,26 @@ TEST_CASE("at the end of one cost of three the others are least", "[front]") {
   CHECK(front.nadir[2] == Approx(1).epsilon(2e-3));
 }
 
+TEST_CASE("a cost that keeps clear of its bound is least too", "[front]") {
+  const Problem problem{
+      "a free cost",
+      {variable("x", 0, 1, 0.5), variable("y", 0, 1, 0.9)},
+      {cost("f1", convex({0, 1}, [](const auto& u) { return square(u[0] - 0.2) + u[1]; })),
+       cost("f2", linear({1}, [](const auto& u) { return -1.0 * u[0]; }))},
+      {}};
+  Task task;
+  task.sought = 1;
+  task.bounds = {1.5, kInfinity};
+  task.starts = {{0.7, 0.9}};
+  const Outcome outcome = carry_out(task, ProblemSpace::of(problem), {});
+  REQUIRE(outcome.points.size() == 1);
+  const FrontPoint& point = outcome.points.front();
+  CHECK(point.costs[1] == Approx(-1).epsilon(2e-6));
+  CHECK(point.costs[0] == Approx(1).epsilon(2e-6));
+  CHECK(point.x[0] == Approx(0.2).margin(1e-3));
+  CHECK(point.verdict == Verdict::Certified);
+}
+
 TEST_CASE("where the front falls steeply at its end the end is worth having", "[front]") {
   const Problem problem =
       of_one(0, 1, 0.5, [](const auto& u) { return exp(-1e4 * u[0]) + 1.0 - u[0]; });
