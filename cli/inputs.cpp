@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/inputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 #include "problems/law_files/law_file.h"
@@ -66,6 +69,32 @@ std::vector<std::string> settings_from(const std::string& file, const std::vecto
   problems::set_values(statement, set);
   begin_with(statement, result);
   return statement.settings;
+}
+
+void check_began_at(const std::string& file, const std::vector<std::string>& set,
+                    const std::string& result) {
+  const problems::ProblemStatement plain =
+      problems::read_problem(problems::problem_text(file), file);
+  // What was set before the design is not known, but what follows it is: the design is the rest.
+  const auto begins_after = [&](std::size_t count) {
+    problems::ProblemStatement statement = plain;
+    problems::set_values(statement, {set.data(), count});
+    const std::vector<std::string> found = problems::start_settings(statement, result);
+    return std::equal(found.begin(), found.end(), set.begin() + static_cast<std::ptrdiff_t>(count),
+                      set.end());
+  };
+  problems::start_settings(plain, result);  // throws where it is no result, or of something else
+  for (std::size_t count = set.size(); count-- > 0;) {
+    try {
+      if (begins_after(count)) return;
+    } catch (const std::invalid_argument&) {
+      continue;  // values that are possible together alone
+    }
+  }
+  throw std::invalid_argument(
+      fmt::format("the study cannot be resumed: it did not begin at the design of {}; leave out "
+                  "--start, or begin a new study in another file",
+                  result));
 }
 
 bool is_input(const fs::path& path) {

@@ -31,6 +31,11 @@ void begin_with(problems::ProblemStatement& statement, const std::string& result
 std::vector<std::string> settings_from(const std::string& file, const std::vector<std::string>& set,
                                        const std::string& result);
 
+/// That a study of a problem file, of which this is set, began at a result's design: throws
+/// std::invalid_argument where it did not, for its searches would not begin there now either.
+void check_began_at(const std::string& file, const std::vector<std::string>& set,
+                    const std::string& result);
+
 /// Whether a path leads to an input, by whatever name or link, or holds what a record's problem was
 /// read from.
 bool is_input(const std::filesystem::path& path);
