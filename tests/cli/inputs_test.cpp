@@ -249,4 +249,12 @@ TEST_CASE("a folder of results loses no file of another", "[program]") {
   CHECK(read(out + "/law.svg") == "mine");
 }
 
+TEST_CASE("a file that may not grow is named, and nothing of it stays", "[program]") {
+  const Folder folder;
+  const Outcome outcome = shell(folder, "ulimit -f 1; camlaw law cycloidal --csv law.csv");
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.err, Contains("cannot write 'law.csv': File too large"));
+  CHECK(folder.content() == std::set<std::string>{"line.sh", "out.txt", "err.txt"});
+}
+
 }  // namespace camlaw::cli::inputs_test
