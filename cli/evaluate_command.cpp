@@ -92,7 +92,7 @@ int run_evaluate(const EvaluateOptions& options) {
   keep_plain_outputs({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
-  keep_inputs(read);
+  keep_inputs(read, options.file);
   const ClaimReview review = reviewed(read);
   const int status = status_of(review);
   ProblemStatement statement = read.statement;

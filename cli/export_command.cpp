@@ -33,7 +33,7 @@ int run_export(const ExportOptions& options) {
   if (ending_of(options.file) == ".db") refuse_study(options.file);
   keep_input(options.file);
   problems::ReadDesign design = problems::read_design_file(options.file);
-  keep_inputs(design);
+  keep_inputs(design, options.file);
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_in_design(design.statement, design, options.settings);

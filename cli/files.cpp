@@ -15,6 +15,7 @@
 
 #include "cli/inputs.h"
 #include "cli/replacing.h"
+#include "numerics/file_place.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
 
@@ -64,26 +65,29 @@ void write_stream(const fs::path& path, const OutputFile& file) {
 
 /// Pipes, terminals, sockets and what the system offers as files: no renaming there.
 bool is_written_in_place(const fs::path& path) {
-  const std::string text = fs::absolute(path).lexically_normal().string();
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   const bool special = fs::exists(status) && !fs::is_regular_file(status);
-  return special || text.starts_with("/dev/") || text.starts_with("/proc/");
+  const auto is_of_system = [](const fs::path& place) {
+    const std::string text = place.lexically_normal().string();
+    return text.starts_with("/dev/") || text.starts_with("/proc/");
+  };
+  return special || is_of_system(fs::absolute(path)) || is_of_system(file_place(path));
 }
 
 Pending locate(const OutputFile& file) {
   if (file.path.empty()) throw std::invalid_argument("an output file has an empty name");
-  if (fs::is_directory(file.path)) fail_to_write(file.path, "it is a folder");
   if (file.path == kStandardStream) return {&file, file.path, true};
+  std::error_code error;
+  const fs::path target = file_place(file.path, error);
+  if (error) fail_to_write(file.path, error.message());
+  if (fs::is_directory(target, error)) fail_to_write(file.path, "it is a folder");
   if (is_input(file.path)) {
     throw std::invalid_argument(fmt::format(
         "'{}' is an input of this run; the output needs another name", file.path.string()));
   }
   if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), true};
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
-  if (error) fail_to_write(file.path, error.message());
-  if (fs::exists(target) && access(target.c_str(), W_OK) != 0) {
+  if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) {
     fail_to_write(file.path, std::strerror(errno));
   }
   return {&file, target};
@@ -150,7 +154,7 @@ void refuse_existing(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files) {
     std::error_code ignored;
     if (file.path == kStandardStream || is_written_in_place(file.path)) continue;
-    if (!fs::exists(fs::symlink_status(file.path, ignored))) continue;
+    if (!fs::exists(file_place(file.path), ignored)) continue;
     throw std::invalid_argument(
         fmt::format("'{}' exists already and was left unchanged; choose another name or folder",
                     file.path.string()));
@@ -161,11 +165,12 @@ void check_writable(const std::vector<fs::path>& paths) {
   std::vector<OutputFile> files;
   for (const fs::path& path : paths) files.push_back({path, ""});
   Replacing tried;  // and not committed
+  std::error_code ignored;
   for (const Pending& p : locate_all(files)) {
     if (!p.in_place) {
       tried.add(p.target, "", p.file->path);
-    } else if (p.target != kStandardStream && !fs::exists(p.target) &&
-               !fs::is_directory(p.target.parent_path())) {
+    } else if (p.target != kStandardStream && !fs::exists(p.target, ignored) &&
+               !fs::is_directory(p.target.parent_path(), ignored)) {
       fail_to_write(p.file->path, std::strerror(ENOTDIR));
     }
   }
@@ -215,7 +220,8 @@ void say_written(const std::vector<OutputFile>& files) {
 
 void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
   flush_printed();
-  if (possible.empty() || !fs::exists(possible.front())) possible.clear();
+  std::error_code ignored;
+  if (possible.empty() || !fs::exists(possible.front(), ignored)) possible.clear();
   write_files(files);
   for (const OutputFile& file : files) std::erase(possible, file.path);
   const auto removed = remove_files(possible);

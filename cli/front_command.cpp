@@ -100,7 +100,7 @@ int run_front(const FrontCommand& options) {
   keep_input(options.file);
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
-  keep_inputs(study.bound().statement());
+  keep_recorded(study.bound().statement(), options.file);
   const problems::StoredFront stored = problems::stored_front(study, record);
   const optim::Front& front = stored.front;
   const FrontAnswer answer{study, stored};

@@ -61,12 +61,16 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
   return settings;
 }
 
-/// With the settings that begin the study at the design of --start.
-/// One that is gone on with has them already.
+/// With the settings that begin the study at the design of --start. One that is gone on with has
+/// them already, or cannot have them any more.
 problems::FrontSettings begun(const ParetoCommand& options, const std::optional<std::string>& study,
                               problems::FrontSettings settings) {
   const bool has_them = options.resume && study && options.settings.empty();
-  if (!options.start || has_them) return settings;
+  if (!options.start) return settings;
+  if (has_them) {
+    check_began_at(options.file, settings.set, *options.start);
+    return settings;
+  }
   settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
 }

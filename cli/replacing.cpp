@@ -83,9 +83,9 @@ void flush_folder(const fs::path& folder) {
 }
 
 void make_one(const fs::path& folder, const fs::path& wanted_for, std::vector<fs::path>& made) {
-  if (folder.empty() || fs::exists(folder)) return;
-  make_one(folder.parent_path(), wanted_for, made);
   std::error_code error;
+  if (folder.empty() || fs::exists(folder, error)) return;
+  make_one(folder.parent_path(), wanted_for, made);
   if (fs::create_directory(folder, error)) made.push_back(folder);
   if (error) fail_to_write(wanted_for, error.message());
 }

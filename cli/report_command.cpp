@@ -51,7 +51,7 @@ struct JudgedPage {
 
 JudgedPage design_page(const std::string& input, const std::vector<std::string>& settings) {
   problems::ReadDesign read = problems::read_design_file(input);
-  keep_inputs(read);
+  keep_inputs(read, input);
   const ClaimReview review = reviewed(read);
   say_review(input, review);
   if (!settings.empty()) read = with_settings(read, settings);
@@ -69,7 +69,7 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
 
 JudgedPage sweep_page(optim::StudyRecord& record, const std::string& file) {
   const problems::SweepStudy study = problems::SweepStudy::of(record.settings());
-  keep_inputs(study.statement());
+  keep_recorded(study.statement(), file);
   const problems::StoredSweep stored = problems::stored_sweep(study, record);
   SweepAnswer answer(study, stored.sweep);
   answer.notes = stored.notes;
@@ -82,7 +82,7 @@ JudgedPage study_page(const std::string& file) {
   optim::StudyRecord record = optim::StudyRecord::read(file);
   if (problems::SweepStudy::is_sweep(record.settings())) return sweep_page(record, file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
-  keep_inputs(study.bound().statement());
+  keep_recorded(study.bound().statement(), file);
   const problems::StoredFront stored = problems::stored_front(study, record);
   for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
   if (stored.front.points.empty()) {
@@ -133,7 +133,7 @@ JudgedPage comparison_page(const std::vector<std::string>& inputs) {
   int status = kDone;
   for (const std::string& input : inputs) {
     problems::ReadDesign read = problems::read_design_file(input);
-    keep_inputs(read);
+    keep_inputs(read, input);
     ClaimReview review = reviewed(read);
     say_review(input, review);
     if (status_of(review) != kDone) status = status_of(review);

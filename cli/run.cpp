@@ -70,6 +70,7 @@ int run(int argc, const char* const* argv) {
   try {
     reserve_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // finish() ends as it would
+    std::signal(SIGXFSZ, SIG_IGN);  // what cannot be written says so, and leaves nothing behind
     const Program program = camlaw_program();
     const Command* const command = parsed(program, argc, argv);
     return finish(command != nullptr ? command->run() : kDone);

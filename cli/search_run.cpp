@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "cli/earlier_results.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
@@ -209,7 +210,10 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     for (std::string& name : command.more_files(statement)) names.push_back(std::move(name));
   }
   const auto possible = possible_files(out, names);
-  if (options.out) check_writable(possible);
+  if (options.out) {
+    check_writable(possible);
+    keep_other_results(possible, statement);
+  }
   const Interruptible interruptible;
   search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);

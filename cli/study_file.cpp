@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "numerics/file_place.h"
+
 namespace camlaw::cli {
 
 namespace fs = std::filesystem;
@@ -20,22 +22,22 @@ std::optional<std::string> study_file(const std::optional<std::string>& db,
 }
 
 void check_there(const std::string& study) {
-  if (fs::exists(study)) return;
+  std::error_code ignored;
+  if (fs::exists(study, ignored)) return;
   throw std::invalid_argument(
       fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", study));
 }
 
 void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
-  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
   for (const fs::path& output : outputs) {
-    if (place(output) != place(study)) continue;
+    if (file_place(output) != file_place(study)) continue;
     throw std::invalid_argument(
         fmt::format("--db and --out both write '{}'; the study needs another name", study));
   }
 }
 
 void make_folder_of(const std::string& study) {
-  const fs::path folder = fs::path(study).parent_path();
+  const fs::path folder = file_place(study).parent_path();
   if (folder.empty()) return;
   std::error_code ignored;
   fs::create_directories(folder, ignored);

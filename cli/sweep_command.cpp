@@ -41,11 +41,13 @@ struct SweepCommand {
 problems::SweepSettings settings_of(const SweepCommand& options,
                                     const std::optional<std::string>& study) {
   const bool asks = !options.settings.empty() || options.sample || options.evaluates ||
-                    options.cold || options.start || options.seed || !options.over.empty();
+                    options.cold || options.seed || !options.over.empty();
   if (!asks && options.resume && study) {
     const optim::StudySettings record = optim::StudyRecord::read(*study).settings();
     if (problems::SweepStudy::is_sweep(record)) {
-      return problems::SweepStudy::of(record).plan().settings();
+      problems::SweepSettings settings = problems::SweepStudy::of(record).plan().settings();
+      if (options.start) check_began_at(options.file, settings.set, *options.start);
+      return settings;
     }
   }
   if (options.seed && !options.sample) {
@@ -63,7 +65,10 @@ problems::SweepSettings settings_of(const SweepCommand& options,
         "--over is a range from which samples are drawn; say how many: --sample 'sobol 64'");
   }
   problems::check_set_or_swept(settings, options.settings);
-  if (options.start) settings.set = settings_from(options.file, settings.set, *options.start);
+  if (!options.start) return settings;
+  const problems::SweepPlan plan(
+      settings);  // throws where nothing is swept: a design sweeps nothing
+  settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
 }
 

@@ -48,7 +48,7 @@ struct ToleranceCommand {
 ProblemStatement point_design(const ToleranceCommand& options) {
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
-  keep_inputs(study.bound().statement());
+  keep_recorded(study.bound().statement(), options.file);
   const problems::StoredFront stored = problems::stored_front(study, record);
   const auto& points = stored.front.points;
   if (points.empty()) throw std::invalid_argument(options.file + ": its front has no points");
@@ -72,7 +72,7 @@ ProblemStatement design_of(const ToleranceCommand& options) {
                     options.file));
   }
   const problems::ReadDesign read = problems::read_design_file(options.file);
-  keep_inputs(read);
+  keep_inputs(read, options.file);
   ProblemStatement design = read.statement;
   problems::set_in_design(design, read, options.settings);
   return design;

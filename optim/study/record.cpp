@@ -2,19 +2,15 @@
 #include "optim/study/record.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "optim/study/study_place.h"
 #include "optim/study/study_tables.h"
 
 namespace camlaw::optim {
@@ -49,10 +45,6 @@ bool fits(const Outcome& outcome, const Problem& problem) {
   });
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}: {}", path, why));
-}
-
 // SQLITE_ERROR, _READONLY, _CORRUPT, _NOTADB
 constexpr int kError = 1, kReadOnly = 8, kCorrupt = 11, kNoBase = 26;
 
@@ -63,25 +55,16 @@ std::string why(const SQLite::Exception& error) {
   return fmt::format("{}: {}", damaged ? "the file is damaged" : "it cannot be read", error.what());
 }
 
+constexpr const char* kThere = "the file exists already; resume the study, or name another file";
 constexpr const char* kForeign = "it is not a camlaw study; it was left unchanged";
 
-/// Where a study is begun: beside its place. What an earlier beginning has left there goes; what
-/// is someone else's is not touched.
-std::string beginning_of(const std::string& path) {
-  std::string begun = path + ".new";
-  if (!fs::exists(begun)) return begun;
-  const bool is_left =
-      fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
-  if (!is_left) refuse(begun, "a study is prepared under this name; move the file away");
-  fs::remove(begun);
-  return begun;
-}
-
-/// Gives a file its name, unless another has come to have it.
-void move_to(const std::string& from, const std::string& to) {
-  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
-  if (errno != EINVAL && errno != ENOSYS) throw std::runtime_error(std::strerror(errno));
-  fs::rename(from, to);  // a file system that cannot tell
+/// What an error in writing means.
+std::string why_not_written(const std::exception& error, const std::string& path) {
+  const auto* const of_sqlite = dynamic_cast<const SQLite::Exception*>(&error);
+  constexpr int kInput = 10, kKind = 0xff;  // SQLITE_IOERR, which has many kinds
+  const bool is_of_disk = of_sqlite != nullptr && (of_sqlite->getErrorCode() & kKind) == kInput;
+  const std::string room = is_of_disk ? why_no_room(study_place(path)) : "";
+  return room.empty() ? error.what() : fmt::format("{} ({})", error.what(), room);
 }
 
 /// Whether a writer that was killed has left a journal beside the file that must be rolled back
@@ -102,7 +85,8 @@ void recover(const std::string& path) {
     base.setBusyTimeout(kPatience);
     base.execAndGet("PRAGMA user_version");
   } catch (const SQLite::Exception& error) {
-    refuse(path, fmt::format("a program that wrote it was interrupted, and what it left must be "
+    refuse_study(path,
+                 fmt::format("a program that wrote it was interrupted, and what it left must be "
                              "tidied up first; make the file and its folder writable ({})",
                              error.what()));
   }
@@ -121,9 +105,10 @@ void check(SQLite::Database& base, const std::string& path) {
   try {
     const int application = base.execAndGet("PRAGMA application_id").getInt();
     const int version = base.execAndGet("PRAGMA user_version").getInt();
-    if (application != kStudyApplication) refuse(path, kForeign);
+    if (application != kStudyApplication) refuse_study(path, kForeign);
     if (version < kOldestStudy || version > kStudyVersion) {
-      refuse(path, fmt::format("its tables are of version {}; this program, which is {}, writes "
+      refuse_study(path,
+                   fmt::format("its tables are of version {}; this program, which is {}, writes "
                                "version {} and reads version {} too",
                                version, version > kStudyVersion ? "older" : "newer", kStudyVersion,
                                kOldestStudy));
@@ -131,13 +116,13 @@ void check(SQLite::Database& base, const std::string& path) {
     const std::string sealed =
         "SELECT count(*) FROM pragma_table_info('task') WHERE name = 'checksum'";
     if ((base.execAndGet(sealed).getInt() > 0) != (version >= kWithChecksums)) {
-      refuse(path, "the file is damaged: its version does not fit its tables");
+      refuse_study(path, "the file is damaged: its version does not fit its tables");
     }
-    if (is_cut_off(base, path)) refuse(path, "the file is damaged: it was cut off");
+    if (is_cut_off(base, path)) refuse_study(path, "the file is damaged: it was cut off");
     const std::string found = base.execAndGet("PRAGMA integrity_check(1)").getString();
-    if (found != "ok") refuse(path, "the file is damaged: " + found);
+    if (found != "ok") refuse_study(path, "the file is damaged: " + found);
   } catch (const SQLite::Exception& error) {
-    refuse(path, error.getErrorCode() == kNoBase ? kForeign : why(error));
+    refuse_study(path, error.getErrorCode() == kNoBase ? kForeign : why(error));
   }
 }
 
@@ -169,12 +154,15 @@ class StudyRecord::File {
   SQLite::Database& base() { return base_; }
   StudyTables& tables() { return tables_; }
   const std::string& path() const { return path_; }
+  void lose_log() { lost_log_ = true; }
+  bool lost_log() const { return lost_log_; }
 
  private:
   std::string path_;
   SQLite::Database base_;
   StudyTables tables_;
   bool writes_;
+  bool lost_log_ = false;
 };
 
 StudyRecord::StudyRecord(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -183,28 +171,31 @@ StudyRecord::~StudyRecord() = default;
 
 StudyRecord StudyRecord::create(const std::string& path, const StudySettings& settings) {
   if (path.empty()) throw std::invalid_argument("the study's file needs a name");
-  if (fs::exists(path)) {
-    refuse(path, "the file exists already; resume the study, or name another file");
-  }
-  // Made beside its place: whatever ends the program, there is a whole study there or none.
-  const std::string begun = beginning_of(path);
+  const std::string place = study_place(path);
+  std::error_code ignored;
+  if (fs::exists(place, ignored)) refuse_study(path, kThere);
+  check_alone(path, place);
+  // Whatever ends the program, there is a whole study in its place or none.
   try {
-    File(begun, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).tables().make(settings);
-    move_to(begun, path);
+    const StudyBeginning begun(place);
+    File(begun.file(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).tables().make(settings);
+    if (!move_to(begun.file(), place)) refuse_study(path, kThere);
     auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
     file->prepare();
     file->tables().look();
     return StudyRecord(std::move(file));
+  } catch (const std::invalid_argument&) {
+    throw;
   } catch (const std::exception& error) {
-    std::error_code ignored;
-    fs::remove(begun, ignored);
-    throw std::runtime_error(fmt::format("{}: it cannot be written: {}", path, error.what()));
+    throw std::runtime_error(
+        fmt::format("{}: it cannot be written: {}", path, why_not_written(error, path)));
   }
 }
 
 StudyRecord StudyRecord::begin(const std::string& path, const StudySettings& settings, bool resume,
                                const std::function<void(const StudyRecord&)>& check) {
-  if (!resume || !fs::exists(path)) return create(path, settings);
+  std::error_code ignored;
+  if (!resume || !fs::exists(study_place(path), ignored)) return create(path, settings);
   check(read(path));
   StudyRecord record = open(path);
   if (record.settings() != settings) record.put(settings);
@@ -213,9 +204,10 @@ StudyRecord StudyRecord::begin(const std::string& path, const StudySettings& set
 
 StudyRecord StudyRecord::open(const std::string& path) {
   if (!read(path).has_checksums()) {  // first without a hand on it
-    refuse(path,
-           "it was made by an earlier version, whose rows have no checksums: 'camlaw front' and "
-           "'camlaw report' show it; to go on, begin it again in another file");
+    refuse_study(
+        path,
+        "it was made by an earlier version, whose rows have no checksums: 'camlaw front' and "
+        "'camlaw report' show it; to go on, begin it again in another file");
   }
   try {
     auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
@@ -223,13 +215,18 @@ StudyRecord StudyRecord::open(const std::string& path) {
     file->tables().look();
     return StudyRecord(std::move(file));
   } catch (const SQLite::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: it cannot be opened: {}", path, error.what()));
+    throw std::runtime_error(
+        fmt::format("{}: it cannot be opened: {}", path, why_not_written(error, path)));
   }
 }
 
 StudyRecord StudyRecord::read(const std::string& path) {
-  if (!fs::is_regular_file(path)) refuse(path, "there is no such study");
-  if (!begins_as_study(path)) refuse(path, kForeign);
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) refuse_study(path, "there is no such study");
+  if (!begins_as_study(path)) refuse_study(path, kForeign);
+  const std::string place = study_place(path);
+  check_beside(path, place);
+  const bool lost_log = has_lost_log(place);
   try {
     auto file = std::make_unique<File>(path, SQLite::OPEN_READONLY);
     if (needs_recovery(file->base())) {
@@ -239,9 +236,10 @@ StudyRecord StudyRecord::read(const std::string& path) {
     }
     check(file->base(), path);
     file->tables().look();
+    if (lost_log) file->lose_log();
     return StudyRecord(std::move(file));
   } catch (const SQLite::Exception& error) {
-    refuse(path, why(error));
+    refuse_study(path, why(error));
   }
 }
 
@@ -250,9 +248,9 @@ auto StudyRecord::reading(Does does) const {
   try {
     return does(file_->tables());
   } catch (const SQLite::Exception& error) {
-    refuse(file_->path(), why(error));
+    refuse_study(file_->path(), why(error));
   } catch (const std::runtime_error& error) {
-    refuse(file_->path(), fmt::format("the file is damaged: {}", error.what()));
+    refuse_study(file_->path(), fmt::format("the file is damaged: {}", error.what()));
   }
 }
 
@@ -263,7 +261,7 @@ void StudyRecord::writing(Does does) {
   } catch (const SQLite::Exception& error) {
     throw std::runtime_error(
         fmt::format("{}: the study cannot be written: {}; what was written before is kept",
-                    file_->path(), error.what()));
+                    file_->path(), why_not_written(error, file_->path())));
   }
 }
 
@@ -328,6 +326,8 @@ std::size_t StudyRecord::size() const {
         file_->base().execAndGet("SELECT count(*) FROM task").getInt64());
   });
 }
+
+bool StudyRecord::lost_log() const { return file_->lost_log(); }
 
 std::optional<bool> StudyRecord::scouted() const {
   if (size() == 0) return {};

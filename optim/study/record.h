@@ -29,8 +29,8 @@ bool begins_as_study(const std::string& path);
 
 class StudyRecord {
  public:
-  /// Makes a new file. Throws std::invalid_argument where there is one already, std::runtime_error
-  /// where it cannot be written.
+  /// Makes a new file, through links. Throws std::invalid_argument where there is one already, or
+  /// beside it what SQLite would take for its own; std::runtime_error where it cannot be written.
   static StudyRecord create(const std::string& path, const StudySettings& settings);
   /// Opens a study to go on with it. Throws std::invalid_argument for what is not a study of this
   /// kind, is damaged as a whole, or is of an earlier version, and leaves that as it is.
@@ -82,6 +82,9 @@ class StudyRecord {
   void put_answer(const std::string& order, const std::string& answer);
   /// Of tasks.
   std::size_t size() const;
+  /// Whether the study was read without the log that a killed program has left: then it may lack
+  /// its last searches.
+  bool lost_log() const;
   /// Whether NSGA-II chose its first designs; none while there is no task.
   std::optional<bool> scouted() const;
 

@@ -96,6 +96,7 @@ StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
   const std::string version = other_version(study, record);
   if (!recorded.faults().empty()) stored.front = front_of_believed(study, recorded.believed());
   stored.faults = recorded.faults();
+  if (record.lost_log()) stored.notes.emplace_back(kLostLog);
   if (!version.empty()) judge_anew(study, version, stored);
   stored.resuming = version.empty() ? Resuming::Works : Resuming::Refused;
   const std::string then = version.empty() ? "--resume solves it again" : "it does not count";

@@ -27,6 +27,11 @@ struct StoredFront {
 /// version of the program are judged anew.
 StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record);
 
+/// What to say of a record that was read without its log.
+inline constexpr const char* kLostLog =
+    "the program that wrote the study was killed, and its log, the file ending in -wal, is not "
+    "beside it: the last searches are lost unless the log is put back";
+
 /// What to say of a task that is not believed; `then`: what becomes of it.
 std::string fault_words(const optim::RecordFault& fault, const std::string& then);
 

@@ -186,6 +186,7 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     set_variables(record, design.statement);
     if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();
     read_reason(result, design);
+    if (record.contains("path")) design.problem_file = text_of(record, "path");
     const auto value = result.find("objective"), global = result.find("global");
     if (value != result.end() && value->is_number()) design.objective = value->get<double>();
     const bool is_said = global != result.end() && global->is_boolean() && global->get<bool>();

@@ -52,6 +52,7 @@ struct ReadDesign {
   std::optional<double> objective = {};     ///< of a result: its value, in the listed unit
   bool global = false;                      ///< of a result: no better design exists, it says
   StatedNumbers stated = {};                ///< of a result: what else it says of its design
+  std::string problem_file = {};            ///< of a result: where its problem stood, if it says so
 };
 
 /// The design of a result, the text of a result.json or what --json prints; `source` names it in

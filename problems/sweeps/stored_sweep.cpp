@@ -13,6 +13,7 @@ StoredSweep stored_sweep(const SweepStudy& study, optim::StudyRecord& record) {
       [&](std::size_t part, optim::Design x) { return study.problem(part, x); }, record, nullptr);
   StoredSweep stored{.sweep = study.run(recorded)};
   stored.faults = recorded.faults();
+  if (record.lost_log()) stored.notes.emplace_back(kLostLog);
   const optim::StudySettings settings = record.settings();
   const std::string& versions = find_setting(settings, "versions");
   const bool is_same = versions == problem_versions();

@@ -174,6 +174,50 @@ TEST_CASE("a link is followed, not replaced", "[files]") {
   CHECK(folder.content() == Names{"link", "real"});
 }
 
+TEST_CASE("a link is followed to what is not there yet", "[files]") {
+  const Folder folder;
+  fs::create_directory(folder / "made");
+  fs::create_symlink("made/new", folder / "link");
+  fs::create_symlink("link", folder / "again");
+  fs::create_symlink("nowhere", folder / "dir");
+  check_writable({folder / "again", folder / "dir/file"});
+  write_files({{folder / "again", "1"}, {folder / "dir/file", "2"}});
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(fs::is_symlink(folder / "dir"));
+  CHECK(read(folder / "made/new") == "1");
+  CHECK(read(folder / "nowhere/file") == "2");
+  CHECK(folder.content() ==
+        Names{"again", "dir", "link", "made", "made/new", "nowhere", "nowhere/file"});
+  // To begin with a file is fine there, and not where it is already.
+  fs::remove(folder / "made/new");
+  CHECK_NOTHROW(refuse_existing({{folder / "again", ""}}));
+  write(folder / "made/new", "mine");
+  CHECK_THROWS_WITH(refuse_existing({{folder / "again", ""}}), Contains("exists already"));
+}
+
+TEST_CASE("one place is known behind links to what is not there yet", "[files]") {
+  const Folder folder;
+  fs::create_symlink("new", folder / "link");
+  fs::create_symlink("../" + fs::path(folder.path()).filename().string() + "/new", folder / "far");
+  for (const char* other : {"new", "far"}) {
+    CHECK_THROWS_WITH(write_files({{folder / "link", "1"}, {folder / other, "2"}}),
+                      Contains("two outputs go to one file"));
+  }
+  CHECK(folder.content() == Names{"far", "link"});
+}
+
+TEST_CASE("links in a circle are an error of the file", "[files]") {
+  const Folder folder;
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  for (const char* name : {"a", "a/file"}) {
+    const std::string says = "cannot write '" + (folder / name) + "': Too many levels";
+    CHECK_THROWS_WITH(write_files({{folder / name, "1"}}), Contains(says));
+    CHECK_THROWS_WITH(check_writable({folder / name}), Contains(says));
+  }
+  CHECK(folder.content() == Names{"a", "b"});
+}
+
 TEST_CASE("what is not a regular file is not replaced by one", "[files]") {
   // A socket stands for devices: root may rename over /dev/null.
   const Folder folder;

@@ -44,6 +44,7 @@ void fill(const Folder& folder) {
   fs::copy_file(testing::source("tests/fuzz/corpus/samples/motion.csv"), folder / "motion.csv");
   done({"synthesize", folder / "free.toml", "--out", folder / "made"});
   fs::rename(folder / "made/law.json", folder / "law.json");
+  fs::remove_all(folder / "made");
   done({"optimize", folder / "one.toml", "--out", folder / "made"});
   fs::rename(folder / "made/result.json", folder / "result.json");
   done({"pareto", folder / "two.toml", "--points", "4", "--db", folder / "s.db"});
@@ -78,13 +79,13 @@ struct Run {
 /// At least one for each command that has outputs; no inputs: it reads none.
 const std::vector<Run> kRuns = {
     {{"evaluate", "one.toml"}, {"one.toml", "law.json"}},
-    {{"evaluate", "result.json"}, {"result.json"}},
+    {{"evaluate", "result.json"}, {"result.json", "one.toml", "law.json"}},
     {{"law", "law.json"}, {"law.json"}},
     {{"front", "s.db", "--knee"}, {"s.db", "two.toml", "law.json"}},
     {{"export", "one.toml", "--format", "csv"}, {"one.toml", "law.json"}},
-    {{"export", "result.json", "--format", "csv"}, {"result.json"}},
+    {{"export", "result.json", "--format", "csv"}, {"result.json", "one.toml", "law.json"}},
     {{"report", "one.toml"}, {"one.toml", "law.json"}},
-    {{"report", "result.json"}, {"result.json"}},
+    {{"report", "result.json"}, {"result.json", "one.toml", "law.json"}},
     {{"report", "s.db"}, {"s.db", "two.toml", "law.json"}},
     {{"optimize", "one.toml"}, {"one.toml", "law.json"}},
     {{"synthesize", "free.toml"}, {"free.toml"}},
@@ -246,6 +247,14 @@ TEST_CASE("a folder of results loses no file of another", "[program]") {
   INFO(outcome.out << outcome.err);
   CHECK(outcome.status == 0);
   CHECK(read(out + "/law.svg") == "mine");
+}
+
+TEST_CASE("a file that may not grow is named, and nothing of it stays", "[program]") {
+  const Folder folder;
+  const Outcome outcome = shell(folder, "ulimit -f 1; camlaw law cycloidal --csv law.csv");
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.err, Contains("cannot write 'law.csv': File too large"));
+  CHECK(folder.content() == std::set<std::string>{"line.sh", "out.txt", "err.txt"});
 }
 
 }  // namespace camlaw::cli::inputs_test

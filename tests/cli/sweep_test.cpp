@@ -133,4 +133,39 @@ TEST_CASE("a sweep does not begin a study that it is to go on with", "[program][
   CHECK(!fs::exists(study));
 }
 
+TEST_CASE("a study goes on from the start that it began at, and from no other",
+          "[program][sweep]") {
+  const Folder folder;
+  const std::string front = testing::source("problems/cams/roller_front.toml");
+  const std::string one = folder / "one.json", two = folder / "two.json";
+  std::ofstream(one) << json_of({"optimize", kProblem, "--json"}).dump();
+  std::ofstream(two) << json_of({"optimize", kProblem, "--set", "stroke=20 mm", "--json"}).dump();
+  const std::string says = "did not begin at the design of ";
+  const auto resumed = [](Words words, const Words& more) {
+    words.push_back("--resume");
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const Words swept{"sweep", kProblem, "--set", "stroke=20,22 mm"};
+  const Words of_front{"pareto", front, "--points", "3", "--set", "stroke=22 mm"};
+  for (const Words& words : {swept, of_front}) {
+    INFO(words[0]);
+    Words plain = words, begun = words;
+    const std::string db = folder / words[0] + ".db", begun_db = folder / words[0] + "_begun.db";
+    plain.insert(plain.end(), {"--db", db});
+    begun.insert(begun.end(), {"--start", one, "--db", begun_db});
+    done(plain);
+    CHECK_THAT(failed({words[0], words[1], "--resume", "--db", db, "--start", one}, 2),
+               Contains(says + one));
+    done(begun);
+    CHECK_THAT(failed({words[0], words[1], "--resume", "--db", begun_db, "--start", two}, 2),
+               Contains(says + two));
+    done({words[0], words[1], "--resume", "--db", begun_db, "--start", one});
+    done({words[0], words[1], "--resume", "--db", begun_db});
+    done(resumed(begun, {}));
+  }
+  const std::string nothing = failed({"sweep", kProblem, "--start", one}, 2);
+  CHECK_THAT(nothing, Contains("nothing is swept; write") && !Contains("base_radius"));
+}
+
 }  // namespace camlaw::cli::sweep_test

@@ -4,10 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "optim/study/checksum.h"
 #include "optim/study/recorded_executor.h"
@@ -157,21 +160,99 @@ TEST_CASE("settings can be set anew", "[study]") {
   CHECK(StudyRecord::read(folder / "s.db").settings() == expected);
 }
 
-TEST_CASE("what is left of a study that was begun is not a hindrance", "[study]") {
+TEST_CASE("a study that is begun touches no file but its own", "[study]") {
   const Folder folder;
-  write(folder / "s.db.new", "");
+  { const StudyRecord record = StudyRecord::create(folder / "s.db.new", kSettings); }
+  write(folder / "s.db.new-journal", "mine");
+  const std::string before = read(folder / "s.db.new");
   { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
-  CHECK(folder.content() == std::set<std::string>{"s.db"});
-  fs::copy(folder / "s.db", folder / "t.db.new");
-  { const StudyRecord record = StudyRecord::create(folder / "t.db", kSettings); }
-  CHECK(folder.content() == std::set<std::string>{"s.db", "t.db"});
-  CHECK(StudyRecord::read(folder / "t.db").settings() == kSettings);
-  // What is someone else's stays.
-  write(folder / "u.db.new", "mine");
-  CHECK_THROWS_WITH(StudyRecord::create(folder / "u.db", kSettings),
-                    Contains("u.db.new") && Contains("a study is prepared under this name"));
-  CHECK(read(folder / "u.db.new") == "mine");
-  CHECK_FALSE(fs::exists(folder / "u.db"));
+  CHECK(read(folder / "s.db.new") == before);
+  CHECK(read(folder / "s.db.new-journal") == "mine");
+  CHECK(folder.content() == std::set<std::string>{"s.db", "s.db.new", "s.db.new-journal"});
+}
+
+TEST_CASE("what SQLite would take for its own beside a study stays", "[study]") {
+  const Folder folder;
+  for (const std::string ending : {"-wal", "-journal", "-shm"}) {
+    write(folder / "s.db" + ending, "mine");
+    CHECK_THROWS_AS(StudyRecord::create(folder / "s.db", kSettings), std::invalid_argument);
+    CHECK_THROWS_WITH(StudyRecord::create(folder / "s.db", kSettings),
+                      Contains("s.db" + ending + "' stands beside it"));
+    CHECK(read(folder / "s.db" + ending) == "mine");
+    CHECK(folder.content() == std::set<std::string>{"s.db" + ending});
+    fs::remove(folder / "s.db" + ending);
+  }
+  { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
+  for (const std::string ending : {"-wal", "-journal"}) {
+    write(folder / "s.db" + ending, "mine, and long");
+    CHECK_THAT(complaint(folder / "s.db"), Contains("s.db" + ending + "' is not of this study"));
+    CHECK(read(folder / "s.db" + ending) == "mine, and long");
+    fs::remove(folder / "s.db" + ending);
+  }
+  CHECK(complaint(folder / "s.db").empty());
+}
+
+TEST_CASE("a study and the log of a killed writer that were parted are known", "[study]") {
+  const Folder folder;
+  {
+    StudyRecord record = StudyRecord::create(folder / "s.db", kSettings);
+    record.add(numbered(1), odd_outcome(), five_variables());
+    fs::copy(folder / "s.db", folder / "alone.db");  // as they are when it is killed now
+    fs::copy(folder / "s.db", folder / "both.db");
+    fs::copy(folder / "s.db-wal", folder / "both.db-wal");
+    fs::copy(folder / "s.db-wal", folder / "log.db-wal");
+  }
+  CHECK_FALSE(StudyRecord::read(folder / "s.db").lost_log());
+  CHECK_FALSE(StudyRecord::read(folder / "both.db").lost_log());
+  CHECK(StudyRecord::read(folder / "both.db").size() == 1);
+  CHECK(StudyRecord::read(folder / "alone.db").lost_log());
+  const std::string log = read(folder / "log.db-wal");
+  CHECK_THROWS_WITH(StudyRecord::create(folder / "log.db", kSettings),
+                    Contains("log.db-wal") && Contains("the last searches"));
+  CHECK(read(folder / "log.db-wal") == log);
+}
+
+TEST_CASE("of those who begin one study at once one does, and the others are told why not",
+          "[study]") {
+  constexpr int kTimes = 20, kAtOnce = 4;
+  for (int i = 0; i < kTimes; ++i) {
+    const Folder folder;
+    const std::string path = folder / "s.db";
+    std::vector<std::string> said(kAtOnce);
+    std::vector<std::thread> all;
+    for (std::string& mine : said) {
+      all.emplace_back([&path, &mine] {
+        try {
+          const StudyRecord record = StudyRecord::create(path, kSettings);
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        } catch (const std::invalid_argument& error) {
+          mine = error.what();
+        } catch (const std::exception& error) {
+          mine = std::string("failed: ") + error.what();
+        }
+      });
+    }
+    for (std::thread& one : all) one.join();
+    CHECK(std::count(said.begin(), said.end(), "") == 1);
+    const std::string why =
+        path + ": the file exists already; resume the study, or name another file";
+    CHECK(std::count(said.begin(), said.end(), why) == kAtOnce - 1);
+    CHECK(folder.content() == std::set<std::string>{"s.db"});
+    CHECK(StudyRecord::read(path).settings() == kSettings);
+  }
+}
+
+TEST_CASE("a study is made through links, and not where they go in a circle", "[study]") {
+  const Folder folder;
+  fs::create_directory(folder / "made");
+  fs::create_symlink("made/new.db", folder / "link.db");
+  { const StudyRecord record = StudyRecord::create(folder / "link.db", kSettings); }
+  CHECK(fs::is_symlink(folder / "link.db"));
+  CHECK(StudyRecord::read(folder / "made/new.db").settings() == kSettings);
+  fs::create_symlink("loop.db", folder / "loop.db");
+  CHECK_THROWS_WITH(StudyRecord::create(folder / "loop.db", kSettings),
+                    Contains("loop.db: Too many levels of symbolic links"));
+  CHECK_THAT(complaint(folder / "loop.db"), Contains("there is no such study"));
 }
 
 TEST_CASE("tasks that differ in the last bit of anything are different", "[study]") {

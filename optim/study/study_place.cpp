@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/study_place.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "numerics/file_place.h"
+
+namespace camlaw::optim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file that SQLite would keep beside a study is none of SQLite's: it begins otherwise.
+bool is_not_of_sqlite(const std::string& file, const std::vector<std::string_view>& beginnings) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored) || fs::is_empty(file, ignored)) return false;
+  std::string head(beginnings.front().size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  return std::find(beginnings.begin(), beginnings.end(), head) == beginnings.end();
+}
+
+}  // namespace
+
+void refuse_study(const std::string& path, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", path, why));
+}
+
+StudyBeginning::StudyBeginning(const fs::path& place)
+    : folder_((place.parent_path() / ".camlaw-XXXXXX").string()) {
+  if (mkdtemp(folder_.data()) == nullptr) throw std::runtime_error(std::strerror(errno));
+}
+
+StudyBeginning::~StudyBeginning() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+bool move_to(const std::string& from, const std::string& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno == EINVAL || errno == ENOSYS) {  // a file system that cannot tell: a second name can
+    if (link(from.c_str(), to.c_str()) == 0) return true;
+    if (errno == EPERM || errno == ENOTSUP) {
+      fs::rename(from, to);
+      return true;
+    }
+  }
+  if (errno == EEXIST) return false;
+  throw std::runtime_error(std::strerror(errno));
+}
+
+std::string study_place(const std::string& path) {
+  std::error_code error;
+  const fs::path place = file_place(path, error);
+  if (error) refuse_study(path, error.message());
+  return place.string();
+}
+
+void check_alone(const std::string& path, const std::string& place) {
+  for (const char* ending : {"-wal", "-journal", "-shm"}) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(place + ending, ignored))) continue;
+    if (fs::exists(place, ignored)) return;  // another program has just begun it: its own log
+    refuse_study(path,
+                 fmt::format("'{}{}' stands beside it, which may hold the last searches of a study "
+                             "that was moved away; put that study back, or move this file away",
+                             place, ending));
+  }
+}
+
+void check_beside(const std::string& path, const std::string& place) {
+  using namespace std::string_view_literals;
+  const auto check_one = [&](const char* ending, const std::vector<std::string_view>& beginnings) {
+    if (!is_not_of_sqlite(place + ending, beginnings)) return;
+    refuse_study(path, fmt::format("'{}{}' is not of this study and would be removed; move it away",
+                                   place, ending));
+  };
+  check_one("-wal", {"\x37\x7f\x06\x82"sv, "\x37\x7f\x06\x83"sv});
+  check_one("-journal", {"\xd9\xd5\x05\xf9"sv, "\0\0\0\0"sv});
+}
+
+bool has_lost_log(const std::string& place) {
+  constexpr std::size_t kFormat = 18;  // 2: the study is written with a log
+  std::array<char, kFormat + 1> head{};
+  std::ifstream(place, std::ios::binary).read(head.data(), head.size());
+  std::error_code ignored;
+  return head[kFormat] == 2 && !fs::exists(place + "-wal", ignored);
+}
+
+std::string why_no_room(const std::string& place) {
+  constexpr std::uintmax_t kLeast = 1 << 16;  // what a study takes at once
+  std::error_code failed;
+  const auto available = fs::space(fs::path(place).parent_path(), failed).available;
+  if (!failed && available < kLeast) return "the disk is full";
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return "";
+  return fmt::format("a file may have {} bytes here, 'ulimit -f'", limit.rlim_cur);
+}
+
+}  // namespace camlaw::optim
