@@ -175,21 +175,24 @@ StudyRecord StudyRecord::create(const std::string& path, const StudySettings& se
   std::error_code ignored;
   if (fs::exists(place, ignored)) refuse_study(path, kThere);
   check_alone(path, place);
-  // Whatever ends the program, there is a whole study in its place or none.
-  try {
+  // Whatever ends the program, there is a whole study in its place or none; none of this one where
+  // another process was faster.
+  const auto begin = [&]() -> std::unique_ptr<File> {
     const StudyBeginning begun(place);
     File(begun.file(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).tables().make(settings);
-    if (!move_to(begun.file(), place)) refuse_study(path, kThere);
+    if (!move_to(begun.file(), place)) return nullptr;
     auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
     file->prepare();
     file->tables().look();
-    return StudyRecord(std::move(file));
-  } catch (const std::invalid_argument&) {
-    throw;
+    return file;
+  };
+  try {
+    if (auto file = begin()) return StudyRecord(std::move(file));
   } catch (const std::exception& error) {
     throw std::runtime_error(
         fmt::format("{}: it cannot be written: {}", path, why_not_written(error, path)));
   }
+  refuse_study(path, kThere);
 }
 
 StudyRecord StudyRecord::begin(const std::string& path, const StudySettings& settings, bool resume,

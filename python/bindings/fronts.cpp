@@ -19,6 +19,7 @@
 #include "output/report/report.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/results/design_json.h"
+#include "problems/results/input_files.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
 #include "python/bindings/executors.h"
@@ -268,6 +269,12 @@ StoredResult result_at(const FoundFront& found, std::size_t k) {
 void add_fronts(nb::module_& module) {
   nb::class_<FoundFront>(module, "Front")
       .def_prop_ro("file", [](const FoundFront& f) { return f.file; })
+      .def("is_input",
+           [](const FoundFront& f, const std::string& path) {
+             return without_lock([&] {
+               return problems::is_read_by({f.study.bound().statement(), f.file}, path);
+             });
+           })
       .def_prop_ro("size", [](const FoundFront& f) { return f.front().points.size(); })
       .def_prop_ro("stopped", [](const FoundFront& f) { return f.front().stopped; })
       .def_prop_ro("complete", [](const FoundFront& f) { return f.front().complete; })

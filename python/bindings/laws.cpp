@@ -263,6 +263,10 @@ void add_laws(nb::module_& module) {
       .def_prop_ro("ends", [](const NamedLaw& law) { return to_string(law.law.ends()); })
       .def_prop_ro("is_of_catalogue",
                    [](const NamedLaw& law) { return problems::is_of_catalogue(law.member); })
+      .def_prop_ro("file",
+                   [](const NamedLaw& law) {
+                     return problems::law_file_of(problems::called_by_path(law.member).name());
+                   })
       .def("at", &motion_at, nb::arg("x").noconvert())
       .def("at_into", &motion_into, nb::arg("x").noconvert(), nb::arg("out").noconvert())
       .def("parameters", &parameters_of)

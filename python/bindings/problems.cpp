@@ -22,6 +22,7 @@
 #include "output/report/html.h"
 #include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/results/input_files.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/default_machine.h"
@@ -380,6 +381,10 @@ void add_problems(nb::module_& module) {
   nb::class_<StatedProblem>(module, "Problem")
       .def_prop_ro("text", [](const StatedProblem& p) { return p.statement.text; })
       .def_prop_ro("source", [](const StatedProblem& p) { return p.statement.source; })
+      .def("is_input",
+           [](const StatedProblem& p, const std::string& path) {
+             return without_lock([&] { return problems::is_read_by({p.statement, ""}, path); });
+           })
       .def_prop_ro("title", [](const StatedProblem& p) { return p.statement.title; })
       .def_prop_ro("settings", [](const StatedProblem& p) { return p.statement.settings; })
       .def_prop_ro("mechanism", [](const StatedProblem& p) { return p.statement.mechanism->name; })

@@ -27,6 +27,7 @@
 #include "output/report/report.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/refinement/refined_knots.h"
+#include "problems/results/input_files.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
@@ -323,6 +324,13 @@ StoredResult result_of(Json facts, ReadDesign design) {
 void add_results(nb::module_& module) {
   nb::class_<StoredResult>(module, "Result")
       .def_prop_ro("file", [](const StoredResult& r) { return r.file; })
+      .def("is_input",
+           [](const StoredResult& r, const std::string& path) {
+             return r.design && without_lock([&] {
+                      return problems::is_read_by(problems::recorded_problem(*r.design, r.file),
+                                                  path);
+                    });
+           })
       .def("combinations", [](const StoredResult& r) { return python_of(r.combinations); })
       .def("facts", [](const StoredResult& r) { return python_of(r.facts); })
       .def("json_text", [](const StoredResult& r) { return r.facts.dump(2) + "\n"; })

@@ -18,6 +18,7 @@
 #include "output/report/report.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/fronts/stored_front.h"
+#include "problems/results/input_files.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/parameters.h"
 #include "problems/sweeps/stored_sweep.h"
@@ -227,6 +228,12 @@ void add_sweeps(nb::module_& module) {
            })
       .def("notes",
            [](const FoundSweep& f) { return without_lock([&] { return f.answer().notes; }); })
+      .def("is_input",
+           [](const FoundSweep& f, const std::string& path, const std::string& record) {
+             return without_lock([&] {
+               return problems::is_read_by({f.study.statement(), record}, path);
+             });
+           })
       .def("design", &design_of, nb::arg("combination"))
       .def("__getstate__", &sweep_state_of)
       .def("__setstate__", [](FoundSweep& place, const SweepState& state) {

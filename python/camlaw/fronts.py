@@ -101,7 +101,7 @@ class Front(Answer):
 
     def csv(self, path: str | Path | None = None) -> str:
         """The front as CSV with every digit; written to `path` if that is given."""
-        return rendered(self._native.csv(), path, self._native.file)
+        return rendered(self._native.csv(), path, self._native.file, is_input=self._native.is_input)
 
     def plot(self) -> Any:
         """Draws a front of two or three objectives with matplotlib; returns the axes."""
@@ -114,12 +114,14 @@ class Front(Answer):
         """The same as a picture in SVG, as 'camlaw front --svg' draws it; written to `path` if given."""
         if not self._native.figure()["panels"]:
             raise InputError("svg draws fronts of two or three objectives")
-        return rendered(self._native.svg(), path, self._native.file)
+        return rendered(self._native.svg(), path, self._native.file, is_input=self._native.is_input)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser with the front and the curves of its designs; written to `path` if given."""
         page = self._native.report(self._native.file or "front")
-        return rendered(page, path, self._native.file, page=True)
+        return rendered(
+            page, path, self._native.file, page=True, is_input=self._native.is_input
+        )
 
     def __str__(self) -> str:
         return self._native.text()

@@ -209,7 +209,7 @@ class Law:
 
     def svg(self, path: str | Path | None = None) -> str:
         """The same as a picture in SVG, as 'camlaw law --svg' draws it; written to `path` if given."""
-        return rendered(self._native.svg(), path)
+        return rendered(self._native.svg(), path, self._native.file)
 
     def save(self, path: str | Path, title: str = "") -> None:
         """Writes the law to a file, which law_file(path) and problem files read."""

@@ -8,7 +8,7 @@ import os
 import shutil
 import threading
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -43,11 +43,15 @@ _KEPT = {".toml": "problem files", ".db": "studies"}
 
 
 def rendered(
-    content: _Content, path: str | Path | None, read_from: str = "", page: bool = False
+    content: _Content,
+    path: str | Path | None,
+    read_from: str = "",
+    page: bool = False,
+    is_input: Callable[[str], bool] | None = None,
 ) -> _Content:
     """Writes a picture, a table, a drawing or a page where a path is given; returns it. Raises InputError
-    where that is the file that the answer was read from, or has the ending of one that is not replaced;
-    a page must be named as one."""
+    where that is the file that the answer was read from, one that its problem was read from (is_input),
+    or has the ending of one that is not replaced; a page must be named as one."""
     if path is not None:
         named = checked_path(path)
         ending = Path(named).suffix.lower()
@@ -65,7 +69,16 @@ def rendered(
                 raise InputError(
                     f"path: {named} is the file that was read; the output needs another name"
                 )
+        keep_input(named, is_input)
     return written(content, path)
+
+
+def keep_input(named: str, is_input: Callable[[str], bool] | None) -> None:
+    """Raises InputError where a file is one that the problem is read from."""
+    if is_input is not None and os.path.isfile(named) and is_input(named):
+        raise InputError(
+            f"path: the problem is read from {named}; the output needs another name"
+        )
 
 
 def _bytes_of(content: str | bytes) -> bytes:
@@ -92,12 +105,17 @@ def _replace(place: Path, content: bytes) -> None:
         beside.unlink(missing_ok=True)
 
 
-def exported(found: tuple[str, list[str]], path: str | Path | None, read_from: str = "") -> str:
+def exported(
+    found: tuple[str, list[str]],
+    path: str | Path | None,
+    read_from: str,
+    is_input: Callable[[str], bool],
+) -> str:
     """The text of an export, written where a path is given; warns of limits that are not met."""
     text, unmet = found
     for limit in unmet:
         warnings.warn(limit, stacklevel=3)
-    return rendered(text, path, read_from)
+    return rendered(text, path, read_from, is_input=is_input)
 
 
 #: What is True or False.

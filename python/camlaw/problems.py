@@ -146,6 +146,10 @@ class Problem(Searches):
             )
         place = Path(checked_path(path))
         files = {place.parent / name: text for name, text in self._native.held_files().items()}
+        if place.resolve() in {file.resolve() for file in files}:
+            raise InputError(
+                f"path: the problem is read from {place}; the problem's text needs another name"
+            )
         for file, text in files.items():
             if not file.exists() and not file.resolve().is_relative_to(place.parent.resolve()):
                 raise InputError(
@@ -305,16 +309,22 @@ class Problem(Searches):
         """Every curve over the cycle as a picture in SVG; written to `path` if given. profile: the cam's
         profile, its pitch curve and the cutter-centre path instead."""
         native_svg = self._native.profile_svg if flag(profile, "profile") else self._native.curves_svg
-        return rendered(native_svg(), path, self._native.source)
+        return rendered(native_svg(), path, self._native.source, is_input=self._native.is_input)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser about the design at the variables' starts; written to `path` if given."""
-        return rendered(native.report_of_problem(self._native), path, self._native.source, page=True)
+        return rendered(
+            native.report_of_problem(self._native),
+            path,
+            self._native.source,
+            page=True,
+            is_input=self._native.is_input,
+        )
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam's curves, motion or law as the text of a file; see Result.export."""
         found = native.export_problem(self._native, export_options(path, options))
-        return exported(found, path, self._native.source)
+        return exported(found, path, self._native.source, self._native.is_input)
 
     def __eq__(self, other: object) -> bool:
         """Whether the other states the same: text, files, what was set, and the design at its starts."""

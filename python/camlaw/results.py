@@ -14,7 +14,7 @@ from .arguments import path as checked_path
 from .errors import InputError
 from .motion_laws import Law
 from .native import native
-from .outputs import export_options, exported, rendered, written
+from .outputs import export_options, exported, keep_input, rendered, written
 from .problems import Problem
 
 
@@ -99,7 +99,9 @@ class Result(Answer):
 
     def save(self, path: str | Path) -> None:
         """Writes the result as 'camlaw optimize --out' does. The file stands alone."""
-        written(self._native.json_text(), checked_path(path))
+        named = checked_path(path)
+        keep_input(named, self._native.is_input)
+        written(self._native.json_text(), named)
 
     @property
     def verdict(self) -> str:
@@ -216,7 +218,13 @@ class Result(Answer):
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser, without a network: verdict, limits, curves, the machine in motion. It
         is returned, and written to `path` if given."""
-        return rendered(self._native.report(), path, self._native.file, page=True)
+        return rendered(
+            self._native.report(),
+            path,
+            self._native.file,
+            page=True,
+            is_input=self._native.is_input,
+        )
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam for drawing, cutting or control, as the text of a file; written to `path` if given, whose
@@ -231,7 +239,7 @@ class Result(Answer):
         False. Warns of each limit that the design does not meet.
         """
         found = native.export_result(self._native, export_options(path, options))
-        return exported(found, path, self._native.file)
+        return exported(found, path, self._native.file, self._native.is_input)
 
     def __str__(self) -> str:
         text = self._native.text

@@ -63,6 +63,7 @@ class Sweep(Answer):
 
     def __init__(self, native_sweep: Any) -> None:
         self._native = native_sweep
+        self._file = ""  #: of its record, where it was read from one
         #: All that 'camlaw sweep --json' prints.
         self.facts: dict[str, Any] = native_sweep.facts()
 
@@ -70,7 +71,12 @@ class Sweep(Answer):
     def load(cls, path: str | Path) -> Sweep:
         """Reads the sweep that a study's record holds, without a search. What is damaged or wrong in
         the record does not count; notes says so."""
-        return cls(native.sweep_file(checked_path(path)))
+        sweep = cls(native.sweep_file(checked_path(path)))
+        sweep._file = checked_path(path)
+        return sweep
+
+    def _is_input(self, path: str) -> bool:
+        return bool(self._native.is_input(path, self._file))
 
     def __len__(self) -> int:
         return int(self.facts["count"])
@@ -104,18 +110,21 @@ class Sweep(Answer):
 
     def csv(self, path: str | Path | None = None) -> str:
         """The table as CSV; written to `path` if given."""
-        return rendered(self._native.csv(), path)
+        return rendered(self._native.csv(), path, self._file, is_input=self._is_input)
 
     def parquet(self, path: str | Path | None = None) -> bytes:
         """The table as Parquet; written to `path` if given. Numbers are doubles with their unit in the
         field's metadata, words are strings, and what a combination does not have is null. Raises
         MissingPackage without pyarrow."""
         about = {"title": str(self.facts["title"]), "program": native.version()}
-        return rendered(parquet.of_rows(self.facts["combinations"], about), path)
+        content = parquet.of_rows(self.facts["combinations"], about)
+        return rendered(content, path, self._file, is_input=self._is_input)
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser with a map of which setting is best where; written to `path` if given."""
-        return rendered(self._native.report("sweep"), path, page=True)
+        return rendered(
+            self._native.report("sweep"), path, self._file, page=True, is_input=self._is_input
+        )
 
     def __str__(self) -> str:
         return self._native.text()

@@ -184,6 +184,38 @@ def test_a_changed_file_shows_what_its_design_is(tmp_path):
     assert whole.certified and whole.review == []
 
 
+def test_an_output_replaces_nothing_that_the_problem_is_read_from(tmp_path):
+    law, file = tmp_path / "mine.json", tmp_path / "p.toml"
+    cl.law("modified-sine", crossover=0.4).save(law)
+    text = (PROBLEMS / "cams/roller_least_base.toml").read_text()
+    file.write_text(text.replace('law = "cycloidal"', 'law = "mine.json"', 1))
+    assert "mine.json" in file.read_text()
+    problem = cl.Problem.load(file)
+    (tmp_path / "out").mkdir()
+    problem.optimize().save(tmp_path / "out" / "r.json")
+    swept = problem.sweep(stroke="20,22 mm", evaluate=True)
+    result = cl.Result.load(tmp_path / "out" / "r.json")
+    moved = tmp_path / "moved.csv"
+    moved.write_bytes(law.read_bytes())
+    kept = {place: place.read_bytes() for place in (law, file, moved)}
+    for call in (
+        lambda: problem.svg(law),
+        lambda: problem.export(law, format="csv"),
+        lambda: problem.save(law),
+        lambda: result.export(law, format="csv"),
+        lambda: result.export(moved, format="csv"),
+        lambda: result.save(law),
+        lambda: result.design.svg(law),
+        lambda: swept.csv(law),
+    ):
+        with pytest.raises(cl.InputError, match="the problem is read from"):
+            call()
+    with pytest.raises(cl.InputError, match="is the file that was read"):
+        cl.law_file(law).svg(law)
+    assert kept == {place: place.read_bytes() for place in kept}
+    swept.csv(tmp_path / "sweep.csv")
+
+
 def test_an_output_replaces_no_file_of_another_kind(roller, tmp_path):
     (tmp_path / "mine.toml").write_text(
         (PROBLEMS / "cams/roller_least_base.toml").read_text()

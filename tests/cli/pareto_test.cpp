@@ -215,7 +215,9 @@ TEST_CASE("a study knows the law files of its problem", "[program]") {
   // Another law by the same name is noticed by a study that goes on.
   const std::string text = read(law);
   done({"synthesize", testing::source("problems/free_law/least_acceleration.toml"), "--out",
-        folder / "laws"});
+        folder / "others"});
+  std::filesystem::copy_file(folder / "others/law.json", law,
+                             std::filesystem::copy_options::overwrite_existing);
   REQUIRE(read(law) != text);
   CHECK(done({"front", db, "--json"}) == expected);  // it carries its own
   CHECK_THAT(failed(pareto(file, {"--db", db, "--resume"}), 2),

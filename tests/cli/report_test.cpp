@@ -278,8 +278,9 @@ TEST_CASE("what is 0 but for rounding is shown as 0 among tolerances", "[cli][re
   const Folder folder;
   for (const char* name : {"flat_least_base", "knife_edge_convex_base"}) {
     INFO(name);
-    done({"optimize", shipped("cams/" + std::string(name) + ".toml"), "--out", folder / "out"});
-    const std::string text = section_of(page_of(folder / "out/result.json", folder), "sensitivity");
+    const std::string out = folder / name;
+    done({"optimize", shipped("cams/" + std::string(name) + ".toml"), "--out", out});
+    const std::string text = section_of(page_of(out + "/result.json", folder), "sensitivity");
     CHECK_THAT(text, Contains("<td>margin of "));
     for (const char* rounding : {"e-11", "e-12", "e-13", "e-14", "e-15", "e-16"}) {
       CHECK(count_of(text, rounding) == 0);

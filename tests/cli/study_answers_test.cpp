@@ -98,9 +98,9 @@ TEST_CASE("a study does not go on with another catalogue", "[program][sweep]") {
 TEST_CASE("a sweep over law files keeps them, and does not go on with others", "[program][sweep]") {
   const Folder folder;
   const auto write_law = [&](const std::string& path, const char* problem) {
-    done({"synthesize", testing::source("problems/free_law/") + problem, "--out", folder / "out",
-          "-q"});
-    write(path, read(folder / "out/law.json"));
+    const std::string out = folder / problem + ".out";
+    done({"synthesize", testing::source("problems/free_law/") + problem, "--out", out, "-q"});
+    write(path, read(out + "/law.json"));
   };
   write_law(folder / "a.json", "least_jerk.toml");
   write_law(folder / "b.json", "least_mean_square_jerk.toml");
