@@ -129,6 +129,75 @@ TakeOut other_size(const MeasuredCam& cam, const std::string& name) {
   };
 }
 
+double offset_of(const MeasuredCam& cam) {
+  return std::get<TranslatingRoller>(cam.lift.follower()).offset;
+}
+
+/// Other offsets from which steps may lead to the right one, as differences: none at all, the other
+/// side, and quarters of the lowest pitch radius to both sides.
+std::vector<double> less_offset(const MeasuredCam& cam) {
+  constexpr int kQuarters = 2;
+  const double stated = offset_of(cam), lowest = cam.lift.lowest();
+  const double quarter = std::abs(cam.lift.coordinate(lowest)) / 4;
+  std::vector<double> less;
+  const auto add = [&](double offset) {
+    const auto is_near = [&](double other) {
+      return std::abs(stated - offset - other) < quarter / 4;
+    };
+    if (is_near(0) || std::any_of(less.begin(), less.end(), is_near)) return;
+    less.push_back(stated - offset);
+  };
+  add(-stated);
+  for (int k = 0; k <= kQuarters; ++k) add(k * quarter), add(-k * quarter);
+  return less;
+}
+
+/// The laws without coefficients that were tried, as they fit a cam that was read with another
+/// follower; none where it shows no motion.
+std::optional<RankedMotions> with_plain_laws(const MeasuredCam& cam, const CamFit& fit,
+                                             const LawFitOptions& options) {
+  std::vector<Member> plain;
+  for (const LawFit& law : fit.cycle.fits.front().ranking) {
+    if (!law.has_coefficients()) plain.push_back(law.law);
+  }
+  const auto cycle = possible_motions(cam.samples);
+  if (!cycle || plain.empty()) return {};
+  RankedMotions result;
+  for (const FoundMotion& motion : cycle->motions) {
+    auto ranking = possible_ranking(motion.samples, plain, motion.guess, options);
+    if (!ranking) return {};
+    result.rankings.push_back(std::move(ranking->fits));
+    result.samples.push_back(motion.samples);
+  }
+  return result;
+}
+
+/// The test of an offset that may be so far off that no steps from the stated one lead to it, as
+/// where its sign is the wrong one: the likeliest of those to which steps from others lead.
+FaultTest followed_from_elsewhere(const FaultTest& near, const FaultTest& test, const CamFit& fit,
+                                  const LawFitOptions& options) {
+  constexpr double kBeyondChance = 5;  // deviations
+  FaultTest best = near;
+  for (const double less : less_offset(fit.cam)) {
+    const auto other = with_follower(fit.cam, with_less(fit.cam.lift.follower(), "offset", less));
+    if (!other) continue;
+    const auto motions = with_plain_laws(*other, fit, options);
+    if (!motions) continue;
+    FaultTest there = test;
+    for (PossibleFault& fault : possible_faults(*other)) {
+      if (fault.names == test.fault.names) there.fault = std::move(fault);
+    }
+    FaultTest found = followed(there, *motions, other_size(*other, "offset"), options);
+    found.size[0] += less;
+    found.with_plain_laws =
+        found.covariance.allFinite() &&
+        std::abs(found.size[0]) > kBeyondChance * std::sqrt(found.covariance(0, 0));
+    if (!found.with_plain_laws) continue;
+    if (!best.with_plain_laws || found.gain > best.gain) best = std::move(found);
+  }
+  return best;
+}
+
 /// Faults that what the laws leave shows; where the laws are doubtful sizes of the follower are
 /// followed as far as they lead.
 std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options) {
@@ -137,7 +206,11 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
   if (is_doubtful(fit.cycle)) {
     for (FaultTest& test : tests) {
       if (test.fault.kind != FaultKind::OwnSize) continue;
-      test = followed(test, motions, other_size(fit.cam, test.fault.names.front()), options);
+      const std::string& name = test.fault.names.front();
+      FaultTest near = followed(test, motions, other_size(fit.cam, name), options);
+      const bool is_told = near.with_plain_laws && near.gain > kGainWithPlainLaws;
+      test =
+          name == "offset" && !is_told ? followed_from_elsewhere(near, test, fit, options) : near;
     }
   }
   return seen_faults(std::move(tests));

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "fitting/samples/condensed.h"
+#include "fitting/samples/lift_samples.h"
+#include "fitting/samples/lone_samples.h"
 #include "machines/registry.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/tables/columns.h"
@@ -180,15 +182,39 @@ void move_centre(Polar& points, std::complex<double> centre) {
   }
 }
 
+/// Which points lie off the profile by themselves; others that the spline misses follow their
+/// neighbours, or so few points do not show the curve.
+std::vector<bool> lying_off(const MeasuredProfile& profile, double rounded) {
+  const std::vector<double>& thetas = profile.polar_angles();
+  const std::vector<std::size_t> order = optim::order_of(thetas);
+  std::vector<double> theta, r, residuals;
+  std::vector<std::size_t> suspects;
+  for (const std::size_t k : order) {
+    const optim::SmoothedSample& sample = profile.spline().samples()[k];
+    if (sample.outlying) suspects.push_back(theta.size());
+    theta.push_back(thetas[k]);
+    r.push_back(profile.spline()(thetas[k]) + sample.residual);
+    residuals.push_back(sample.residual);
+  }
+  const auto shown = possible_noise(theta, r);
+  const double noise = std::max(shown ? *shown : 0, rounded / std::sqrt(12.0));
+  const std::vector<bool> is_lone = lone_samples(theta, r, residuals, suspects, noise);
+  std::vector<bool> result(thetas.size());
+  for (std::size_t i = 0; i < order.size(); ++i) result[order[i]] = is_lone[i];
+  return result;
+}
+
 /// The cam with the samples and the outlying points of its lift.
 Possible<MeasuredCam> with_samples(MeasuredCam cam) {
   const double unit = cam.unit();
   std::vector<double> shares;
   const auto samples = cam.lift.possible_samples();
   if (!samples) return samples.reason();
-  for (const LiftSample& sample : *samples) {
+  const std::vector<bool> is_off = lying_off(cam.lift.profile(), cam.rounded);
+  for (std::size_t k = 0; k < samples->size(); ++k) {
+    const LiftSample& sample = (*samples)[k];
     shares.push_back(sample.share);
-    if (sample.outlying) {
+    if (is_off[k]) {
       cam.outlying.push_back({sample.phi / kDegree, sample.distance});
       continue;
     }

@@ -74,7 +74,13 @@ class PrintedLaw {
   bool is_explained_ = false;
 };
 
+/// Whether two explanations are one motion that prints the same constants: with other ends one
+/// jumps where the other does not.
 bool is_same(const ConstantsFit& a, const ConstantsFit& b) {
+  const auto agree_alike =
+      std::equal(a.constants.begin(), a.constants.end(), b.constants.begin(), b.constants.end(),
+                 [](const auto& one, const auto& other) { return one.agrees == other.agrees; });
+  if (!agree_alike) return false;
   const auto of_machine = [](const ConstantsFit& fit) {
     std::vector<double> values;
     for (const FoundNumber& n : fit.numbers) {

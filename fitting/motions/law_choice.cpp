@@ -72,32 +72,45 @@ AsGood as_good(const std::vector<LawFit>& ranking) {
   return result;
 }
 
-void widen_by_others(std::vector<LawFit>& ranking, double confidence) {
+namespace {
+
+/// What the laws that determine the j-th number say of it, each by its weight.
+std::vector<optim::StudentPart> said_of(std::size_t j, const std::vector<LawFit>& ranking,
+                                        double confidence) {
   constexpr double kLeast = 1e-4;  // of the weight: less moves no interval
+  std::vector<optim::StudentPart> parts;
+  for (const LawFit& fit : ranking) {
+    const optim::FittedParameter& p = fit.fit.parameters[j];
+    // With as many numbers as samples there is no scatter that a deviation could follow from.
+    const bool is_known =
+        std::isfinite(p.low) && std::isfinite(p.high) && fit.fit.degrees_of_freedom > 0;
+    if (fit.weight < kLeast || !is_known || !(p.standard_deviation > 0)) continue;
+    const double t = optim::student_quantile(fit.fit.degrees_of_freedom, confidence);
+    parts.push_back({fit.weight, p.value, (p.value - p.low) / t, (p.high - p.value) / t,
+                     fit.fit.degrees_of_freedom});
+  }
+  return parts;
+}
+
+}  // namespace
+
+void widen_by_others(std::vector<LawFit>& ranking, double confidence) {
   if (ranking.empty()) return;
   LawFit& named = ranking.front();
   for (std::size_t j = 0; j < named.base; ++j) {
-    std::vector<optim::StudentPart> parts;
-    double weight = 0, squares = 0;
     optim::FittedParameter& own = named.fit.parameters[j];
-    if (!std::isfinite(own.standard_deviation)) continue;
-    for (const LawFit& fit : ranking) {
-      const optim::FittedParameter& p = fit.fit.parameters[j];
-      // With as many numbers as samples there is no scatter that a deviation could follow from.
-      const bool is_known =
-          std::isfinite(p.low) && std::isfinite(p.high) && fit.fit.degrees_of_freedom > 0;
-      if (fit.weight < kLeast || !is_known || !(p.standard_deviation > 0)) continue;
-      const double t = optim::student_quantile(fit.fit.degrees_of_freedom, confidence);
-      const double below = (p.value - p.low) / t, above = (p.high - p.value) / t;
-      parts.push_back({fit.weight, p.value, below, above, fit.fit.degrees_of_freedom});
-      const double off = p.value - own.value;
-      weight += fit.weight;
-      squares += fit.weight * ((below * below + above * above) / 2 + off * off);
+    const bool has_deviation = own.standard_deviation > 0 && std::isfinite(own.standard_deviation);
+    if (!has_deviation || named.fit.degrees_of_freedom < 1) continue;
+    const auto parts = said_of(j, ranking, confidence);
+    if (parts.size() > 1) {
+      own.low = std::min(own.value, optim::mixture_quantile(parts, (1 - confidence) / 2));
+      own.high = std::max(own.value, optim::mixture_quantile(parts, (1 + confidence) / 2));
     }
-    if (parts.size() < 2) continue;
-    own.standard_deviation = std::sqrt(squares / weight);
-    own.low = std::min(own.value, optim::mixture_quantile(parts, (1 - confidence) / 2));
-    own.high = std::max(own.value, optim::mixture_quantile(parts, (1 + confidence) / 2));
+    // A law that is hardly likely may lie far off: it has a part in the deviation of a mixture that
+    // it does not have in what is between the quantiles.
+    const double t = optim::student_quantile(named.fit.degrees_of_freedom, confidence);
+    const double deviation = (own.high - own.low) / (2 * t);
+    if (std::isfinite(deviation)) own.standard_deviation = deviation;
   }
 }
 

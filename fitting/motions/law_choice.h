@@ -27,8 +27,8 @@ inline constexpr std::size_t kFewLaws = 12;
 AsGood as_good(const std::vector<LawFit>& ranking);
 
 /// Intervals of begin, end, stroke and zero of the first fit as they are after the choice: of the
-/// mixture of what all laws say, by weight (LC3). The deviations are those of the mixture about the
-/// first fit's values.
+/// mixture of what all laws say, by weight (LC3). The deviations become half of these intervals by
+/// Student's quantile, so that both say the same.
 void widen_by_others(std::vector<LawFit>& ranking, double confidence);
 
 }  // namespace camlaw::problems

@@ -37,6 +37,18 @@ std::string taken_as(const SampleColumn& column, int order) {
                      kWhat[order]);
 }
 
+/// Of angles that would be a whole turn if they were in radians.
+std::optional<std::string> taken_as_plain(const SampleColumn& angle) {
+  constexpr double kNearly = 0.9;
+  if (!angle.unit.empty() || !is_named(angle.name, ColumnKind::Angle)) return {};
+  const auto [low, high] = std::minmax_element(angle.values.begin(), angle.values.end());
+  if (angle.values.empty() || !(*high - *low > kNearly * kTurn)) return {};
+  return fmt::format(
+      "column '{}' states no unit and covers a turn of radians: read as plain numbers, which do "
+      "not begin anew; write '{} [rad]'",
+      angle.name, angle.name);
+}
+
 std::string divided(const std::string& unit, const std::string& by, int order) {
   if (order == 0) return unit;
   if (by == "1") return unit;
@@ -50,7 +62,11 @@ MotionRecord motion_record(const SampleTable& table) {
   SampleTable own = numbers_of(table, {&place_column(table, &motion), &motion});
   MotionRecord record;
   const SampleColumn& value = own.columns[1];
-  if (auto note = assume_degrees(own.columns[0])) record.notes.push_back(std::move(*note));
+  if (auto note = assume_degrees(own.columns[0])) {
+    record.notes.push_back(std::move(*note));
+  } else if (auto plain = taken_as_plain(own.columns[0])) {
+    record.notes.push_back(std::move(*plain));
+  }
   MotionSamples& samples = record.samples;
   samples.lacking = own.left_out;
   UnitValues places = in_unit(own, own.columns[0], {"deg", "s", "1"});

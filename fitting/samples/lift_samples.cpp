@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "fitting/samples/lone_samples.h"
 #include "fitting/samples/outliers.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/polynomial/lagrange.h"
@@ -105,56 +106,24 @@ Possible<std::vector<double>> misses(std::span<const double> x, std::span<const 
   return sizes;
 }
 
+/// The noise that most misses show.
+double shown_noise(const std::vector<double>& sizes, double least_noise) {
+  return std::max(optim::median(sizes) / 0.6745, least_noise);
+}
+
 /// The size of a miss beyond which a normal deviation does not make it likely.
 double suspect_from(const std::vector<double>& sizes, double least_noise) {
   constexpr double kSuspect = 5;
-  return kSuspect * std::max(optim::median(sizes) / 0.6745, least_noise);
+  return kSuspect * shown_noise(sizes, least_noise);
 }
 
 bool has_suspects(const std::vector<double>& sizes, double least_noise) {
   return *std::max_element(sizes.begin(), sizes.end()) > suspect_from(sizes, least_noise);
 }
 
-/// What a sample misses a cubic by that goes through the four nearest of those that are not left
-/// out, two on each side as far as there are.
-double miss_without(const LiftSamples& lift, const std::vector<bool>& left_out, std::size_t i) {
-  constexpr std::size_t kPoints = 4;
-  std::vector<std::size_t> left, right, at;
-  for (std::size_t k = i; k-- > 0 && left.size() < kPoints;) {
-    if (!left_out[k]) left.push_back(k);
-  }
-  for (std::size_t k = i + 1; k < left_out.size() && right.size() < kPoints; ++k) {
-    if (!left_out[k]) right.push_back(k);
-  }
-  for (std::size_t k = 0; k < kPoints && at.size() < kPoints; ++k) {
-    if (k < left.size()) at.push_back(left[k]);
-    if (k < right.size()) at.push_back(right[k]);
-  }
-  return lagrange_miss(lift.phi, lift.s, at, i);
-}
-
-/// Of the suspects those that are by themselves: where the curve is wrong samples follow their
-/// neighbours, those that are not suspect or all that are not yet found to be off.
-std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<double>& residuals,
-                                const std::vector<std::size_t>& suspects) {
-  constexpr double kOwn = 0.5, kOwnOfAll = 0.2;
-  std::vector<bool> is_suspect(lift.phi.size()), is_off(lift.phi.size());
-  for (const std::size_t i : suspects) is_suspect[i] = true;
-  for (bool again = true; again;) {
-    again = false;
-    for (const std::size_t i : suspects) {
-      const double size = std::abs(residuals[i]);
-      if (is_off[i] || std::abs(miss_without(lift, is_off, i)) < kOwnOfAll * size) continue;
-      if (std::abs(miss_without(lift, is_suspect, i)) < kOwn * size) continue;
-      is_off[i] = again = true;
-    }
-  }
-  return is_off;
-}
-
 /// How far samples lie off a robust curve that are far off it; 0 of all others.
 Possible<std::vector<double>> outliers_in(const LiftSamples& lift, std::optional<double> period,
-                                          double least_noise) {
+                                          double noise, double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
   if (!curve) return curve.reason();
   std::vector<double> residuals;
@@ -165,7 +134,7 @@ Possible<std::vector<double>> outliers_in(const LiftSamples& lift, std::optional
   const Outliers found =
       find_outliers(lift.phi, residuals, freedom,
                     std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
-  const std::vector<bool> is_off = by_themselves(lift, residuals, found.samples);
+  const std::vector<bool> is_off = lone_samples(lift.phi, lift.s, residuals, found.samples, noise);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     if (!is_off[i]) residuals[i] = 0;
   }
@@ -212,7 +181,7 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
     const auto others = first_misses(lift, is_off);
     if (!others) return;
     if (*others <= least) {
-      off[i] = miss_without(lift, is_off, i);
+      off[i] = miss_without(lift.phi, lift.s, is_off, i).by;
       return;
     }
     is_off[i] = false;
@@ -222,10 +191,9 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
 /// The same of both ends of samples that do not go round.
 void find_off_at_ends(const LiftSamples& lift, const std::vector<double>& sizes, double least_noise,
                       std::vector<double>& off) {
-  constexpr double kSuspect = 5, kLeast = 1e-4;
+  constexpr double kLeast = 1e-4;
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
-  const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
-  const double least = std::max(kSuspect * noise, kLeast * (*high - *low));
+  const double least = std::max(suspect_from(sizes, least_noise), kLeast * (*high - *low));
   for (const bool end : {false, true}) {
     if (end) std::reverse(off.begin(), off.end());
     find_off_at_begin(seen_from(lift, end), least, off);
@@ -258,7 +226,7 @@ Possible<LiftSamples> lift_samples(std::span<const double> phi, std::span<const 
   const auto sizes = misses(all.phi, all.s);
   if (!sizes) return sizes.reason();
   if (has_suspects(*sizes, least_noise)) {
-    auto outlying = outliers_in(all, period, least_noise);
+    auto outlying = outliers_in(all, period, shown_noise(*sizes, least_noise), least_noise);
     if (!outlying) return outlying.reason();
     off = std::move(*outlying);
     if (!period) find_off_at_ends(all, *sizes, least_noise, off);

@@ -46,22 +46,70 @@ bool are_rounded(const std::vector<double>& values, double step) {
   return most >= least + 2;
 }
 
-/// The step that all values are multiples of, counted from the first: of an encoder that prints
-/// more digits than it has. 0 where there is none.
-double common_step(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+/// A step between sorted values that are written with a last digit, roughly: the mean of the
+/// differences that are one step, which the last digit makes smaller or larger. 0 where all are
+/// equal.
+double rough_step(const std::vector<double>& values, double last_digit) {
   const double size = std::max(std::abs(values.front()), std::abs(values.back()));
   constexpr double kSame = 1e-12;
-  double step = 0;
+  std::vector<double> differences;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double difference = values[i] - values[i - 1];
-    if (difference > kSame * size && (step == 0 || difference < step)) step = difference;
+    if (difference > kSame * size) differences.push_back(difference);
   }
-  if (step == 0) return 0;
-  constexpr double kNear = 1e-3;
-  for (const double value : values) {
-    const double count = (value - values.front()) / step;
-    if (std::abs(count - std::round(count)) > kNear) return 0;
+  if (differences.empty()) return 0;
+  const double least = *std::min_element(differences.begin(), differences.end());
+  const double most = std::min(1.5 * least, least + 2 * last_digit) + kSame * size;
+  double sum = 0, count = 0;
+  for (const double difference : differences) {
+    if (difference <= most) sum += difference, ++count;
+  }
+  return sum / count;
+}
+
+/// How many steps each of the sorted values is from the first; the step becomes more certain the
+/// more steps are counted.
+std::vector<double> counted_steps(const std::vector<double>& values, double step) {
+  constexpr double kMany = 8;
+  std::vector<double> counts{0};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    counts.push_back(counts.back() + std::round((values[i] - values[i - 1]) / step));
+    if (counts.back() >= kMany) step = (values[i] - values.front()) / counts.back();
+  }
+  return counts;
+}
+
+/// y = begin + slope x, by least squares.
+struct StraightLine {
+  double begin, slope;
+};
+
+StraightLine line_through(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / n, mean_y += y[i] / n;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  return {mean_y - xy / xx * mean_x, xy / xx};
+}
+
+/// The step that all values are multiples of, counted from one of them, as far as their last digit
+/// tells: of an encoder that prints more digits than it has, or of values that were converted from
+/// another unit after they had been rounded. 0 where there is none.
+double common_step(std::vector<double> values, double last_digit) {
+  std::sort(values.begin(), values.end());
+  const double rough = rough_step(values, last_digit);
+  constexpr double kClear = 2.5;  // last digits: a smaller step is not told from them
+  if (rough == 0 || rough < kClear * last_digit) return 0;
+  const std::vector<double> counts = counted_steps(values, rough);
+  if (counts.back() < 1) return 0;
+  const auto [begin, step] = line_through(counts, values);
+  constexpr double kNear = 1e-3, kOfDigit = 0.75;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double off = std::abs(values[i] - begin - step * counts[i]);
+    if (off > kNear * step + kOfDigit * last_digit) return 0;
   }
   return are_rounded(values, step) ? step : 0;
 }
@@ -117,7 +165,7 @@ UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
 }
 
 double resolution_of(const SampleColumn& column) {
-  return std::max(column.last_digit, common_step(column.values));
+  return std::max(column.last_digit, common_step(column.values, column.last_digit));
 }
 
 }  // namespace camlaw::problems

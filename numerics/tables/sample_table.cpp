@@ -50,6 +50,49 @@ class Decimals {
   std::array<std::size_t, 2 * kMost + 1> counts_{};
 };
 
+/// Whether commas in a column's numbers part thousands ("25,000" beside "873") or may do so: each
+/// has one to three digits before it, no leading zero, and three behind it, while other numbers are
+/// whole and too small for one.
+class Commas {
+ public:
+  void take(std::size_t line, std::string_view cell) {
+    const std::size_t comma = cell.find(',');
+    const std::string_view whole = digits_of(cell.substr(0, comma));
+    const bool is_short = !whole.empty() && whole.size() <= 3 && whole.front() != '0' &&
+                          whole.find_first_not_of(kDigits) == std::string_view::npos;
+    if (comma == std::string_view::npos) {
+      (is_short ? has_small_ : has_other_) = true;
+      return;
+    }
+    const std::string_view behind = cell.substr(comma + 1);
+    const bool parts = is_short && behind.size() == 3 &&
+                       behind.find_first_not_of(kDigits) == std::string_view::npos;
+    if (!parts) has_other_ = true;
+    if (line_ == 0) line_ = line, first_ = std::string(cell);
+  }
+  /// What is wrong with the column then; empty where nothing is.
+  std::string fault(const std::string& source) const {
+    if (line_ == 0 || !has_small_ || has_other_) return "";
+    return fmt::format(
+        "{}:{}: the comma of '{}' may part thousands or stand for the decimal point, as other "
+        "numbers of the column have none; write the numbers without thousands separators, or all "
+        "with as many decimals",
+        source, line_, first_);
+  }
+
+ private:
+  static constexpr std::string_view kDigits = "0123456789";
+
+  static std::string_view digits_of(std::string_view number) {
+    const bool has_sign = !number.empty() && (number.front() == '-' || number.front() == '+');
+    return has_sign ? number.substr(1) : number;
+  }
+
+  std::size_t line_ = 0;  ///< of the first comma
+  std::string first_;
+  bool has_small_ = false, has_other_ = false;
+};
+
 void check_rows(const SampleTable& table) {
   const std::size_t rows = table.rows();
   if (rows >= 2) return;
@@ -92,6 +135,7 @@ class Reader {
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       SampleColumn& column = table_.columns[i];
       column.last_digit = decimals_[i].last_digit();
+      if (column.fault.empty()) column.fault = commas_[i].fault(table_.source);
       const auto numbers = std::count_if(column.values.begin(), column.values.end(),
                                          [](double value) { return !std::isnan(value); });
       column.is_text = texts_[i] > static_cast<std::size_t>(numbers);
@@ -118,6 +162,7 @@ class Reader {
       table_.columns.push_back({.name = column.name, .unit = column.unit, .values = {}});
     }
     decimals_.resize(table_.columns.size());
+    commas_.resize(table_.columns.size());
     texts_.resize(table_.columns.size());
     between_ = layout.between;
     is_laid_out_ = true;
@@ -155,7 +200,9 @@ class Reader {
     if (!is_number) ++texts_[i];
     column.values.push_back(is_number ? value : kNaN);
     // Of a zero nothing tells how many digits were meant.
-    if (is_number && std::isfinite(value) && value != 0) decimals_[i].take(decimals_of(cell));
+    if (!is_number || !std::isfinite(value) || value == 0) return;
+    decimals_[i].take(decimals_of(cell));
+    commas_[i].take(number, cell);
   }
 
   SampleTable table_;
@@ -164,6 +211,7 @@ class Reader {
   bool is_laid_out_ = false;
   char between_ = ',';
   std::vector<Decimals> decimals_;
+  std::vector<Commas> commas_;
   std::vector<std::size_t> texts_;  ///< cells that are neither empty nor numbers
 };
 

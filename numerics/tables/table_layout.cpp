@@ -10,6 +10,7 @@
 
 #include "numerics/tables/cells.h"
 #include "numerics/tables/column_names.h"
+#include "numerics/text/names.h"
 
 namespace camlaw::problems {
 namespace {
@@ -251,8 +252,11 @@ bool is_comment(std::string_view line) { return line.starts_with('#') || line.st
 ColumnName column_name(std::string_view cell) {
   const std::size_t open = cell.find_first_of("[("), close = cell.find_last_of("])");
   if (open != std::string_view::npos && close != std::string_view::npos && open < close) {
-    return {std::string(trimmed_cell(cell.substr(0, open))),
-            std::string(trimmed_cell(cell.substr(open + 1, close - open - 1)))};
+    const std::string_view inside = cell.substr(open + 1, close - open - 1);
+    std::string unit(trimmed_cell(inside));
+    // A quote may be meant for inches: what is not blank is a unit, if only to be refused.
+    if (unit.empty()) unit = std::string(trimmed(inside, " \t"));
+    return {std::string(trimmed_cell(cell.substr(0, open))), std::move(unit)};
   }
   for (const auto find : {unit_after_in, unit_of_known_name, unit_after_slash, unit_at_end}) {
     if (auto found = find(cell)) return std::move(*found);

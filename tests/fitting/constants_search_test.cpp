@@ -78,6 +78,19 @@ TEST_CASE("members at the edges of their room are found", "[constants]") {
   }
 }
 
+TEST_CASE("a motion that prints another constant is not the same", "[constants]") {
+  // The harmonic law is the cosine's curve from reversal to reversal: its jerk does not jump.
+  const std::vector<Member> laws{find_law("cosine"), find_law("harmonic")};
+  const auto with_jerk = rank_laws(asked("C_j=inf, C_a=4.93"), laws);
+  REQUIRE(with_jerk.size() == 2);
+  CHECK(with_jerk[0].law.name() == "cosine");
+  CHECK(with_jerk[0].also.empty());
+  CHECK_FALSE(with_jerk[1].consistent);
+  const auto without = rank_laws(asked("C_v=1.571, C_a=4.93"), laws);
+  REQUIRE(without.size() == 1);
+  CHECK(without[0].also.size() == 1);
+}
+
 TEST_CASE("members at the ends of a number's range are found", "[constants]") {
   for (const Case& c : std::vector<Case>{{"C_v=7.07", "elliptic", {4.5}},
                                          {"C_v=2.94471, C_a=111.9003", "elliptic", {0.21}},

@@ -112,6 +112,36 @@ TEST_CASE("weights share the belief among laws of one complexity", "[law-choice]
   CHECK(fits[4].weight == Approx(1.0 / 9 / all));
 }
 
+TEST_CASE("deviations say what the intervals say, whatever unlikely laws would have",
+          "[law-choice]") {
+  // The quintic at alpha = -10 is the 3-4-5, and its ends are as good as not determined.
+  const MotionSamples samples = record("poly-3-4-5", 131, 0.007, 6);
+  const std::vector<Member> laws{find_law("poly-3-4-5"), find_law("polynomial-5")};
+  const LawFit fit = fit_cycle(find_motions(samples), laws).fits.front().best();
+  CHECK(fit.law.name() == "poly-3-4-5");
+  const double t = optim::student_quantile(fit.fit.degrees_of_freedom, 0.95);
+  for (const char* name : {"begin", "end", "stroke", "zero"}) {
+    INFO(name);
+    const auto& p = parameter(fit, name);
+    CHECK(p.standard_deviation == Approx((p.high - p.low) / (2 * t)));
+    CHECK(p.standard_deviation < 0.1);
+  }
+}
+
+TEST_CASE("the unit of an acceleration does not choose a law that nothing determines",
+          "[law-choice]") {
+  // Its free ends make boundary-7 the same curve over any stretch.
+  const std::vector<Member> laws{find_law("poly-3-4-5"), find_law("boundary-7")};
+  for (const double unit : {1e-3, 1.0, 1e3, 1e6}) {
+    INFO("values times " << unit);
+    MotionSamples samples = record("poly-3-4-5", 131, 5e-5, 3, 2);
+    for (double& a : samples.value) a *= unit;
+    const auto ranking = rank_fits(samples, laws, guess_motion(samples)).fits;
+    CHECK(ranking.front().law.name() == "poly-3-4-5");
+    CHECK(ranking.front().weight > 0.9);
+  }
+}
+
 TEST_CASE("all samples of a record with one motion count", "[law-choice]") {
   const MotionSamples samples = record("cycloidal", 240, 0.005, 4);
   const FoundCycle cycle = find_motions(samples);

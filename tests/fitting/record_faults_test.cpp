@@ -3,6 +3,7 @@
 // forgotten.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
@@ -153,6 +154,54 @@ TEST_CASE("rows that are off at the ends of a record are found too", "[record-fa
       CHECK(record.far[0].line == wrong + 2);
       CHECK(record.far[0].distance == Approx(by).margin(0.08));
     }
+  }
+}
+
+/// Exact lifts of a rise from 20 to 110 deg and a return from 160 to 300 deg, printed to 1e-4 mm.
+MotionRecord printed_cycle(double step, const char* rise_law, const char* return_law) {
+  const Law<double> up = find_law(rise_law).law(), down = find_law(return_law).law();
+  MotionRecord record;
+  record.samples.place_unit = "deg";
+  record.samples.unit = record.samples.length_unit = "mm";
+  record.samples.resolution = 1e-4;
+  for (int i = 0; step * i < 360; ++i) {
+    const double phi = step * i;
+    const double rise = up(std::clamp((phi - 20) / 90, 0.0, 1.0)).s;
+    const double back = down(std::clamp((phi - 160) / 140, 0.0, 1.0)).s;
+    record.samples.place.push_back(phi);
+    record.samples.value.push_back(1e-4 * std::round(25 * (rise - back) / 1e-4));
+    record.lines.push_back(static_cast<std::uint32_t>(i + 2));
+  }
+  return record;
+}
+
+TEST_CASE("exact rows at any step are none that are off", "[record-faults]") {
+  for (const double step : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0}) {
+    for (const auto& [up, down] :
+         {std::pair{"modified-sine", "cycloidal"}, std::pair{"cycloidal", "poly-3-4-5"},
+          std::pair{"modified-trapezoid", "poly-4-5-6-7"}, std::pair{"cosine", "parabolic"}}) {
+      INFO(up << " and " << down << " at " << step << " deg");
+      MotionRecord record = printed_cycle(step, up, down);
+      leave_out_far_values(record, 360);
+      CHECK(record.far.empty());
+    }
+  }
+}
+
+TEST_CASE("rows that are off at coarse steps are found beyond what the step hides",
+          "[record-faults]") {
+  struct Case {
+    double step, place, by;
+  };
+  for (const Case& c : {Case{2, 60, 0.1}, Case{2, 130, 0.01}, Case{5, 60, -0.6}, Case{5, 200, 0.3},
+                        Case{5, 330, -0.03}, Case{10, 330, 0.3}, Case{10, 230, -4}}) {
+    INFO(c.by << " mm off at " << c.place << " deg of steps of " << c.step << " deg");
+    MotionRecord record = printed_cycle(c.step, "modified-sine", "cycloidal");
+    const auto wrong = static_cast<std::size_t>(std::lround(c.place / c.step));
+    record.samples.value[wrong] += c.by;
+    leave_out_far_values(record, 360);
+    REQUIRE(record.far.size() == 1);
+    CHECK(record.far[0].line == wrong + 2);
   }
 }
 
@@ -417,8 +466,8 @@ TEST_CASE("a size of the follower that was forgotten is named", "[record-faults]
     const char* name;
     double truth, stated;
   };
-  for (const Case& c :
-       {Case{"roller_radius", 12, 8}, Case{"offset", 6, 0}, Case{"offset", -4, 1}}) {
+  for (const Case& c : {Case{"roller_radius", 12, 8}, Case{"offset", 6, 0}, Case{"offset", -4, 1},
+                        Case{"offset", 12, -12}}) {
     INFO(c.name << " of " << c.truth << " stated as " << c.stated);
     const ProblemStatement machine =
         machine_of("disc-cam-roller", fmt::format("{} = '{} mm'\n", c.name, c.truth));

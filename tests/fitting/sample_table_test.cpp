@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "fitting/cams/measured_cam.h"
 #include "fitting/motions/motion_data.h"
@@ -33,6 +35,51 @@ std::string utf16(const std::string& latin1, bool big) {
 }
 
 }  // namespace
+
+TEST_CASE("a step is recognised in the unit to which it was converted", "[samples]") {
+  for (const auto& [unit, factor, decimals] :
+       {std::tuple{"in", 25.4, 4}, std::tuple{"in", 25.4, 5}, std::tuple{"in", 25.4, 6},
+        std::tuple{"in", 25.4, 12}, std::tuple{"m", 1000.0, 8}}) {
+    INFO(unit << " with " << decimals << " decimals");
+    std::string text = fmt::format("angle [deg], lift [{}]\n", unit);
+    for (int i = 0; i <= 600; ++i) {
+      const double rounded = 0.01 * std::round(100 * (7 - 7 * std::cos(i * 3.14159 / 600)));
+      text += fmt::format("{}, {:.{}f}\n", 0.2 * i, rounded / factor, decimals);
+    }
+    const MotionSamples samples = motion_samples(parse_samples(text, "t.csv"));
+    CHECK(samples.resolution == Approx(0.01).epsilon(1e-3));
+  }
+  // Values that are rounded to nothing else than their last digit.
+  std::string text = "angle [deg], lift [in]\n";
+  for (int i = 0; i <= 120; ++i) {
+    text += fmt::format("{}, {:.5f}\n", i, 0.3 - 0.3 * std::cos(i * 3.14159 / 120));
+  }
+  CHECK(motion_samples(parse_samples(text, "t.csv")).resolution == Approx(25.4e-5));
+}
+
+TEST_CASE("commas that may part thousands are not guessed at", "[samples]") {
+  CHECK_THAT(said("angle [deg];lift [um]\n0;0\n1;873\n2;1,077\n3;25,000\n4;25,000\n5;25,000\n"),
+             Contains("t.csv:4") && Contains("'1,077'") && Contains("thousands"));
+  // Decimal commas: a number below one, another count of decimals, or all with them.
+  for (const char* rows : {"0;0\n1;0,873\n2;1,077\n3;25\n4;25\n", "0;0\n1;87\n2;1,07\n3;25\n4;25\n",
+                           "0;0\n1;1,873\n2;2,077\n3;25,000\n4;25,000\n"}) {
+    INFO(rows);
+    const MotionSamples read =
+        motion_samples(parse_samples("angle [deg];lift [mm]\n" + std::string(rows), "t.csv"));
+    CHECK(read.value.back() == 25);
+  }
+}
+
+TEST_CASE("a quote for inches is a unit, and a turn of radians without one is named", "[samples]") {
+  const std::string rows = "\n0, 0\n1, 0.1\n2, 0.5\n3, 0.9\n4, 1\n";
+  const MotionRecord inches = motion_record(parse_samples("angle [deg], lift [\"]" + rows, "t"));
+  CHECK(inches.samples.unit == "mm");
+  CHECK(inches.samples.value.back() == Approx(25.4));
+  const MotionRecord plain = motion_record(
+      parse_samples("angle, lift [mm]\n0, 0\n2, 0.1\n4, 0.5\n5, 0.9\n6.28, 1\n", "t"));
+  REQUIRE(plain.notes.size() == 1);
+  CHECK_THAT(plain.notes[0], Contains("'angle'") && Contains("[rad]"));
+}
 
 TEST_CASE("one table comes back however it is written", "[samples]") {
   const std::vector<double> places{0, 0.5, 1}, values{2, 3.25, 4};
