@@ -75,6 +75,22 @@ GaussNewton gauss_newton(const FitPoint& point, const FitBox& box, double tolera
   return result;
 }
 
+VectorXd stepped(const FitPoint& point, const FitBox& box, const VectorXd& step, double share) {
+  for (Index j = 0; j < step.size(); ++j) {
+    if (step[j] == 0) continue;
+    const double room = (step[j] > 0 ? box.upper[j] : box.lower[j]) - point.p[j];
+    share = std::min(share, room / step[j]);
+  }
+  VectorXd p = point.p + share * step;
+  // The parameter that ended the step stands at its bound exactly.
+  for (Index j = 0; j < step.size(); ++j) {
+    if (step[j] == 0) continue;
+    const double bound = step[j] > 0 ? box.upper[j] : box.lower[j];
+    if ((bound - point.p[j]) / step[j] <= share) p[j] = bound;
+  }
+  return p.cwiseMax(box.lower).cwiseMin(box.upper);
+}
+
 double followed(const FitPoint& point, const GaussNewton& step) {
   const double length = point.r.norm();
   return length > 0 ? step.reduction / length : 0;

@@ -40,6 +40,10 @@ struct GaussNewton {
 /// length one, are left out.
 GaussNewton gauss_newton(const FitPoint& point, const FitBox& box, double tolerance);
 
+/// p + share step, as far as the first bound.
+Eigen::VectorXd stepped(const FitPoint& point, const FitBox& box, const Eigen::VectorXd& step,
+                        double share);
+
 /// The share of r that the model can still follow, the cosine of (FT4); 0 where r is zero.
 double followed(const FitPoint& point, const GaussNewton& step);
 

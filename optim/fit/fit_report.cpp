@@ -11,6 +11,7 @@
 #include "numerics/linear/statistics.h"
 #include "optim/fit/eigen_matrix.h"
 #include "optim/fit/identifiability.h"
+#include "optim/fit/kinks.h"
 #include "optim/fit/loss.h"
 
 namespace camlaw::optim {
@@ -59,14 +60,29 @@ void describe_residuals(const FitPoint& point, FitResult& result) {
   result.largest = static_cast<std::size_t>(largest);
 }
 
+/// The point with rows between the sides of its kinks, where it is a minimum at these.
+std::optional<FitPoint> at_kinks_of(const Residuals& summed, const FitBox& box,
+                                    const FitPoint& point) {
+  constexpr double kSame = 1e-6;  // of the residuals' length
+  auto minimum = minimum_at_kinks(summed, box, point);
+  if (!minimum || (minimum->r - point.r).norm() > kSame * point.r.norm()) return {};
+  return minimum;
+}
+
 /// Whether the point is a minimum of the sum of losses. Returns which parameters are held.
-std::vector<bool> judge(const Residuals& residuals, const FitBox& box, Loss loss, const VectorXd& p,
+std::vector<bool> judge(const Residuals& residuals, const FitBox& box, Loss loss, const FitEnd& end,
                         FitResult& result) {
   const LossResiduals summed(residuals, result.loss_scale ? loss : Loss::None,
                              result.loss_scale.value_or(1));
-  const auto point = fit_point(summed, p);
+  auto point = fit_point(summed, end.p);
   assert(point);
-  const GaussNewton step = gauss_newton(*point, box, kRankTolerance);
+  GaussNewton step = gauss_newton(*point, box, kRankTolerance);
+  if (end.doubt.empty() && !is_stationary(*point, step)) {
+    if (const auto kinked = at_kinks_of(summed, box, *point)) {
+      step = gauss_newton(*kinked, box, kRankTolerance);
+      point = kinked;
+    }
+  }
   result.followed = followed(*point, step);
   result.converged = is_stationary(*point, step);
   if (!result.converged) {
@@ -172,7 +188,7 @@ FitResult fit_report(const std::vector<FitParameter>& parameters, const Residual
   describe_residuals(*point, result);
   result.loss_scale = end.loss_scale;
   result.reason = end.doubt;
-  const std::vector<bool> held = judge(residuals, box, options.loss, end.p, result);
+  const std::vector<bool> held = judge(residuals, box, options.loss, end, result);
   std::vector<Index> free;
   for (std::size_t j = 0; j < held.size(); ++j) {
     if (!held[j]) free.push_back(static_cast<Index>(j));

@@ -11,23 +11,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// p + share step, as far as the first bound.
-VectorXd stepped(const FitPoint& point, const FitBox& box, const VectorXd& step, double share) {
-  for (Index j = 0; j < step.size(); ++j) {
-    if (step[j] == 0) continue;
-    const double room = (step[j] > 0 ? box.upper[j] : box.lower[j]) - point.p[j];
-    share = std::min(share, room / step[j]);
-  }
-  VectorXd p = point.p + share * step;
-  // The parameter that ended the step stands at its bound exactly.
-  for (Index j = 0; j < step.size(); ++j) {
-    if (step[j] == 0) continue;
-    const double bound = step[j] > 0 ? box.upper[j] : box.lower[j];
-    if ((bound - point.p[j]) / step[j] <= share) p[j] = bound;
-  }
-  return p.cwiseMax(box.lower).cwiseMin(box.upper);
-}
-
 /// Whether to go on from `next`: the sum is clearly less, or the same to its own rounding and less
 /// of it is left to follow.
 bool better(const FitPoint& next, const GaussNewton& next_step, const FitPoint& point,

@@ -12,6 +12,7 @@
 #include "optim/fit/fit_report.h"
 #include "optim/fit/gauss_newton_polish.h"
 #include "optim/fit/identifiability.h"
+#include "optim/fit/kinks.h"
 #include "optim/fit/loss.h"
 #include "optim/problem/starts.h"
 #include "optim/search/deadline.h"
@@ -213,6 +214,22 @@ class Search {
     return plain ? std::optional(with_estimated_scale(*plain, way)) : std::nullopt;
   }
 
+  /// The minimum at kinks of the residuals to which an end leads that is not stationary; the end
+  /// itself where there is none.
+  End at_kinks(End end) const {
+    const LossResiduals summed(residuals_, end.end.loss_scale ? options_.loss : Loss::None,
+                               end.end.loss_scale.value_or(1));
+    auto point = fit_point(summed, end.end.p);
+    if (!point) return end;
+    const auto minimum = minimum_at_kinks(summed, box_, std::move(*point));
+    if (!minimum) return end;
+    const bool is_estimated = options_.loss != Loss::None && !options_.loss_scale;
+    end.end.p = minimum->p;
+    if (!is_estimated) end.merit = minimum->sum();
+    end.stationary = true;
+    return end;
+  }
+
   const FitBox& box() const { return box_; }
   int iterations() const { return iterations_; }
   int evaluations() const { return evaluations_; }
@@ -331,6 +348,9 @@ void search_all(const std::vector<FitParameter>& parameters, const FitOptions& o
                               end->merit <= best->merit * (1 + kSameFit);
       if (is_better || is_sounder) best = end;
     }
+  }
+  if (best && !best->stationary && options.reach != FitReach::Rough) {
+    best = search.at_kinks(std::move(*best));
   }
 }
 
