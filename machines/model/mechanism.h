@@ -321,6 +321,7 @@ struct Mechanism {
   MovedBy moved_by = MovedBy::Law;
   std::shared_ptr<const Cycle> cycle = {};      ///< of the curves of a machine that a file states
   std::optional<AdvancingCycle> advances = {};  ///< none: its motion returns, or it does not matter
+  bool keeps_times = false;  ///< times of its program stay at another speed, and its angles change
   std::vector<ValidityLimit> validity = {};
   Form form = Form::Other;
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run

@@ -304,6 +304,7 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
                 {"peak_torque_utilisation", "torque_utilisation", Part::Highest,
                  "greatest torque over the available torque; above 1 the motor cannot follow"}},
       .moved_by = MovedBy::Program,
+      .keeps_times = true,
       .possible = {{{"corner_speed", "maximum_speed"}, "DS12"}},
       .why_impossible = why_impossible_as<M>};
 }

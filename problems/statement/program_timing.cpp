@@ -77,12 +77,23 @@ double speed_of_cycle(const Entry& cycle, const StatedParameter& stated) {
   return other;
 }
 
+/// Whether the file gives the speed a range, or lets it differ from load case to load case.
+bool has_several_speeds(const Entry& file, const MechanismParameter& speed) {
+  const auto states = [&](const Entry& table) {
+    return find(table, speed.name) != nullptr || find(table, speed.symbol) != nullptr;
+  };
+  const Entry* ranges = find(file, "ranges");
+  const Entry* cases = find(file, "cases");
+  return (ranges != nullptr && states(*ranges)) ||
+         (cases != nullptr && std::any_of(cases->items.begin(), cases->items.end(), states));
+}
+
 /// The speed that nothing in [program] gives: the machine's own.
 double speed_of_machine(const Entry& program, const StatedParameter& stated) {
   if (stated.varying != nullptr) {
     refuse(program,
            "the program has times, and speed varies: write the speed at which the times hold, such "
-           "as times_at = \"60 rpm\"; the angles that they make are kept at every speed");
+           "as times_at = \"60 rpm\"; the angles that they make are then kept at every speed");
   }
   if (stated.fixed == nullptr) {
     refuse(program,
@@ -127,6 +138,15 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     timing.speed = speed_of_machine(program, stated);
   } else {
     return {};
+  }
+  timing.stays = problem.mechanism->keeps_times && needs_time && at == nullptr;
+  if (timing.stays && speed && has_several_speeds(file, problem.mechanism->parameters[*speed])) {
+    refuse(
+        program,
+        fmt::format("the program has times, which stay at every speed of {}, so that its angles "
+                    "would differ from speed to speed; to keep the angles that the times have at "
+                    "one speed write that, such as times_at = \"60 rpm\"",
+                    problem.mechanism->name));
   }
   return timing;
 }

@@ -280,6 +280,29 @@ void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::
   }
 }
 
+/// The speed of a machine whose program has times that stay: none where this is not its name.
+const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::string_view name) {
+  if (!problem.timing || !problem.timing->stays) return nullptr;
+  for (const MechanismParameter& p : problem.mechanism->parameters) {
+    if (p.unit == "rpm" && p.name == "speed" && (name == p.name || name == p.symbol)) return &p;
+  }
+  return nullptr;
+}
+
+/// Gives the machine another speed, from which the times of its program make other angles.
+void put_speed(Entry& file, const MechanismParameter& speed, std::string_view text,
+               const std::string& place) {
+  Entry* program = find_entry(file, "program");
+  std::erase_if(program->items, [](const Entry& item) { return item.key == "cycle_time"; });
+  Entry* constants = find_entry(file, "constants");
+  if (constants == nullptr) {
+    file.items.push_back(made_entry(Kind::Table, file, "constants", place));
+    constants = &file.items.back();
+  }
+  std::erase_if(constants->items, [&](const Entry& item) { return item.key == speed.symbol; });
+  put_entry(*constants, text_entry(*constants, speed.name, text, place));
+}
+
 /// Not so "3-4-5", which is a law.
 bool is_number(std::string_view part) {
   if (part.starts_with('+')) part.remove_prefix(1);
@@ -323,6 +346,7 @@ bool is_free_setting(const ProblemStatement& problem, std::string_view name) {
 
 bool is_of_file(const ProblemStatement& problem, std::string_view name) {
   if (is_law_setting(name) || is_free_setting(problem, name)) return true;
+  if (speed_of_times(problem, name) != nullptr) return true;
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
@@ -339,6 +363,9 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
   }
   if (is_law_setting(name)) return put_laws(file, name, text, assignment);
   if (is_free_setting(problem, name)) return put_free(file, name, text, assignment);
+  if (const MechanismParameter* speed = speed_of_times(problem, name)) {
+    return put_speed(file, *speed, text, assignment);
+  }
   if (const auto response = bounded(name)) {
     if (const VariableStatement* variable = variable_named(problem, *response)) {
       return put_variable_bound(file, *variable, name, text, assignment);

@@ -14,7 +14,8 @@ namespace camlaw::problems {
 
 /// Whether an assignment to this name changes entries of the file, and not a value of the problem
 /// as it was read: "law", "rise.law", "base_radius.upper" of a variable, a limit that is not there
-/// yet, "fast.load" that no case sets, "free.knots" of a free law.
+/// yet, "fast.load" that no case sets, "free.knots" of a free law, "speed" of an electronic cam
+/// whose program has times.
 bool is_of_file(const ProblemStatement& problem, std::string_view name);
 
 /// Whether a name is of laws: "law", "rise.law".

@@ -133,6 +133,9 @@ struct ProgramTiming {
 
   double speed = 0;               ///< at which the times hold, rpm
   std::vector<Segment> segments;  ///< those that the file states in time
+  /// Whether the times stay where the machine's speed is set to another value, and the angles
+  /// change: of an electronic cam whose file has no times_at.
+  bool stays = false;
 
   /// A turn, s: 60 s / (speed in rpm).
   double turn() const { return 60 / speed; }

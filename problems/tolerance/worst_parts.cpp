@@ -159,6 +159,8 @@ WorstPart proved_part(const VariedDesign& varied, const LimitSide& side, double 
     name_part(varied, over, nullptr, result);
   }
   const double left = result.margin + side.tolerance;
+  // That the limit holds bounds the worst part too.
+  if (result.holds == Holds::Proved) result.slack = std::min(result.slack, std::max(left, 0.0));
   if (left >= result.slack) result.holds = Holds::Proved;
   if (!(left >= 0)) result.holds = Holds::Broken;
   if (result.holds == Holds::NotProved) {

@@ -81,6 +81,58 @@ TEST_CASE("a cam is cut once: the angles that times have made stay at every spee
   CHECK(highest(other, "velocity") == Approx(2 * before).epsilon(1e-9));
 }
 
+TEST_CASE("an axis keeps its times at another speed, and its angles change", "[program_timing]") {
+  const auto axis = [](const std::string& program, const std::string& rest = "") {
+    return read_problem("mechanism = 'servo-axis'\n[program]\n" + program +
+                            "segments = [{name = 'up', time = '100 ms', law = 'parabolic'},\n"
+                            "{name = 'high', angle = 90},\n"
+                            "{name = 'down', time = '150 ms', law = 'parabolic'}, {name = 'low'}]\n"
+                            "matched = 'velocity'\n" +
+                            rest,
+                        "a.toml");
+  };
+  const auto up_angle = [](const ProblemStatement& problem) {
+    return values_of(problem, find_parameter(problem, "up_angle", Owner::Law)).at(0);
+  };
+  // The greatest acceleration of the parabolic law is 4 S / t^2, of the shorter move.
+  const double right = 4 * 90.0 / (0.1 * 0.1);
+  for (const auto& [program, rest] : std::vector<std::pair<std::string, std::string>>{
+           {"cycle_time = '0.5 s'\n", ""},
+           {"", "[constants]\nspeed = '120 rpm'\n"},
+           {"", "[constants]\nn = '2 Hz'\n"},
+           {"cycle_time = '0.5 s'\n", "[constants]\nspeed = '120 rpm'\n"}}) {
+    for (const char* setting : {"speed=60", "speed=60 rpm", "n=1 Hz"}) {
+      INFO(program << rest << setting);
+      ProblemStatement problem = axis(program, rest);
+      CHECK(up_angle(problem) == Approx(72));
+      const double before = highest(problem, "acceleration");
+      set_value(problem, setting);
+      CHECK(constant_of(problem, "speed") == Approx(60));
+      CHECK(up_angle(problem) == Approx(36));
+      CHECK(highest(problem, "acceleration") == Approx(before).epsilon(1e-9));
+      set_value(problem, "speed=90");
+      set_value(problem, "stroke=45 deg");
+      CHECK(up_angle(problem) == Approx(54));
+      CHECK(highest(problem, "acceleration") == Approx(before / 2).epsilon(1e-9));
+    }
+  }
+  ProblemStatement problem = axis("cycle_time = '0.5 s'\n");
+  CHECK(highest(problem, "acceleration") * 180 / 3.14159265358979 == Approx(right).epsilon(1e-6));
+  CHECK_THAT(complaint([&] { set_value(problem, "speed=240 rpm"); }), Contains("add up to"));
+  CHECK(up_angle(problem) == Approx(72));  // as it was
+  // Where the file says so, the angles stay.
+  ProblemStatement cut = axis("times_at = '120 rpm'\n");
+  set_value(cut, "speed=60");
+  CHECK(up_angle(cut) == Approx(72));
+  for (const char* rest : {"[ranges.speed]\nlower = 60\nupper = 120\n",
+                           "[[cases]]\nname = 'slow'\nspeed = 60\n[[cases]]\nname = 'fast'\n"
+                           "speed = 120\n"}) {
+    INFO(rest);
+    CHECK_THAT(complaint([&] { axis("cycle_time = '0.5 s'\n", rest); }), Contains("times_at"));
+    CHECK_NOTHROW(axis("times_at = '120 rpm'\n", rest));
+  }
+}
+
 TEST_CASE("times that contradict the speed, or hold at none, are refused", "[program_timing]") {
   struct Case {
     std::string text, part;

@@ -505,4 +505,21 @@ TEST_CASE("What is printed of the worst part lies within what is proved of it", 
   }
 }
 
+TEST_CASE("A limit that is proved to hold bounds the worst part", "[variation]") {
+  // Of the contact force of several load cases no extreme is enclosed, but that it is above 0.
+  const ProblemStatement design =
+      read_problem_file(testing::source("problems/cams/load_cases.toml"));
+  VariationStatement radius;
+  radius.parameter = find_parameter(design, "base_radius");
+  radius.plus = radius.minus = 0.05;
+  int proved = 0;
+  for (const WorstPart& worst : worst_parts(varied_design(design, {radius}))) {
+    INFO(worst.name);
+    if (worst.holds != Holds::Proved) continue;
+    ++proved;
+    CHECK(worst.slack <= std::max(worst.margin + worst.tolerance, 0.0));
+  }
+  CHECK(proved >= 5);
+}
+
 }  // namespace camlaw::problems::variation_test
