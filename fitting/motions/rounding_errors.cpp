@@ -78,9 +78,14 @@ std::vector<double> count_rounding(const MotionSamples& samples, const optim::Re
   }
   squares += alone * (jacobian.transpose() * jacobian);
   // Of parameters that are not determined nothing is known; the others have no part of them.
-  MatrixXd inverse = optim::as_eigen(fit.covariance) / (fit.sigma * fit.sigma);
+  const MatrixXd inverse = optim::as_eigen(fit.covariance) / (fit.sigma * fit.sigma);
   const MatrixXd known = inverse.unaryExpr([](double x) { return std::isfinite(x) ? x : 0; });
-  const MatrixXd covariance = known * squares * known;
+  // What else than the samples' values is known of a parameter, as where they jump, has its own
+  // part.
+  const MatrixXd by_values = known * squares * known;
+  const MatrixXd own = known - known * (jacobian.transpose() * jacobian) * known;
+  MatrixXd covariance = by_values + fit.sigma * fit.sigma * own;
+  covariance.diagonal() = covariance.diagonal().cwiseMax(by_values.diagonal());  // but for rounding
   auto stated = optim::as_eigen(fit.covariance);
   for (Index i = 0; i < m; ++i) {
     const double before = stated(i, i);

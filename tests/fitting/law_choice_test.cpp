@@ -171,6 +171,27 @@ TEST_CASE("velocities and accelerations that jump are fitted", "[law-choice]") {
   }
 }
 
+TEST_CASE("intervals of ends at which values jump reach over the gap between samples",
+          "[law-choice]") {
+  // Any end between two samples makes the same accelerations, rounded or not; 20 and 110 deg are
+  // the abscissas of none.
+  const double peak = 12 * 4.0 / (90 * 90);
+  for (const double step : {0.0, 1e-5 * peak}) {
+    const MotionSamples samples = record("parabolic", 122, 0.003 * peak, 5, 2, step);
+    const std::vector<Member> laws{find_law("parabolic")};
+    const LawFit fit = fit_cycle(find_motions(samples), laws).fits.front().best();
+    const double gap = 120.0 / 121;
+    for (const auto& [name, truth] : {std::pair{"begin", 20.0}, std::pair{"end", 110.0}}) {
+      const auto& end = parameter(fit, name);
+      CAPTURE(step, name, end.value, end.low, end.high);
+      CHECK(end.low < truth);
+      CHECK(end.high > truth);
+      CHECK(end.high - end.low > 0.9 * gap);
+      CHECK(end.high - end.low < 1.2 * gap);
+    }
+  }
+}
+
 TEST_CASE("equal families end in equal minima", "[law-choice]") {
   for (unsigned seed = 1; seed < 5; ++seed) {
     const MotionSamples samples = record("fourier a=0.05,0.03", 160, 0.004, seed);
