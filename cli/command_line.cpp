@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
@@ -110,6 +111,26 @@ std::vector<Option> common_options(bool* quiet) {
            "print only what was asked for: no progress, no list of the files written"}};
 }
 
+namespace {
+
+/// "camlaw help fit" is "camlaw fit --help", and "camlaw help" is "camlaw --help". Throws
+/// std::invalid_argument for "camlaw help fitt".
+std::vector<const char*> with_help_last(const Program& program, int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc < 2 || std::string_view(words[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  const auto is_asked = [&](const Command& command) { return command.name == words[1]; };
+  const auto& all = program.commands;
+  const bool is_option = words.size() == 1 || words[1][0] == '-';
+  if (!is_option && std::none_of(all.begin(), all.end(), is_asked)) {
+    throw std::invalid_argument(with_near_commands(program, words[1]));
+  }
+  words.push_back("--help");
+  return words;
+}
+
+}  // namespace
+
 const Command* parsed(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.help, program.name);
   app.set_help_flag("-h,--help", kHelpHelp);
@@ -127,15 +148,17 @@ const Command* parsed(const Program& program, int argc, const char* const* argv)
   }
   add_options(app, common_options(&quiet));
   app.footer(examples_text(program.examples));  // commands would take it over
+  const std::vector<const char*> words = with_help_last(program, argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::Success& request) {
     app.exit(request);
     return nullptr;
   } catch (const CLI::ParseError& error) {
-    int word = 1;  // the first that is not an option of the program
-    while (word < argc && app.get_option_no_throw(argv[word]) != nullptr) ++word;
-    throw std::invalid_argument(usage_error(program, app, error, word < argc ? argv[word] : ""));
+    std::size_t word = 1;  // the first that is not an option of the program
+    while (word < words.size() && app.get_option_no_throw(words[word]) != nullptr) ++word;
+    throw std::invalid_argument(
+        usage_error(program, app, error, word < words.size() ? words[word] : ""));
   }
   if (quiet) set_quiet(true);
   return called;

@@ -44,6 +44,15 @@ TEST_CASE("every command has examples in its help, and they work", "[documents][
   }
 }
 
+TEST_CASE("help is a word as well as an option", "[documents]") {
+  CHECK(done({"help"}) == done({"--help"}));
+  CHECK(done({"help", "fit"}) == done({"fit", "--help"}));
+  const Folder folder;
+  const Outcome unknown = shell(folder, "camlaw help fitt");
+  CHECK(unknown.status == 2);
+  CHECK_THAT(unknown.err, Contains("there is no command 'fitt'") && Contains("fit"));
+}
+
 TEST_CASE("what the README says to try has commands, options and files that exist", "[documents]") {
   const Folder folder;
   const auto lines = lines_after(read(testing::source("README.md")), "    ./run ");
