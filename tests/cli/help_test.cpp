@@ -44,6 +44,15 @@ TEST_CASE("every command has examples in its help, and they work", "[documents][
   }
 }
 
+TEST_CASE("the help of options shows what they take and do, nothing of the parser", "[documents]") {
+  for (const std::string& command : commands()) {
+    INFO(command);
+    const std::string help = done({command, "--help"});
+    CHECK_THAT(help, !Contains("Excludes") && !Contains("Needs:"));
+  }
+  CHECK(std::regex_search(done({"laws", "--help"}), std::regex("\n  --json +print JSON\n")));
+}
+
 TEST_CASE("what the README says to try has commands, options and files that exist", "[documents]") {
   const Folder folder;
   const auto lines = lines_after(read(testing::source("README.md")), "    ./run ");
