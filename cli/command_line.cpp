@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 
@@ -44,6 +45,15 @@ CLI::Option* added(CLI::App& app, const Option& option) {
   CLI::Validator is_known = CLI::IsMember(option.words);
   return result->delimiter(',')->check(is_known.description(""));  // `takes` has the words
 }
+
+/// What --help says of an option: which others it does not go with, an error says where it matters.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string text = CLI::Formatter::make_option_opts(option);
+    return text.substr(0, text.find(" Excludes:"));
+  }
+};
 
 void add_options(CLI::App& app, const std::vector<Option>& options) {
   for (const Option& option : options) {
@@ -133,6 +143,7 @@ std::vector<const char*> with_help_last(const Program& program, int argc, const 
 
 const Command* parsed(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.help, program.name);
+  app.formatter(std::make_shared<HelpText>());  // commands take it over
   app.set_help_flag("-h,--help", kHelpHelp);
   app.set_version_flag(kVersionOption, program.version, kVersionHelp);
   app.require_subcommand(1);

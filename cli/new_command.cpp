@@ -53,18 +53,20 @@ int write_first_file(const NewOptions& options) {
 
 Command new_command() {
   const auto options = std::make_shared<NewOptions>();
-  return {.name = "new",
-          .help = "Write a commented problem file to start from",
-          .options = {{"NAME", &options->name, takes::kMechanism,
-                       "the mechanism; without it, all are listed"},
-                      {"-o,--out", &options->out, takes::kFile,
-                       "write it here instead of printing it; an existing file is kept"},
-                      json_switch(options->json)},
-          .examples = {{"camlaw new", "the mechanisms to choose from, cams first"},
-                       {"camlaw new disc-cam-roller > my.toml",
-                        "a file with a comment on every line, which can be optimised as it is"},
-                       {"camlaw new end-cam --out barrel.toml", "the same into a named file"}},
-          .run = [options] { return write_first_file(*options); }};
+  return {
+      .name = "new",
+      .help = "Write a commented problem file to start from",
+      .options = {{"NAME", &options->name, takes::kMechanism,
+                   "the mechanism; without it, all are listed"},
+                  {"-o,--out", &options->out, takes::kFile,
+                   "write it here instead of printing it; an existing file is kept"},
+                  json_switch(options->json)},
+      .examples =
+          {{"camlaw new", "the mechanisms to choose from, cams first"},
+           {"camlaw new disc-cam-roller > my.toml",
+            "a file that can be optimised as it is, with a comment on each parameter and limit"},
+           {"camlaw new end-cam --out barrel.toml", "the same into a named file"}},
+      .run = [options] { return write_first_file(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -19,6 +19,7 @@
 #include "optim/search/free_memory.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
+#include "output/answers/front_words.h"
 #include "output/answers/next_step.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
@@ -80,9 +81,8 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
   const double done = progress.points > kEnds ? static_cast<double>(progress.points) /
                                                     static_cast<double>(progress.wanted)
                                               : 0;
-  line.show(fmt::format("{} of {} points of the front after {} searches", progress.points,
-                        progress.wanted, progress.tasks),
-            done);
+  line.show(fmt::format("front after {} searches: {}", progress.tasks, counted_points(progress)),
+            std::min(done, 1.0));
 }
 
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& document,

@@ -53,8 +53,9 @@ std::string motion_line(const ExportedMotion& m) {
   const char* path = m.path == P::Lines      ? "with straight lines between them"
                      : m.path == P::Quintics ? "with polynomials of degree 5 between them"
                                              : "with the spline of degree 3 through them";
-  return fmt::format("{}: {} points, {} within {} {} of the exact motion, {}", m.slave, m.points,
-                     path, not_below(m.deviation.most, 0), m.unit, proof_of(m.deviation.proved));
+  return fmt::format("{}: {} points, {} within {} of the exact motion, {}", m.slave, m.points, path,
+                     with_unit(not_below(m.deviation.most, 0), m.unit),
+                     proof_of(m.deviation.proved));
 }
 
 /// Of a groove's flanks how near they are, and once it is built what it is.

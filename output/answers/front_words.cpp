@@ -20,6 +20,12 @@ std::string verdict_words(const optim::FrontPoint& point) {
   return fmt::format("{}{}", to_string(point.verdict), point.is_global ? ", global" : "");
 }
 
+std::string counted_points(const optim::StudyProgress& progress) {
+  return progress.points > progress.wanted
+             ? fmt::format("{} points, {} asked for", progress.points, progress.wanted)
+             : fmt::format("{} of {} points", progress.points, progress.wanted);
+}
+
 std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < costs.size(); ++i) {

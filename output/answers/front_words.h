@@ -21,6 +21,9 @@ Document next_document(const FrontAnswer& answer, std::size_t point);
 /// "point 3", "points 1, 2 and 5", of many "17 points, the first of them 3".
 std::string points_text(const std::vector<std::size_t>& points);
 
+/// "27 of 40 points" that were asked for; once there are more, "54 points, 40 asked for".
+std::string counted_points(const optim::StudyProgress& progress);
+
 /// Which of its points cannot be built, and what was checked of none of them.
 Document front_buildable(const FrontAnswer& answer);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "numerics/text/units.h"
+#include "output/document/formatting.h"
 #include "output/export/chords.h"
 #include "output/export/motion.h"
 #include "problems/statement/parameters.h"
@@ -93,8 +94,9 @@ double tolerance_of(const ExportOptions& o, const problems::ExportedMotion& moti
   if (!o.tolerance) return std::max(kShare * range_of(motion), 10 * digit);
   const double tolerance = parse_quantity(*o.tolerance, motion.unit, motion.unit, "--tolerance");
   if (tolerance >= 10 * digit && std::isfinite(tolerance)) return tolerance;
-  throw std::invalid_argument(fmt::format("--tolerance: {:.6g} {} is outside {:.6g} .. inf {}",
-                                          tolerance, motion.unit, 10 * digit, motion.unit));
+  throw std::invalid_argument(fmt::format("--tolerance: {} is outside {:.6g} .. {}",
+                                          problems::with_unit(tolerance, motion.unit), 10 * digit,
+                                          with_unit("inf", motion.unit)));
 }
 
 int steps_of(const ExportOptions& o, const problems::ExportedMotion& motion) {
@@ -134,9 +136,10 @@ void check_step(const ExportOptions& o, const problems::ExportedMotion& motion, 
   const double range = range_of(motion);
   if (!o.step || !(deviation > kShare * range)) return;
   throw std::invalid_argument(fmt::format(
-      "--step {}: between these points the drive leaves the exact {} by {:.4g} {}, which is more "
-      "than a hundredth of its range of {:.4g} {}; use a smaller step",
-      *o.step, motion.slave_heading(), deviation, motion.unit, range, motion.unit));
+      "--step {}: between these points the drive leaves the exact {} by {}, which is more than a "
+      "hundredth of its range of {}; use a smaller step",
+      *o.step, motion.slave_heading(), with_unit(in_digits(deviation, 4), motion.unit),
+      with_unit(in_digits(range, 4), motion.unit)));
 }
 
 std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,

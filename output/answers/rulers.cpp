@@ -201,7 +201,8 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
       fmt::format("{} laws of the catalogue{}{}", r.rivals,
                   r.reoptimised ? ", with everything else searched again for each" : "",
                   r.held ? ", choices as in the answer" : "");
-  if (!r.finished) text += "  rulers not finished: stopped before every named law was tried\n";
+  if (!r.finished)
+    text += "  figures of merit not finished: stopped before every named law was tried\n";
   if (!r.best && !r.finished) return text;
   if (!r.best) return text + fmt::format("  no named law meets the limits, of {}\n", among);
   const double own = answer.optimum.found.assessment.objective.value;

@@ -32,7 +32,7 @@ struct ExportedMotion {
 
   double begin() const { return trace->breaks().front(); }
   double end() const { return trace->breaks().back(); }
-  std::string slave_heading() const { return slave + " [" + unit + "]"; }
+  std::string slave_heading() const { return unit == "1" ? slave : slave + " [" + unit + "]"; }
   /// Value and derivatives by the place; the third is not a number where it is not known.
   std::array<double, 4> at(optim::Place place) const;
 };

@@ -41,8 +41,9 @@ std::string group_of(const Panel& panel) {
                                             "speed"};
   static const std::set<std::string> loads{"N", "kN", "N m", "W", "J"};
   if (is_of_law(panel)) return kLawGroup;
-  const std::string& name = panel.y.label;
-  const auto last = name.substr(name.rfind('_') + 1);
+  const std::string& label = panel.y.label;  // on a shaft "infeed.displacement"
+  const std::string name = label.substr(label.rfind('.') + 1);
+  const std::string last = name.substr(name.rfind('_') + 1);
   if (motion.contains(last)) return "Motion";
   if (loads.contains(panel.y.unit) || name == "inertia_fraction" || last == "utilisation")
     return "Forces, torques and power";

@@ -10,4 +10,9 @@ namespace camlaw::problems {
 /// std::invalid_argument.
 void check_advancing_cycle(const ProblemStatement& problem);
 
+/// Refuses a parameter that decides whether an index drive closes: it takes one value, under
+/// [constants]. The name is the machine's, of a shaft with the cam before it, "infeed.rollers".
+/// Throws std::invalid_argument.
+void check_may_vary(const Mechanism& mechanism, const std::string& parameter);
+
 }  // namespace camlaw::problems

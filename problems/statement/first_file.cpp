@@ -192,7 +192,7 @@ std::string variables_part(const Mechanism& mechanism, const UsualProblem& usual
   if (!usual.variables.empty()) {
     text =
         "\n# What may vary: the search begins at start and stays between lower and upper. Move a\n"
-        "# number from here to [constants] to keep it.\n";
+        "# number from here to [constants] to keep it, or from there to here to let it vary.\n";
   }
   for (const auto& variable : usual.variables) {
     const MechanismParameter& p = parameter_of(mechanism, variable.parameter);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/statement/advancing_cycle.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
@@ -150,6 +151,8 @@ void read_variable(const Entry& table, ProblemStatement& problem, const FixedNam
   const std::string name = table.path.substr(table.path.rfind(kBefore) + kBefore.size());
   expect(table, Kind::Table, "a table with lower and upper, or with values");
   const auto parameter = located(table, [&] { return find_parameter(problem, name); });
+  if (!parameter.of_law)
+    located(table, [&] { check_may_vary(*problem.mechanism, parameter.name); });
   check_keys(table, {"lower", "upper", "start", "scale", "type", "values"});
   if (fixed.contains(parameter.name) && !parameter.element) {
     refuse(table, fmt::format("{} is given a fixed value too, under [{}]; drop one of the two",

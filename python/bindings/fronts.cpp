@@ -12,6 +12,7 @@
 #include "optim/search/free_memory.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
+#include "output/answers/front_words.h"
 #include "output/answers/tolerance_output.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
@@ -70,8 +71,8 @@ void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
   study.options().solve.stop = work.stop();
   study.options().progress = [&work](const optim::StudyProgress& p) {
     const double done = static_cast<double>(p.points) / static_cast<double>(p.wanted);
-    work.tell(std::min(done, 1.0), fmt::format("{} of {} points, {} searches, hypervolume {:.6g}",
-                                               p.points, p.wanted, p.tasks, p.hypervolume));
+    work.tell(std::min(done, 1.0), fmt::format("{}, {} searches, hypervolume {:.6g}",
+                                               cli::counted_points(p), p.tasks, p.hypervolume));
   };
   auto record = record_of(found.file, study, resume);
   const auto crew = executor_of(labour, optim::study_service(study.space()),

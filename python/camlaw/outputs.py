@@ -121,7 +121,7 @@ def exported(
 #: What is True or False.
 _SWITCHES = {"drawing", "decimal_comma"}
 
-#: What an export may be told; its format and what they mean: docs/exports.md.
+#: The options of an export; docs/exports.md explains them and its formats.
 _OPTIONS = {
     "format",
     "curve",

@@ -98,7 +98,7 @@ class Result(Answer):
         }
 
     def save(self, path: str | Path) -> None:
-        """Writes the result as 'camlaw optimize --out' does. The file stands alone."""
+        """Writes the result as 'camlaw optimize --out' does. The file needs no other file."""
         named = checked_path(path)
         keep_input(named, self._native.is_input)
         written(self._native.json_text(), named)

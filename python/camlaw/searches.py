@@ -201,7 +201,7 @@ class Searches:
         to; {"law": ["cycloidal", "modified-sine"]} is a list of values, and the law "all" is every law;
         a single value is the same in all combinations. sample: "sobol 64" or "lhs 64" draws samples
         from the ranges of `over`, such as {"stroke": ("18 mm", "22 mm")}; seed is the seed of lhs.
-        evaluate: evaluates the design as it stands in each combination, without a search. cold: begins
+        evaluate: evaluates the present design in each combination, without a search. cold: begins
         each search as optimize() does, not at the design of a neighbour. workers, executor, record,
         resume, start, time_limit and memory: as in pareto().
         """

@@ -20,8 +20,8 @@ def pint_unit(units: Any) -> str:
 
 def of_pint(value: Any) -> tuple[Any, str]:
     """Number and unit of a quantity of pint. If a symbol is another unit's here ("ct" is pint's carat
-    and a hundredth of a tonne), the quantity goes in SI units. One without a unit has the unit "1", so
-    that it is no size."""
+    and a hundredth of a tonne), the quantity goes in SI units. One without a unit has the unit "1",
+    which is not accepted for a dimension."""
     unit = pint_unit(value.units)
     if not unit:
         return value.magnitude, "1"

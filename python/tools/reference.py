@@ -7,6 +7,7 @@
 import importlib
 import inspect
 import re
+import textwrap
 import types
 
 import camlaw
@@ -86,8 +87,22 @@ def members(class_):
                 yield f"`{name.replace('__call__', 'law')}{signature(function)}`", function
 
 
+def linked(names, before=""):
+    return ", ".join(f"[{name}](#{(before + name).lower()})" for name in names)
+
+
+def contents():
+    """The sections, with the functions and classes in them."""
+    text = (
+        f"**Contents:** [Functions](#functions): {linked(FUNCTIONS)} · [Classes](#classes): "
+        f"{linked(CLASSES, 'class-')} · [Formulas](#formulas-camlawformulas) · [Errors](#errors) · "
+        "[Adapters](#adapters-camlawadapters)"
+    )
+    return textwrap.fill(text, 120, break_long_words=False, break_on_hyphens=False)
+
+
 def show_class(name, class_):
-    print(f"\n### {name}\n\n{documentation(class_)}")
+    print(f"\n### class {name}\n\n{documentation(class_)}")
     rows = [(title, documentation(member)) for title, member in members(class_)]
     for title, text in rows:
         print(f"\n{title}\n\n: " + text.replace("\n", "\n  ").replace("\n  \n", "\n\n"))
@@ -96,7 +111,7 @@ def show_class(name, class_):
 def main():
     print(
         "# The package camlaw: reference\n\nPrinted by `./run python python/tools/reference.py` from the "
-        "package. [python.md](python.md) is a tutorial.\n\n## Functions"
+        f"package. [python.md](python.md) is a tutorial.\n\n{contents()}\n\n## Functions"
     )
     for name in FUNCTIONS:
         function = getattr(camlaw, name)

@@ -53,6 +53,15 @@ TEST_CASE("help is a word as well as an option", "[documents]") {
   CHECK_THAT(unknown.err, Contains("there is no command 'fitt'") && Contains("fit"));
 }
 
+TEST_CASE("the help of options shows what they take and do, nothing of the parser", "[documents]") {
+  for (const std::string& command : commands()) {
+    INFO(command);
+    const std::string help = done({command, "--help"});
+    CHECK_THAT(help, !Contains("Excludes") && !Contains("Needs:"));
+  }
+  CHECK(std::regex_search(done({"laws", "--help"}), std::regex("\n  --json +print JSON\n")));
+}
+
 TEST_CASE("what the README says to try has commands, options and files that exist", "[documents]") {
   const Folder folder;
   const auto lines = lines_after(read(testing::source("README.md")), "    ./run ");

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "cli/search_progress.h"
+#include "output/answers/front_words.h"
 
 namespace camlaw::cli::progress_line_test {
 
@@ -28,6 +29,12 @@ TEST_CASE("a search says how far it is and how good its best design", "[program]
         "iteration 12, best 0.12346");
   CHECK(state_text({.iteration = 4, .best = 17.8, .unit = "mm", .stage = "knots, round 3"}) ==
         "knots, round 3: iteration 4, best 17.8 mm");
+}
+
+TEST_CASE("a front never counts more points than were asked for", "[program]") {
+  CHECK(counted_points({.points = 27, .wanted = 40}) == "27 of 40 points");
+  CHECK(counted_points({.points = 40, .wanted = 40}) == "40 of 40 points");
+  CHECK(counted_points({.points = 54, .wanted = 40}) == "54 points, 40 asked for");
 }
 
 }  // namespace camlaw::cli::progress_line_test

@@ -94,7 +94,8 @@ TEST_CASE("the README's five minutes print what it says", "[documents]") {
 
 TEST_CASE("links of the documents lead somewhere", "[documents]") {
   const fs::path root = testing::source();
-  std::vector<fs::path> pages{root / "README.md", root / "benchmarks/README.md"};
+  std::vector<fs::path> pages{root / "README.md", root / "benchmarks/README.md",
+                              root / "CHANGELOG.md", root / "CONTRIBUTING.md"};
   for (const auto& file : fs::directory_iterator(root / "docs")) {
     if (file.path().extension() == ".md") pages.push_back(file.path());
   }

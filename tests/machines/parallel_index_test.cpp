@@ -325,7 +325,9 @@ TEST_CASE("an index drive that cannot close is refused in words", "[index-drives
   CHECK_THAT(refused("rollers = 8", "rollers = 48"), Contains("at most 8 are accepted"));
   std::string varying = drive() + "[variables.rollers]\nlower = 4\nupper = 8\n";
   varying.erase(varying.find("rollers = 8\n"), std::string("rollers = 8\n").size());
-  CHECK_THAT(refusal_of(varying), Contains("rollers cannot vary"));
+  CHECK_THAT(refusal_of(varying), Contains("variables.rollers: rollers cannot vary: "));
+  CHECK_THAT(refusal_of(varying + "type = \"integer\"\n"),
+             Contains("variables.rollers: rollers cannot vary: "));
   ProblemStatement statement = read_problem(drive(), "drive.toml");
   CHECK_THROWS_WITH(set_value(statement, "stations=5"), Contains("1.6 pitches"));
 }

@@ -117,6 +117,52 @@ TEST_CASE("Drives count the master in milliseconds or increments, and the slave 
   }
 }
 
+TEST_CASE("Derivatives that are rounding alone are written as 0", "[exports][drives]") {
+  for (const char* name : {"cams/roller_least_base.toml", "cams/law_for_a_rise.toml",
+                           "motions/old_cam.toml", "free_law/least_jerk.toml"}) {
+    const std::string file = testing::source("problems/" + std::string(name));
+    for (const Drive& drive : kDrives) {
+      const std::string format = drive.name;
+      if (format != "codesys" && format != "beckhoff-motion" && format != "rockwell") continue;
+      INFO(name << " " << format);
+      cli::ExportOptions options;
+      options.format = format;
+      const Cam cam = drive.reader(exported_file(file, options));
+      const ExportedMotion motion = motion_of(read_problem_file(file), {}).value();
+      double v = 0, a = 0;
+      for (const auto& place : optim::even_places(motion.begin(), motion.end(), 999)) {
+        v = std::max(v, std::abs(motion.at(place)[1]));
+        a = std::max(a, std::abs(motion.at(place)[2]));
+      }
+      for (const double slope : {cam.start_slope, cam.end_slope}) {
+        CHECK((slope == 0 || std::abs(slope) > 0.9e-13 * v));
+      }
+      for (const drive_readers::Point& point : cam.points) {
+        CHECK((point.v == 0 || std::abs(point.v) > 0.9e-13 * v));
+        CHECK((point.a == 0 || std::abs(point.a) > 0.9e-13 * a));
+      }
+    }
+  }
+}
+
+TEST_CASE("Plain numbers have no unit in what a drive's file says", "[exports][drives]") {
+  const std::string file = testing::source("problems/free_law/least_jerk.toml");
+  for (const Drive& drive : kDrives) {
+    if (std::string(drive.name) == "siemens") continue;  // the law has more pieces than it takes
+    INFO(drive.name);
+    cli::ExportOptions options;
+    options.format = drive.name;
+    const std::string text = exported_file(file, options);
+    CHECK_THAT(text, Contains(" of the exact motion, proved") && !Contains(" [1]") &&
+                         !Contains(" 1 of the exact"));
+  }
+  cli::ExportOptions options;
+  options.format = "codesys";
+  options.tolerance = "1e-12";
+  CHECK_THROWS_WITH(exported_file(file, options),
+                    Contains("is outside 1e-08 .. inf") && !Contains("inf 1"));
+}
+
 TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
   const auto statement = read_problem_file(testing::source("problems/cams/roller_least_base.toml"));
   const ExportedMotion motion = motion_of(statement, {}).value();

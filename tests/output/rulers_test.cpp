@@ -38,7 +38,7 @@ TEST_CASE("a stopped search for rivals keeps what else is measured", "[rulers]")
     CHECK_FALSE(measured->best);
     CHECK(measured->least_acceleration);
     CHECK_THAT(text_of(rulers_document(answered.answer(), *measured)),
-               Contains("rulers not finished"));
+               Contains("figures of merit not finished"));
     CHECK(json_of(rulers_document(answered.answer(), *measured))["finished"] == false);
   }
   const auto measured = rulers(answered.answer(), {});

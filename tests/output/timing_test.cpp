@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
+#include <map>
 
+#include "output/report/design_figure.h"
 #include "output/report/timing_section.h"
 #include "tests/paths.h"
 
@@ -17,6 +19,23 @@ problems::ProblemStatement shipped() {
 }
 
 }  // namespace
+
+TEST_CASE("the curves of a shaft's cams stand in the groups of these curves", "[shaft][report]") {
+  const problems::ProblemStatement design = shipped();
+  const Figure figure = design_figure(design, 40);
+  std::map<std::string, std::string> groups;
+  const std::vector<PanelWords> words = panel_words(figure, design, {});
+  for (std::size_t i = 0; i < words.size(); ++i) groups[figure.panels[i].y.label] = words[i].group;
+  for (const std::string cam : {"infeed.", "press."}) {
+    INFO(cam);
+    for (const char* motion : {"displacement", "velocity", "acceleration", "jerk"}) {
+      CHECK(groups.at(cam + motion) == "Motion");
+    }
+    CHECK(groups.at(cam + "inertia_fraction") == "Forces, torques and power");
+    CHECK(groups.at(cam + "pressure_angle") == "Geometry");
+    CHECK(groups.at(cam + "contact_half_width") == "Contact");
+  }
+}
 
 TEST_CASE("the parts of a cam's motion stand where the shaft has turned them", "[shaft][report]") {
   problems::ProblemStatement design = shipped();

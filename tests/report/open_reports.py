@@ -288,6 +288,7 @@ def main(words):
     shots = None
     if words[:1] == ["--shots"]:
         shots, words = words[1], words[2:]
+        pathlib.Path(shots).mkdir(parents=True, exist_ok=True)
     browser = Browser()
     try:
         faults = [fault for path in words for fault in faults_of(browser, path, shots)]

@@ -10,6 +10,7 @@
 #include "numerics/scalar/interval.h"
 #include "optim/cycle/extremes.h"
 #include "output/export/chords.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
@@ -106,6 +107,36 @@ class DeviationTrace final : public optim::Trace {
   const PiecewiseMotion& written_;
   std::vector<double> breaks_;
 };
+
+/// The greatest velocity and acceleration over the cycle, looked at between the knots too: a motion
+/// from rest to rest may have knots at its ends alone.
+struct DerivativeSizes {
+  double v = 0, a = 0;
+};
+
+DerivativeSizes derivative_sizes(const WrittenMotion& exact) {
+  constexpr int kLooks = 24;
+  const std::vector<double> breaks = exact.motion.trace->breaks();
+  const double rate = exact.per_place;
+  DerivativeSizes sizes;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    for (int i = 0; i <= kLooks; ++i) {
+      const auto s = exact.motion.at(optim::even_place(breaks[k], breaks[k + 1], kLooks, i));
+      if (std::isfinite(s[1])) sizes.v = std::max(sizes.v, std::abs(s[1] / rate));
+      if (std::isfinite(s[2])) sizes.a = std::max(sizes.a, std::abs(s[2] / (rate * rate)));
+    }
+  }
+  return sizes;
+}
+
+/// Derivatives that are rounding alone beside the greatest of the cycle are 0, as in a dwell.
+void clear_rounding(std::vector<MotionKnot>& knots, const DerivativeSizes& sizes) {
+  constexpr double kRounding = 1e-13;
+  for (MotionKnot& knot : knots) {
+    if (std::abs(knot.v) <= kRounding * sizes.v) knot.v = 0;
+    if (std::abs(knot.a) <= kRounding * sizes.a) knot.a = 0;
+  }
+}
 
 double range_of(const PiecewiseMotion& motion) {
   double least = motion.knots.front().s, most = least;
@@ -218,6 +249,7 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
   constexpr int kTries = 8;
   const ExportedMotion& motion = exact.motion;
   const double cycle = motion.end() - motion.begin();
+  const DerivativeSizes sizes = derivative_sizes(exact);
   double inner = 0.95 * tolerance;
   for (int i = 0; i < kTries; ++i, inner *= 0.8) {
     std::vector<MotionKnot> knots{exact.knot(motion.begin(), decimals)};
@@ -228,9 +260,9 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
         knots.push_back(end);
       } else if (to - from < kLeast * cycle || knots.size() > most) {
         throw std::invalid_argument(
-            fmt::format("{} cannot be followed within {:.6g} {} by {} polynomials of degree 5; use "
+            fmt::format("{} cannot be followed within {} by {} polynomials of degree 5; use "
                         "a larger --tolerance",
-                        motion.slave_heading(), tolerance, motion.unit, most));
+                        motion.slave_heading(), with_unit(tolerance, motion.unit), most));
       } else {
         const double middle = std::midpoint(from, to);
         self(self, from, middle);
@@ -246,18 +278,19 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
       from = breaks[k];
     }
     if (knots.size() > most + 1) {
-      throw std::invalid_argument(
-          fmt::format("{} takes {} polynomials of degree 5 within {:.6g} {}, and the drive has {}; "
-                      "use a larger --tolerance",
-                      motion.slave_heading(), knots.size() - 1, tolerance, motion.unit, most));
+      throw std::invalid_argument(fmt::format(
+          "{} takes {} polynomials of degree 5 within {}, and the drive has {}; "
+          "use a larger --tolerance",
+          motion.slave_heading(), knots.size() - 1, with_unit(tolerance, motion.unit), most));
     }
+    clear_rounding(knots, sizes);
     QuinticMotion result{quintics_between(std::move(knots)), {}};
     result.deviation = deviation_of(exact, result.path);
     if (result.deviation.most <= tolerance) return result;
   }
-  throw std::invalid_argument(fmt::format(
-      "{} cannot be followed within {:.6g} {}; use a larger --tolerance, or more --decimals",
-      motion.slave_heading(), tolerance, motion.unit));
+  throw std::invalid_argument(
+      fmt::format("{} cannot be followed within {}; use a larger --tolerance, or more --decimals",
+                  motion.slave_heading(), with_unit(tolerance, motion.unit)));
 }
 
 std::vector<MotionKnot> even_knots(const WrittenMotion& exact, int count, int decimals) {
@@ -266,6 +299,7 @@ std::vector<MotionKnot> even_knots(const WrittenMotion& exact, int count, int de
     const auto place = optim::even_place(exact.motion.begin(), exact.motion.end(), count, i);
     knots.push_back(exact.knot(place.angle, decimals));
   }
+  clear_rounding(knots, derivative_sizes(exact));
   return knots;
 }
 

@@ -119,7 +119,7 @@ report.play = () => {
 report.setPlaying = (on) => {
   const button = document.getElementById('play');
   report.playing = on;
-  button.textContent = on ? 'Halt' : 'Play';
+  button.textContent = on ? 'Pause' : 'Play';
   button.setAttribute('aria-pressed', String(on));
   if (on) report.play();
 };
