@@ -9,6 +9,7 @@
 #include "cli/inputs.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/judged_words.h"
+#include "output/answers/shop_export.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
 
@@ -23,7 +24,7 @@ namespace {
                   file));
 }
 
-int run_export(const ExportOptions& options) {
+int run_export(ExportOptions options) {
   keep_plain_outputs({options.out}, options.json);
   if (options.json && !options.out) {
     throw std::invalid_argument("--json reports on the file that was written, so it needs --out");
@@ -37,6 +38,7 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_in_design(design.statement, design, options.settings);
+  take_bore(options, design.statement);
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);

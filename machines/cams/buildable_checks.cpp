@@ -12,7 +12,8 @@ const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
       {"wheel_radius", "mm", "radius of the grinding wheel"},
       {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius"},
-      {"keyway_depth", "mm", "how far the corner of the hub's keyway lies beyond bore_radius"},
+      {"keyway_depth", "mm",
+       "how far the corner of the hub's keyway lies beyond bore_radius; the wall begins there"},
       {"arm_width", "mm", "width of the arm, and of its eye around the pivot"},
       {"free_length", "mm", "free length of the spring"},
       {"solid_length", "mm", "solid length of the spring, with all its coils closed"},

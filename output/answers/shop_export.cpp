@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "numerics/text/units.h"
+#include "output/answers/motion_export.h"
 #include "output/export/inspection.h"
 #include "output/export/tool_path.h"
+#include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
@@ -56,6 +58,17 @@ std::vector<double> allowances_of(const Text& text, const problems::LengthUnit& 
   return result;
 }
 
+/// How far the corner of a keyway lies beyond the bore, mm: sqrt((r + t)^2 + (w / 2)^2) - r.
+double corner_depth(double bore_radius, const problems::Keyway& keyway) {
+  return std::hypot(bore_radius + keyway.depth, keyway.width / 2) - bore_radius;
+}
+
+/// Whether a length is another to the hundredth of a mm, rounded up.
+bool is_rounded_up(double length, double exact) {
+  constexpr double kHundredth = 0.01;
+  return length >= exact && length - exact < kHundredth;
+}
+
 }  // namespace
 
 double length_of(const Text& text, const char* name, const problems::LengthUnit& unit,
@@ -71,6 +84,31 @@ BoreSizes bore_sizes(const ExportOptions& o, const problems::LengthUnit& unit) {
   BoreSizes sizes{.radius = {}, .keyway = keyway_of(o.keyway, unit)};
   if (o.bore) sizes.radius = length_of(o.bore, "--bore", unit, 0, 1e-3, 1e5) / 2;
   return sizes;
+}
+
+void take_bore(ExportOptions& o, problems::ProblemStatement& design) {
+  const BoreSizes asked = bore_sizes(o, unit_of(o));
+  if (!asked.radius && !asked.keyway) return;
+  const std::string of = o.cam ? *o.cam + "." : "";
+  const std::string bore = of + "bore_radius", depth = of + "keyway_depth";
+  const auto own = problems::own_size(design, bore);
+  if (!own || problems::find_input(*design.mechanism, depth) == nullptr) return;
+  const double radius = asked.radius.value_or(*own);
+  if (!(radius > 0)) return;  // what is drawn of it is refused
+  std::vector<std::string> settings;
+  if (radius != *own || !design.stated.contains(design.mechanism->parameter(bore))) {
+    settings.push_back(fmt::format("{}={:.10g} mm", bore, radius));
+  }
+  if (asked.keyway) {
+    const double corner = corner_depth(radius, *asked.keyway);
+    const auto stated = design.buildable.inputs.find(depth);
+    if (stated == design.buildable.inputs.end() || !is_rounded_up(stated->second, corner)) {
+      settings.push_back(fmt::format("{}={:.10g} mm", depth, corner));
+    }
+  }
+  if (settings.empty()) return;
+  problems::set_values(design, settings);
+  o.settings.insert(o.settings.end(), settings.begin(), settings.end());
 }
 
 std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exported& e) {

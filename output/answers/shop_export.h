@@ -21,6 +21,10 @@ struct BoreSizes {
   std::optional<problems::Keyway> keyway;
 };
 BoreSizes bore_sizes(const ExportOptions& options, const problems::LengthUnit& unit);
+/// The design with the bore and the keyway of these options in place of its bore_radius and
+/// keyway_depth, so that its wall is judged as it is made; --set of both, which the options have
+/// then. Nothing where the machine has no wall that is judged.
+void take_bore(ExportOptions& options, problems::ProblemStatement& design);
 
 /// What --drawing adds to a DXF: nothing without it.
 std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& options,

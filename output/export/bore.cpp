@@ -13,7 +13,7 @@ namespace camlaw::problems {
 
 using Eigen::Vector2d;
 
-std::optional<double> own_size(const ProblemStatement& design, const char* name) {
+std::optional<double> own_size(const ProblemStatement& design, std::string_view name) {
   const auto& parameters = design.mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].name == name) return constant_of(design, name);

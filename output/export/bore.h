@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problems/statement/statement.h"
@@ -30,7 +31,7 @@ struct Bore {
 };
 
 /// A size of the machine, if it has one of that name.
-std::optional<double> own_size(const ProblemStatement& design, const char* name);
+std::optional<double> own_size(const ProblemStatement& design, std::string_view name);
 
 /// The bore that is asked for, else the machine's own if that is above 0; none where neither is.
 /// Throws std::invalid_argument for a keyway without a bore.

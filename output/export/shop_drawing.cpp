@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "machines/cams/cam_shape.h"
+#include "output/export/drawn_follower.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -38,49 +40,6 @@ Reach reach_of(const std::vector<PlaneCurve>& curves) {
   return reach;
 }
 
-class Drawing {
- public:
-  explicit Drawing(double per_mm) : per_mm_(per_mm) {}
-
-  void line(const char* layer, const Vector2d& from, const Vector2d& to) {
-    shapes_.push_back({layer, DrawnLine{per_mm_ * from, per_mm_ * to}});
-  }
-  void arc(const char* layer, const Vector2d& centre, double radius, double from = 0,
-           double to = 360) {
-    shapes_.push_back({layer, DrawnArc{per_mm_ * centre, per_mm_ * radius, from, to}});
-  }
-  void text(const char* layer, const Vector2d& at, double height, const std::string& words) {
-    shapes_.push_back({layer, DrawnText{per_mm_ * at, per_mm_ * height, words}});
-  }
-  void cross(const char* layer, const Vector2d& at, double half) {
-    line(layer, at - Vector2d(half, 0), at + Vector2d(half, 0));
-    line(layer, at - Vector2d(0, half), at + Vector2d(0, half));
-  }
-  void add(const DrawnArc& a) { arc("SHAFT", a.centre, a.radius, a.from, a.to); }
-  void add(const DrawnLine& l) { line("SHAFT", l.from, l.to); }
-  std::vector<DrawnShape> take() { return std::move(shapes_); }
-
- private:
-  double per_mm_;
-  std::vector<DrawnShape> shapes_;
-};
-
-/// Roller and pivot as they stand at cam angle 0.
-void draw_follower(const ProblemStatement& design, double mark, Drawing& drawing) {
-  const auto pitch = cam_curves(design, "pitch");
-  const auto roller = own_size(design, "roller_radius"), pivot = own_size(design, "pivot_distance");
-  std::optional<Vector2d> centre;
-  if (!pitch.empty()) centre = pitch.front().at({pitch.front().begin()}).at;
-  if (centre && roller) {
-    drawing.arc("FOLLOWER", *centre, *roller);
-    drawing.cross("FOLLOWER", *centre, mark);
-  }
-  if (!pivot) return;
-  drawing.arc("FOLLOWER", {*pivot, 0}, 2 * mark);
-  drawing.cross("FOLLOWER", {*pivot, 0}, 3 * mark);
-  if (centre) drawing.line("FOLLOWER", {*pivot, 0}, *centre);
-}
-
 /// In the cam's own axes the follower goes round the cam against the cam's own turn.
 bool turns_left(const PlaneCurve& profile) { return !winds_left(profile); }
 
@@ -97,6 +56,50 @@ void draw_rotation(const PlaneCurve& profile, double radius, Drawing& drawing) {
   }
 }
 
+/// Whether the cam runs along x under its follower: on a drum that is developed, or as a plate.
+bool runs_along(const ProblemStatement& design) {
+  const auto shape = cam_shape(*design.mechanism);
+  return shape == CamShape::Drum || shape == CamShape::Plate;
+}
+
+/// On a developed cam the follower goes along x against the cam's own way.
+bool moves_left(const PlaneCurve& profile) {
+  return profile.at({profile.end(), true}).at.x() > profile.at({profile.begin()}).at.x();
+}
+
+/// An arrow along x below the middle of the cam.
+void draw_way(const PlaneCurve& profile, const Reach& reach, double mark, Drawing& drawing) {
+  constexpr double kBelow = 4, kHalf = 6, kHead = 2, kWide = 0.8;  // marks
+  const double sense = moves_left(profile) ? -1 : 1;
+  const Vector2d middle(std::midpoint(reach.low.x(), reach.high.x()),
+                        reach.low.y() - kBelow * mark);
+  const Vector2d along(sense * mark, 0), tip = middle + kHalf * along;
+  drawing.line("ROTATION", middle - kHalf * along, tip);
+  for (const double side : {-kWide, kWide}) {
+    drawing.line("ROTATION", tip, tip - kHead * along + Vector2d(0, side * mark));
+  }
+}
+
+/// "turns clockwise as drawn", "moves to the left as drawn"; empty where neither is known.
+std::string sense_line(const ProblemStatement& design, const PlaneCurve& profile) {
+  if (profile.is_closed()) {
+    return fmt::format("turns {} as drawn", turns_left(profile) ? "counterclockwise" : "clockwise");
+  }
+  if (!runs_along(design)) return "";
+  return fmt::format("moves to the {} as drawn", moves_left(profile) ? "left" : "right");
+}
+
+/// Whether a length stands in the title block: not one of the guide, the contact or the crown that
+/// nobody stated, which the cam's shape does not depend on.
+bool is_listed(const ProblemStatement& design, std::size_t parameter) {
+  constexpr std::string_view kNotOfShape[] = {"guide_length", "overhang", "crown_radius",
+                                              "face_width"};
+  const MechanismParameter& p = design.mechanism->parameters[parameter];
+  const bool is_of_shape =
+      std::find(std::begin(kNotOfShape), std::end(kNotOfShape), p.name) == std::end(kNotOfShape);
+  return p.unit == "mm" && (is_of_shape || design.stated.contains(parameter));
+}
+
 std::vector<std::string> dimension_lines(const ProblemStatement& design, const ShopSettings& s,
                                          const std::optional<Bore>& bore, const Reach& reach,
                                          const PlaneCurve& profile) {
@@ -107,8 +110,9 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
   if (profile.is_closed()) {
     lines.push_back(
         fmt::format("radius of the profile {} to {}", length(reach.least), length(reach.most)));
-    lines.push_back(
-        fmt::format("turns {} as drawn", turns_left(profile) ? "counterclockwise" : "clockwise"));
+  }
+  if (std::string sense = sense_line(design, profile); !sense.empty()) {
+    lines.push_back(std::move(sense));
   }
   if (bore) lines.push_back(fmt::format("bore {} in diameter", length(2 * bore->radius)));
   if (s.keyway) {
@@ -116,12 +120,11 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
                                 length(s.keyway->width), length(s.keyway->depth)));
   }
   for (std::size_t i = 0; i < design.mechanism->parameters.size(); ++i) {
-    const auto& parameter = design.mechanism->parameters[i];
-    if (parameter.unit != "mm") continue;
-    lines.push_back(
-        fmt::format("{} {}", parameter.name, length(constant_of(design, parameter.name))));
+    if (!is_listed(design, i)) continue;
+    const std::string& name = design.mechanism->parameters[i].name;
+    lines.push_back(fmt::format("{} {}", name, length(constant_of(design, name))));
   }
-  lines.push_back(fmt::format("lengths in {}", s.unit.name));
+  lines.push_back(fmt::format("lengths in {}", s.unit.mm == 1 ? "mm" : "inches"));
   return lines;
 }
 
@@ -162,13 +165,14 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   if (profile.is_closed()) {
     if (bore) {
       const BoreOutline outline = outline_of(*bore, zero, reach.least, "the profile");
-      drawing.add(outline.arc);
-      for (const DrawnLine& line : outline.keyway) drawing.add(line);
+      drawing.add("SHAFT", outline.arc);
+      for (const DrawnLine& line : outline.keyway) drawing.add("SHAFT", line);
     }
     drawing.cross("CENTRE", {0, 0}, 2 * mark);
     draw_rotation(profile, bore ? std::midpoint(bore->radius, reach.least) : 0.7 * reach.least,
                   drawing);
   }
+  if (runs_along(design)) draw_way(profile, reach, mark, drawing);
   const Vector2d inwards =
       profile.is_closed() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));
   drawing.line("ZERO_MARK", inwards, zero);

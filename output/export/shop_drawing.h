@@ -3,27 +3,16 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "output/export/bore.h"
+#include "output/export/drawing.h"
 #include "output/export/length_unit.h"
 #include "output/export/plane_curve.h"
 #include "problems/statement/statement.h"
 
 /// What a workshop needs beside a cam's curves: the bore with its keyway, where the follower stands
-/// at cam angle 0, which way the cam turns, and a title block.
+/// at cam angle 0, which way the cam turns or, developed, moves, and a title block.
 namespace camlaw::problems {
-
-struct DrawnText {
-  Eigen::Vector2d at;  ///< its lower left corner
-  double height;
-  std::string text;
-};
-struct DrawnShape {
-  std::string layer;
-  std::variant<DrawnLine, DrawnArc, DrawnText> shape;
-};
 
 struct ShopSettings {
   std::optional<double> bore_radius;  ///< mm; else the machine's own, if it has one above 0

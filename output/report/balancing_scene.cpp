@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/export/follower_places.h"
 #include "output/report/scene.h"
 
 // A balancing cam and its roller, each where the model has it "were the roller always on the cam".
@@ -18,7 +19,8 @@ std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, i
   const std::vector<double>& rise = curves.values("roller_displacement");
   const auto [low, high] = std::minmax_element(rise.begin(), rise.end());
   const double base = problems::constant_of(design, "base_radius"),
-               radius = problems::constant_of(design, "roller_radius"), axis = base + radius;
+               radius = problems::constant_of(design, "roller_radius"),
+               axis = problems::balancing_roller(design, 0).y();
   if (!std::isfinite(*low) || !std::isfinite(*high)) return {};
   const bool two = problems::constant_of(design, "cams") > 1;
   Scene scene(fmt::format("{}: {} and its roller, drawn to scale", design.mechanism->title,

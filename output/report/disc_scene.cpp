@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/export/follower_places.h"
 #include "output/report/scene.h"
 
 // Disc cams: profile and pitch curve turn about the origin, the follower stands on them. Places
@@ -90,8 +91,10 @@ void draw_knife_edge(Scene& scene, const Disc& disc) {
   scene.include({tip.x, tip.y + length + disc.highest - disc.zero}, half);
 }
 
+Point point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
+
 void draw_flat(Scene& scene, const Disc& disc) {
-  const double face = disc["base_radius"] + disc.zero;
+  const double face = problems::sliding_face(disc.design, disc.zero).foot.y();
   const std::vector<double>& offsets = disc.curves.values("contact_offset");
   const auto [left, right] = std::minmax_element(offsets.begin(), offsets.end());
   draw_way(scene, {0, face}, disc);
@@ -103,9 +106,8 @@ void draw_flat(Scene& scene, const Disc& disc) {
 }
 
 void draw_conjugate(Scene& scene, const Disc& disc) {
-  const double prime = disc["base_radius"] + disc["roller_radius"], e = disc["offset"];
-  const Point upper{e, std::sqrt(prime * prime - e * e) + disc.zero};
-  const Point lower{e, upper.y - disc["roller_distance"]};
+  const problems::RollerPair pair = problems::conjugate_rollers(disc.design, disc.zero);
+  const Point upper = point(pair.main), lower = point(pair.second);
   const double radius = disc["roller_radius"];
   draw_way(scene, upper, disc);
   scene.body("carriage with two rollers", {kLift});
@@ -129,14 +131,11 @@ void draw_arm(Scene& scene, const Disc& disc) {
 
 void draw_flat_arm(Scene& scene, const Disc& disc) {
   const Point pivot{disc["pivot_distance"], 0};
-  const double sine = (disc["base_radius"] + disc["face_offset"]) / pivot.x;
-  const double psi = std::asin(sine) + disc.zero * std::numbers::pi / 180;
+  const problems::FaceLine face = problems::swinging_face(disc.design, disc.zero);
   const std::vector<double>& levers = disc.curves.values("contact_lever");
   const auto [least, most] = std::minmax_element(levers.begin(), levers.end());
-  // d - i f exp(-i psi) is the foot of the pivot on the face, -exp(-i psi) the face's direction.
-  const double f = disc["face_offset"], c = std::cos(psi), s = std::sin(psi);
-  const Point foot{pivot.x - f * s, -f * c};
-  const auto along = [&](double t) { return Point{foot.x - t * c, foot.y + t * s}; };
+  const Point foot = point(face.foot);
+  const auto along = [&](double t) { return point(face.foot + t * face.along); };
   scene.body("arm with its face, as long as the contact needs it",
              {{Kind::Turn, -1, pivot, "displacement"}});
   scene.segment("arm", pivot, foot);

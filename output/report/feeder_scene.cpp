@@ -71,6 +71,8 @@ void draw_crank(Scene& scene, const Feeder& feeder, double mark) {
   scene.segment("arm", {0, 0}, feeder.pin(0));
   scene.circle("joint", feeder.pin(0), mark);
   scene.include({0, 0}, feeder.crank + mark);
+  scene.body("direction of rotation of the crank");
+  scene.turn_arrow({0, 0}, 1.15 * feeder.crank, 1, 150);
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include "output/report/scene.h"
 
 // Index drives, seen along the turret's axis: of a parallel drive the flanks of its cams with the
-// sectors that bear them, of the others the cam from the side, and the turret with its rollers.
+// sectors that bear them, of the others the cam from the side, and the turret with its rollers; of
+// a barrel below them what the side does not show, the rollers' pitch curves on the developed drum.
 // What the model does not have, the shape of a disc between its flanks and the ribs from the side,
-// is not drawn.
+// is not drawn. The frame is that of docs/theory.md, "Index drives": the cam turns about the y
+// axis, which is upwards, so that its side before the picture's plane goes to the right.
 namespace camlaw::cli {
 namespace {
 
@@ -25,7 +27,7 @@ struct Turret {
   double step() const { return 360.0 / (rollers * plates); }
   Point at(double psi) const {
     const double angle = psi * std::numbers::pi / 180;
-    return {centre.x - radius * std::cos(angle), radius * std::sin(angle)};
+    return {centre.x - radius * std::cos(angle), centre.y + radius * std::sin(angle)};
   }
 };
 
@@ -74,6 +76,9 @@ void draw_across(Scene& scene, std::vector<Point> right, double bore) {
   scene.polyline("cam", outline, true);
   for (const double x : {-bore, bore}) scene.segment("bore", {x, low}, {x, high});
   for (const Point& p : outline) scene.include(p);
+  scene.body("direction of rotation: the near side of the cam moves to the right");
+  const double below = low - 0.1 * (high - low), side = right.front().x;
+  scene.straight_arrow({-0.8 * side, below}, {-0.3 * side, below});  // beside the turret
 }
 
 /// How far, in degrees, the drawn cam goes beside the line of centres: a pitch.
@@ -88,6 +93,73 @@ std::vector<Point> globoid(const Turret& turret, double length) {
     right.push_back(inner.at(half_of_cam(turret) * (2.0 * i / kSteps - 1)));
   }
   return right;
+}
+
+/// A drum of the radius R that is developed: a point of it at the angle phi of the cam is at -R
+/// phi.
+struct Drum {
+  double radius, half;  ///< half its length
+  double height;        ///< of its middle in the picture
+  double by_degree() const { return radius * std::numbers::pi / 180; }
+  double turn() const { return 2 * std::numbers::pi * radius; }
+};
+
+/// Where the turret's circle meets the plane that the drum is developed into, below the picture.
+Turret lowered(const Turret& turret, const Drum& drum) {
+  Turret result = turret;
+  result.centre.y -= turret.centre.y - drum.height;
+  return result;
+}
+
+/// The path of one roller's axis over the drum through three turns, in its parts that lie on it:
+/// psi, deg, is the roller's angle where the middle turn begins, `gained` what the turret turns by.
+void draw_roller_path(Scene& scene, const Turret& turret, const Drum& drum, double psi,
+                      const std::vector<double>& gained) {
+  const double reach = std::asin(std::min(drum.half / turret.radius, 1.0)) * 180 / std::numbers::pi;
+  const std::size_t steps = gained.size() - 1;
+  std::vector<Point> path;
+  const auto end_part = [&] {
+    if (path.size() > 1) scene.polyline("pitch", path, false);
+    path.clear();
+  };
+  for (std::size_t i = 0; i <= 3 * steps; ++i) {
+    const std::size_t turn = std::min(i / steps, std::size_t{2}), within = i - turn * steps;
+    const double turns = static_cast<double>(turn) - 1;
+    const double here = psi + gained[within] + turns * gained.back();
+    if (std::abs(here) > reach) {
+      end_part();
+      continue;
+    }
+    const double share = static_cast<double>(within) / static_cast<double>(steps) + turns;
+    const Point roller = turret.at(here);
+    path.push_back({roller.x - drum.turn() * share, roller.y});
+  }
+  end_part();
+}
+
+/// The developed drum, which moves as its near side does, and the roller that drives or holds.
+void draw_developed(Scene& scene, const SceneCurves& curves, const Turret& above,
+                    const Drum& drum) {
+  const Turret turret = lowered(above, drum);
+  const std::vector<double>& psi = curves.values("roller_angle");
+  std::vector<double> gained = curves.values("displacement");
+  const double zero = gained.front(), far = 1.5 * drum.turn();
+  for (double& angle : gained) angle -= zero;
+  scene.body("cam, developed, with the paths of its rollers",
+             {{Kind::Slide, drum.by_degree(), {1, 0}}});
+  const double low = drum.height - drum.half, high = drum.height + drum.half;
+  scene.polyline("cam", {{-far, low}, {far, low}, {far, high}, {-far, high}}, true);
+  const int most = static_cast<int>(std::ceil(2 * std::abs(gained.back()) / turret.step())) + 2;
+  for (int k = -most; k <= most; ++k) {
+    draw_roller_path(scene, turret, drum, psi.front() + k * turret.step(), gained);
+  }
+  scene.drawn_at("roller_angle", psi.front());
+  scene.body("roller that drives or holds", {{Kind::Turn, -1, turret.centre, "roller_angle"}});
+  scene.roller(turret.at(psi.front()), turret.roller);
+  scene.include({-0.5 * drum.turn(), low}), scene.include({0.5 * drum.turn(), high});
+  scene.body("direction in which the developed cam moves");
+  const double below = low - 0.2 * drum.half;
+  scene.straight_arrow({-0.1 * drum.turn(), below}, {0.1 * drum.turn(), below});
 }
 
 /// The turret's rollers: circles about its axis, or radial ones from the side.
@@ -139,6 +211,8 @@ std::optional<Scene> index_scene(const ProblemStatement& design, int points) {
     const double half = turret.radius * std::sin(half_of_cam(turret) * std::numbers::pi / 180);
     const double top = constant("cam_radius") + 0.5 * length;
     draw_across(scene, {{top, -half}, {top, half}}, constant("bore_radius"));
+    const double below = turret.radius + 1.2 * turret.roller + 1.3 * half;
+    draw_developed(scene, curves, turret, {constant("cam_radius"), half, -below});
   }
   scene.body("turret with its rollers", {{Kind::Turn, -1, turret.centre, "displacement"}});
   scene.circle("pitch", turret.centre, turret.radius);

@@ -58,6 +58,8 @@ void draw_driver(Scene& scene, const Sphere& sphere, Point centre) {
   scene.circle("pin", pin, Sphere::kMark);
   scene.body("axis of the driver");
   scene.circle("pivot", centre, Sphere::kMark);
+  scene.body("direction of rotation of the driver");
+  scene.turn_arrow(centre, 1.08 * Sphere::kRadius, 1, 200);
 }
 
 }  // namespace

@@ -157,13 +157,23 @@ ConstraintStatement limit_of(const BuildableCheck& check, const ProblemStatement
   return over_ranges(problem, limit).front();  // it has one side
 }
 
+/// Whether the bound is counted from a keyway that the problem states for the same cam.
+bool is_beyond_keyway(const BuildableCheck& check, const ProblemStatement& problem) {
+  constexpr std::string_view kWall = "wall";
+  if (!check.input.ends_with(kWall)) return false;
+  const std::string of_cam = check.input.substr(0, check.input.size() - kWall.size());
+  return problem.buildable.inputs.contains(of_cam + "keyway_depth");
+}
+
 std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto& needs = check.needs;
   const bool pressed = std::any_of(needs.begin(), needs.end(), [](const std::string& name) {
     return name.ends_with("allowable_pressure");
   });
   if (pressed) return problem.buildable.material;
-  return problem.buildable.inputs.contains(check.input) ? "" : check.standard;
+  const bool is_own = problem.buildable.inputs.contains(check.input);
+  if (!is_beyond_keyway(check, problem)) return is_own ? "" : check.standard;
+  return (is_own ? "wall" : check.standard) + " beyond keyway_depth";
 }
 
 /// Whether intervals prove it, where it is a number.

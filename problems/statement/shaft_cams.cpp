@@ -15,6 +15,10 @@ ProblemStatement cam_alone(const ProblemStatement& shaft, std::size_t cam) {
     alone.constants[i] = shaft.constants[on_shaft.parameters[i]];
     if (shaft.stated.contains(on_shaft.parameters[i])) alone.stated.insert(i);
   }
+  const std::string own = on_shaft.name + ".";
+  for (const auto& [name, value] : shaft.buildable.inputs) {
+    if (name.starts_with(own)) alone.buildable.inputs[name.substr(own.size())] = value;
+  }
   alone.constants.back() = shaft.constants[on_shaft.phase];
   alone.laws = {laws_side_by_side(shaft.laws.front()).at(cam)};
   for (VariableStatement& v : alone.variables) {

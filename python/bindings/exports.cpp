@@ -3,6 +3,7 @@
 
 #include "output/answers/cam_export.h"
 #include "output/answers/judged_words.h"
+#include "output/answers/shop_export.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
 #include "python/bindings/results.h"
@@ -63,13 +64,14 @@ nb::tuple exported(const problems::ReadDesign& read, const std::string& file,
     design.problem.stop = design.statement.stop = work.stop();
     cli::ExportOptions options = options_of(told);
     options.file = file;
-    std::vector<std::string> unmet =
-        cli::take_cam(options.cam, file, "cam=\"{}\"", options.slave, design.statement);
     const cli::FormatRow& format = cli::format_of(options);
     cli::check_options(options, format);
     const std::vector<std::string> review = design.verdict
                                                 ? cli::record_words(design, cli::reviewed(design))
                                                 : std::vector<std::string>{};
+    cli::take_bore(options, design.statement);
+    std::vector<std::string> unmet =
+        cli::take_cam(options.cam, file, "cam=\"{}\"", options.slave, design.statement);
     return cli::exported_text(options, format, std::move(design), review, std::move(unmet));
   });
   nb::list unmet;

@@ -7,6 +7,7 @@
 #include "output/answers/cam_export.h"
 #include "output/export/plane_curve.h"
 #include "output/export/solid/step_file.h"
+#include "tests/cli/dxf_reader.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
@@ -32,28 +33,6 @@ double nearest(const std::vector<Vector2d>& points, const PlaneCurve& curve) {
     for (const Vector2d& p : points) least = std::min(least, (p - q).norm());
   }
   return least;
-}
-
-/// Lines of ezdxf's reading that begin with some words.
-std::vector<std::vector<double>> entities(const std::string& text, const std::string& begin) {
-  std::vector<std::vector<double>> found;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(begin + " ")) continue;
-    std::istringstream words(line.substr(begin.size()));
-    auto& numbers = found.emplace_back();
-    for (double number; words >> number;) numbers.push_back(number);
-  }
-  return found;
-}
-
-std::string read_by_ezdxf(const std::string& path) {
-  const Folder folder;
-  const std::string command = "/usr/bin/python3 " +
-                              testing::source("tests/independent/read_dxf.py ") + path + " > " +
-                              (folder / "out");
-  REQUIRE(std::system(command.c_str()) == 0);
-  return read(folder / "out");
 }
 
 }  // namespace
@@ -110,6 +89,50 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
   CHECK_THAT(failed({"export", kRoller, "--format", "svg", "--drawing"}, 2), Contains("for dxf"));
   CHECK_THAT(failed({"export", kRoller, "--format", "dxf", "--bore", "25 mm"}, 2),
              Contains("dxf with --drawing"));
+}
+
+TEST_CASE("the wall is judged with the bore and the keyway that are drawn", "[export][shop]") {
+  const Folder folder;
+  // The wall is what the base circle leaves, and must be a quarter of the bore's radius.
+  const Words cam{"export", testing::source("problems/cams/roller_least_base.toml"),
+                  "--set",  "base_radius=70 mm",
+                  "--set",  "bore_radius=20 mm"};
+  const auto drawn = [&](Words more) {
+    more.insert(more.begin(), cam.begin(), cam.end());
+    more.insert(more.end(), {"--drawing", "--out", folder / "cam.dxf"});
+    const std::string said = done(more);
+    return said + read(folder / "cam.dxf");
+  };
+  const std::string sound = drawn({});
+  CHECK_THAT(sound, !Contains("cannot be built"));
+  // 70 - 60 mm are less than a quarter of 60 mm.
+  const std::string wide = drawn({"--bore", "120 mm"});
+  CHECK_THAT(wide, Contains("cannot be built: wall 10 mm at 0 deg") && Contains("1 fails") &&
+                       Contains("bore_radius=60 mm") && Contains("bore_radius 60.0000 mm"));
+  // sqrt(64.9^2 + 6^2) - 20 = 45.1768 mm, and a quarter of 20 mm more is above 70 - 20 mm.
+  const std::string deep = drawn({"--keyway", "12 x 44.9 mm"});
+  CHECK_THAT(deep,
+             Contains("cannot be built: wall 50 mm at 0 deg") && Contains("keyway_depth=45.1767"));
+  CHECK_THAT(drawn({"--keyway", "12 x 44.7 mm"}), !Contains("cannot be built"));
+  CHECK_THAT(drawn({"--bore", "4.724409449 in"}), Contains("cannot be built: wall 10 mm"));
+  // Of solids as of drawings, and of a cam on a shaft.
+  const std::string shaft = testing::source("problems/shaft/two_cams.toml");
+  const auto of_shaft = [&](Words more) {
+    more.insert(more.begin(), {"export", shaft, "--cam", "infeed", "--drawing", "--json", "--out",
+                               folder / "cam.dxf"});
+    return json_of(more);
+  };
+  const auto wall = [](const ParsedJson& said) {
+    for (const auto& check : said["buildable"]["checks"]) {
+      if (check["check"] == "wall") return check;
+    }
+    return ParsedJson();
+  };
+  CHECK(wall(of_shaft({}))["answer"] == "not checked");
+  const ParsedJson big = wall(of_shaft({"--bore", "140 mm", "--keyway", "12 x 3 mm"}));
+  CHECK(big["answer"] == "fails");
+  CHECK(big["value"].get<double>() == Approx(10));
+  CHECK(big["bound"].get<double>() == Approx(70.0 / 4 + std::hypot(73, 6) - 70));
 }
 
 TEST_CASE("the keyway that the shipped cam is drawn with is the one that its wall is counted from",
