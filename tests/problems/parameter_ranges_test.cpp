@@ -61,9 +61,10 @@ TEST_CASE("The least force over a range of speeds is that of the greatest speed"
   CHECK(limits[0].proved);
   CHECK(limits[0].value == Approx(value_of_peak(fast, "follower_force", false)).epsilon(1e-9));
   CHECK(limits[1].value == Approx(value_of_peak(fast, "inertia_fraction", true)).epsilon(1e-9));
-  CHECK(worst_in_ranges(ranged, ranged.constraints[1], limits[1].worst_angle) == "speed = 400 rpm");
+  CHECK(words_of(worst_in_ranges(ranged, ranged.constraints[1].response, limits[1].worst_angle)) ==
+        "speed = 400 rpm");
   // The least force is that of a dwell here, where the speed does not matter.
-  CHECK(worst_in_ranges(ranged, ranged.constraints[0], limits[0].worst_angle).empty());
+  CHECK(worst_in_ranges(ranged, ranged.constraints[0].response, limits[0].worst_angle).empty());
 }
 
 TEST_CASE("Limits from both sides are looked at each over the whole range") {
@@ -106,8 +107,9 @@ TEST_CASE("A worst value inside the range is found and proved there") {
   const double b = 1.3 + 0.05 * v;
   CHECK(limits[0].value == Approx(2 - (b - 1.3) * (b - 1.3) + 0.1 * v * b).epsilon(1e-10));
   CHECK(limits[0].proved);
-  CHECK_THAT(worst_in_ranges(problem, problem.constraints[0], limits[0].worst_angle),
-             Contains("b = 1.37"));
+  const auto worst =
+      worst_in_ranges(problem, problem.constraints[0].response, limits[0].worst_angle);
+  CHECK_THAT(words_of(worst), Contains("b = 1.37"));
   CHECK(limits[1].value == Approx(2).epsilon(1e-10));
   CHECK(limits[1].proved);
   CHECK(limits[2].value == Approx(2 - 2.7 * 2.7).epsilon(1e-10));
