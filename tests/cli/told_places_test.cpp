@@ -82,4 +82,49 @@ TEST_CASE("the objective's case and place are in the JSON as in the text", "[pro
   CHECK_THAT(done({"optimize", own}), Contains("in case high, q = 4"));
 }
 
+TEST_CASE("each combination of a table has its verdict and its margins", "[program]") {
+  const Folder folder;
+  const std::string path = folder / "laws.toml";
+  std::ofstream(path) << "mechanism = 'spine-cutter'\n"
+                         "[law]\nname = ['cosine', 'cycloidal', 'parabolic']\n"
+                         "[variables.cam_radius]\nlower = '20 mm'\nupper = '90 mm'\n"
+                         "[objective]\nminimize = 'cam_radius'\n"
+                         "[[constraints]]\nresponse = 'pressure_angle'\nlower = '-50 deg'\n"
+                         "upper = '50 deg'\n"
+                         "[[constraints]]\nresponse = 'peak_inertia_force'\nupper = '7.5 N'\n";
+  const ParsedJson table = json_of({"optimize", path, "--table", "--json"}).at("table");
+  REQUIRE(table.size() == 3);
+  std::size_t designs = 0;
+  for (const ParsedJson& row : table) {
+    const std::string law = row.at("law");
+    INFO(law);
+    const ParsedJson alone =
+        ParsedJson::parse(run({"optimize", path, "--set", "law=" + law, "--json"}).out);
+    // Of the combinations that meet their limits the best alone is proved.
+    const bool is_proved = &row == &table[0];
+    CHECK(row.at("verdict") == (alone.at("verdict") == "infeasible" ? "infeasible"
+                                : is_proved                         ? "certified optimum"
+                                                                    : "feasible"));
+    if (alone.at("verdict") == "infeasible") {
+      CHECK(row.at("margins").is_null());
+      continue;
+    }
+    ++designs;
+    const ParsedJson& limits = alone.at("constraints");
+    REQUIRE(row.at("margins").size() == limits.size());
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const ParsedJson& margin = row.at("margins")[i];
+      CHECK(margin.at("name") == limits[i].at("name"));
+      CHECK(margin.at("unit") == limits[i].at("unit"));
+      CHECK(margin.at("margin").get<double>() ==
+            Approx(limits[i].at("margin").get<double>()).margin(1e-6));
+    }
+  }
+  CHECK(designs > 0);
+  CHECK(designs < 3);
+  CHECK_THAT(run({"optimize", path, "--table"}).out,
+             Contains("verdict") && Contains("certified optimum  met") &&
+                 Contains("infeasible         cannot be met"));
+}
+
 }  // namespace camlaw::cli::told_places_test
