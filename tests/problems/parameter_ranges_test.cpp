@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -342,6 +344,18 @@ TEST_CASE("What cannot be a range is refused by name") {
   CHECK_THAT(
       complaint("[[cases]]\nname = 'light'\nspeed = 1\n[ranges.speed]\nlower = 1\nupper = 2\n"),
       Contains("load cases set speed"));
+}
+
+TEST_CASE("A limit over ranges that is not proved is not said to be one over parts") {
+  const ProblemStatement problem =
+      read(cam(kSpeeds,
+               "[variables.roller_radius]\nlower = '6 mm'\nupper = '12 mm'\n"
+               "[objective]\nminimize = 'roller_radius'\n"
+               "[[constraints]]\nresponse = 'torque_rms'\nupper = '500 N m'\n"));
+  const auto found = optim::optimise(BoundProblem(problem).space()).found.assessment;
+  CHECK(found.verdict == optim::Verdict::Feasible);
+  CHECK_THAT(found.reason, Contains("torque_rms is met, but not proved") &&
+                               Contains("an estimate") && !Contains("parts"));
 }
 
 }  // namespace camlaw::problems::parameter_ranges_test
