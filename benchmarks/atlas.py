@@ -3,9 +3,9 @@
 """The law atlas: benchmarks/atlas.py [--camlaw PROGRAM] [--out FOLDER] [--only PAIR] [--resume] [--quick]
 
 Works out, by `camlaw sweep`, how little one characteristic value of a law may be where another one is
-bounded: the front of every family with parameters, of the free law, and the points of the laws without
-any. Writes FOLDER/atlas.csv, FOLDER/atlas.svg and FOLDER/nearest.md, docs/atlas unless told. With --quick two bounds of
-each front.
+bounded: the fronts of nine families with parameters and of the free law, and the points of the laws of
+the catalogue as they are. Writes FOLDER/atlas.csv, FOLDER/atlas.svg and FOLDER/nearest.md, docs/atlas
+unless told. With --quick two bounds of each front.
 
 A row of the CSV is a search: the pair, the family, the bound, the least value, the verdict, the law's
 parameters. Rows of laws without parameters have what the law has.

@@ -203,7 +203,8 @@ Command sweep_command() {
            memory_option(options->limits),
            json_switch(options->json),
            {"--out", &options->out, takes::kFolder,
-            "folder for sweep.json, sweep.csv and, without --db, study.db"}},
+            "folder for sweep.json, sweep.csv and, without --db, study.db; Parquet is written from "
+            "Python alone"}},
       .examples =
           {{"camlaw sweep problems/cams/roller_least_base.toml --set 'law=modified-sine,cycloidal' "
             "--set 'stroke=20:5:30 mm' --out results/sweep",

@@ -284,7 +284,7 @@ std::optional<PlaceInCase> place_in_case(const ResponseName& name, double place)
   const std::vector<ResponseName>& parts = name.response->over_cases;
   const auto at = optim::part_place(place, parts.size(), apart(*parts.front().response));
   const auto& in = parts[at.part].response->in_case;
-  return PlaceInCase{in ? in->name : "", at.angle};
+  return PlaceInCase{in ? in->name : "", at.angle, at.part};
 }
 
 }  // namespace camlaw::problems

@@ -43,6 +43,7 @@ WorstCase mean_over_cases(std::shared_ptr<const Mechanism> mechanism,
 struct PlaceInCase {
   std::string load_case;
   double place;
+  std::size_t part;  ///< its number among the response's over_cases
 };
 std::optional<PlaceInCase> place_in_case(const ResponseName& name, double place);
 

@@ -127,8 +127,7 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
       // Not even what a proof finds is more than a search: no cycle is proved of it.
       if (!response.is_curve() && response.function().proved().is_searched()) {
         return fmt::format(
-            "{} is met, but not proved: it is an estimate over a fixed set of parts, or over the "
-            "places that a search evaluated",
+            "{} is met, but not proved: its value is an estimate that intervals do not confirm",
             a.limits[i].name);
       }
       return fmt::format("{} is met wherever it was evaluated, but not proved over the whole cycle",

@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/limits.h"
 #include "output/answers/optimum_output.h"
 #include "output/document/formatting.h"
 
@@ -60,23 +62,53 @@ std::string limits_words(optim::Verdict verdict) {
   return verdict == optim::Verdict::Failed ? "not solved" : "met";
 }
 
+bool has_design(const optim::PartFound& part) {
+  return part.verdict == optim::Verdict::Certified || part.verdict == optim::Verdict::Feasible;
+}
+
+/// The combinations that were looked at; that of the answer, which was solved once more and judged,
+/// as the answer has it.
+std::vector<optim::PartFound> judged_parts(const Answer& answer) {
+  std::vector<optim::PartFound> parts = answer.optimum.parts;
+  const optim::Assessment& a = answer.optimum.found.assessment;
+  for (optim::PartFound& part : parts) {
+    if (part.options != answer.optimum.options || !has_design(part)) continue;
+    part.objective = a.objective.value;
+    part.x = answer.optimum.found.x;
+    // That other combinations are not settled is not said of this one.
+    if (a.verdict != optim::Verdict::Feasible) part.verdict = a.verdict;
+  }
+  return parts;
+}
+
+/// How far a combination's design is within each limit; null where it has no design.
+Json part_margins(const Answer& answer, const optim::PartFound& part) {
+  if (!has_design(part)) return nullptr;
+  std::vector<optim::LimitReport> limits = answer.optimum.found.assessment.limits;
+  if (part.options != answer.optimum.options) {
+    const optim::Problem problem = answer.space.problem(part.options);
+    limits = optim::limit_reports(problem, optim::sizes(problem, part.x), part.x, false);
+  }
+  Json margins = Json::array();
+  for (const auto& limit : problems::as_stated(answer.bound.statement(), std::move(limits))) {
+    margins.push_back({{"name", limit.name},
+                       {"side", limit.is_upper ? "upper" : "lower"},
+                       {"margin", to_json(limit.margin)},
+                       {"unit", limit.unit}});
+  }
+  return margins;
+}
+
 }  // namespace
 
 Document combinations_document(const Answer& answer) {
   const std::vector<optim::Choice>& choices = answer.space.choices;
   Document document;
-  std::vector<optim::PartFound> parts = answer.optimum.parts;
+  std::vector<optim::PartFound> parts = judged_parts(answer);
   if (choices.empty() || parts.empty()) return document;
-  for (optim::PartFound& part : parts) {
-    if (part.options != answer.optimum.options) continue;
-    part.objective = answer.optimum.found.assessment.objective.value;  // which was solved once more
-  }
   const optim::Objective& sought = answer.optimum.problem.objective();
   const std::string& sought_name = answer.bound.statement().objectives.front().response.name;
   const double sense = sought.sense == optim::Sense::Minimize ? 1 : -1;
-  const auto has_design = [](const optim::PartFound& part) {
-    return part.verdict == optim::Verdict::Certified || part.verdict == optim::Verdict::Feasible;
-  };
   std::stable_sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
     if (has_design(a) != has_design(b)) return has_design(a);
     return has_design(a) && sense * a.objective < sense * b.objective;
@@ -86,8 +118,8 @@ Document combinations_document(const Answer& answer) {
     table.columns.push_back(words(choice.name, choice.name));
   table.columns.insert(table.columns.end(),
                        {numbers(sought_name, "objective"), words("unit", "unit"),
-                        numbers("from the best", "from_best"), words("limits", "limits"),
-                        words("held by", "held_by")});
+                        numbers("from the best", "from_best"), words("verdict", "verdict"),
+                        words("limits", "limits"), words("held by", "held_by"), data("margins")});
   std::vector<std::vector<std::string>> names;
   for (const optim::Choice& choice : choices) {
     names.push_back(choice.values.empty() ? told_apart(choice.options) : choice.options);
@@ -109,8 +141,10 @@ Document combinations_document(const Answer& answer) {
     row.push_back(sought.response.unit);
     row.push_back(found && std::isfinite(share) ? Cell(fmt::format("{:+.2f} %", share), share)
                                                 : Cell("", std::nan("")));
+    row.push_back(std::string(to_string(part.verdict)));
     row.push_back(limits_words(part.verdict));
     row.push_back(fmt::format("{}", fmt::join(part.active, ", ")));
+    row.push_back(datum(part_margins(answer, part)));
     table.add(std::move(row));
   }
   document.add(table);

@@ -2,6 +2,7 @@
 #include "output/answers/limit_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,24 @@ std::string at_place(double place, const problems::ResponseName& curve) {
   return where + (where.empty() ? "" : " ") + "in case " + in->load_case;
 }
 
+ObjectivePlace objective_place(const problems::ProblemStatement& design,
+                               const std::optional<double>& place) {
+  const problems::ResponseName& of = design.objectives.front().response;
+  ObjectivePlace result{.worst_at = worst_at_json(design, of, place)};
+  std::vector<std::string> words;
+  if (place) {
+    const auto in = problems::place_in_case(of, *place);
+    const problems::ResponseName& one = in ? of.response->over_cases.at(in->part) : of;
+    if (one.response != nullptr && one.response->curve) result.angle = in ? in->place : *place;
+    if (in && !in->load_case.empty()) result.load_case = in->load_case;
+    words.push_back(at_place(*place, of));
+  }
+  const std::string ranges = problems::words_of(problems::worst_in_ranges(design, of, place));
+  if (!ranges.empty()) words.push_back((words.empty() ? "at " : "") + ranges);
+  result.words = fmt::format("{}", fmt::join(words, ", "));
+  return result;
+}
+
 LimitText limit_text(const optim::LimitReport& report,
                      const problems::ConstraintStatement& stated) {
   // A bound of zero leaves the tolerance to tell what is rounding.
@@ -50,7 +69,8 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
                      std::size_t number) {
   const problems::ConstraintStatement& stated = design.constraints[number];
   LimitText text = limit_text(report, stated);
-  const std::string worst = problems::worst_in_ranges(design, stated, report.worst_angle);
+  const std::string worst =
+      problems::words_of(problems::worst_in_ranges(design, stated.response, report.worst_angle));
   if (!worst.empty()) text.place += (text.place.empty() ? "" : ", ") + worst;
   return text;
 }
@@ -80,13 +100,27 @@ SidedLimits both_sides(const problems::ProblemStatement& design,
   return {std::move(limits), std::move(others)};
 }
 
-Json side_json(const optim::LimitReport& side) {
+Json worst_at_json(const problems::ProblemStatement& design, const problems::ResponseName& of,
+                   const std::optional<double>& place) {
+  const auto places = problems::worst_in_ranges(design, of, place);
+  if (places.empty()) return nullptr;
+  Json object = Json::object();
+  for (const problems::PlaceInRange& at : places) {
+    object[at.parameter] = {{"value", to_json(at.value)}, {"unit", at.unit}};
+  }
+  return object;
+}
+
+Json side_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+               std::size_t number) {
+  const problems::ResponseName& of = design.constraints[number].response;
   return {{"value", to_json(side.value)},
           {"bound", to_json(side.bound)},
           {"margin", to_json(side.margin)},
           {"side", side.is_upper ? "upper" : "lower"},
           {"met", side.met},
           {"worst_angle_deg", json_value(side.worst_angle)},
+          {"worst_at", worst_at_json(design, of, side.worst_angle)},
           {"proved", side.proved}};
 }
 
@@ -116,21 +150,24 @@ std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& te
 }  // namespace
 
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design) {
-  Table table{
-      .key = "constraints",
-      .columns = {words("limit", "name"), numbers("value", "value"), numbers("bound", "bound"),
-                  data("side"), numbers("margin", "margin"), words("unit", "unit"),
-                  numbers("at", "worst_angle_deg"), data("met"), data("tolerance"),
-                  words("proved", "proved"), data("other_side"), data("required_by")},
-      .shown = 0};
+  Table table{.key = "constraints",
+              .columns = {words("limit", "name"), numbers("value", "value"),
+                          numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
+                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("worst_at"),
+                          data("met"), data("tolerance"), words("proved", "proved"),
+                          data("other_side"), data("required_by")},
+              .shown = 0};
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const optim::LimitReport& limit = sided.limits[i];
     std::vector<Cell> cells = limit_cells(limit, design.constraints[i]);
     cells.insert(cells.begin(), limit.name);
+    const problems::ResponseName& of = design.constraints[i].response;
+    cells.push_back(datum(worst_at_json(design, of, limit.worst_angle)));
     cells.push_back(datum(limit.met));
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
-    cells.push_back(datum(sided.others[i] ? side_json(*sided.others[i]) : Json(nullptr)));
+    cells.push_back(
+        datum(sided.others[i] ? side_json(*sided.others[i], design, i) : Json(nullptr)));
     cells.push_back(datum(design.constraints[i].required_by));
     table.add(std::move(cells));
   }

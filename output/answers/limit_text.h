@@ -46,8 +46,14 @@ struct SidedLimits {
 SidedLimits both_sides(const problems::ProblemStatement& design,
                        std::vector<optim::LimitReport> limits);
 
-/// A side, for programs.
-Json side_json(const optim::LimitReport& side);
+/// Where in the ranges a limit or an objective is at its worst, for programs: by the parameters'
+/// names `value` and `unit`; null where no range matters.
+Json worst_at_json(const problems::ProblemStatement& design, const problems::ResponseName& of,
+                   const std::optional<double>& place);
+
+/// A side of the design's limit of this number, for programs.
+Json side_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+               std::size_t number);
 
 /// How limits stand, for programs: name, value, bound, side, margin, unit, the worst place, whether
 /// met, whether proved, and the same of the other side.
@@ -67,5 +73,15 @@ std::string place_text(double place, const problems::ResponseName& curve);
 std::string place_text(double place, const std::string& unit);
 /// "at 12 deg"; of the worst of load cases "at 12 deg in case fast", of numbers "in case fast".
 std::string at_place(double place, const problems::ResponseName& curve);
+
+/// Where a design's first objective is at its worst.
+struct ObjectivePlace {
+  std::string words = {};                     ///< "at 12 deg in case fast, load = 0 N"; or empty
+  std::optional<double> angle = {};           ///< of a curve, in its case
+  std::optional<std::string> load_case = {};  ///< of the worst of several
+  Json worst_at = nullptr;                    ///< worst_at_json
+};
+ObjectivePlace objective_place(const problems::ProblemStatement& design,
+                               const std::optional<double>& place);
 
 }  // namespace camlaw::cli

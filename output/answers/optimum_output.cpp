@@ -52,14 +52,24 @@ std::string price_text(const LimitReport& limit, bool priced) {
   return limit.at_rest ? "at rest" : "";
 }
 
+/// Whether the search ended at a design: where nothing varies, one whose objective is a number.
+bool is_at_design(const Answer& answer) {
+  const optim::Optimum& optimum = answer.optimum;
+  if (optimum.found.x.size() != optimum.problem.variables.size()) return false;
+  return !optimum.found.x.empty() || !std::isnan(assessment(answer).objective.value);
+}
+
+/// The statement of that design; where there is none, the problem's.
+problems::ProblemStatement stated_design(const Answer& answer) {
+  return is_at_design(answer) ? answer.bound.at(answer.optimum.options, answer.optimum.found.x)
+                              : answer.bound.statement();
+}
+
 /// How the design stands to the limits, and what each costs.
 void add_limits(const Answer& answer, Document& document) {
   const bool priced = has_prices(assessment(answer));
-  const optim::Optimum& optimum = answer.optimum;
-  const bool is_design =
-      optimum.found.x.size() == optimum.problem.variables.size() && !optimum.found.x.empty();
-  const problems::ProblemStatement design =
-      is_design ? answer.bound.at(optimum.options, optimum.found.x) : answer.bound.statement();
+  const bool is_design = is_at_design(answer);
+  const problems::ProblemStatement design = stated_design(answer);
   std::vector<LimitReport> limits = answer.limits();
   std::vector<std::optional<LimitReport>> none(limits.size());
   const SidedLimits sided = is_design ? both_sides(design, std::move(limits))
@@ -148,14 +158,14 @@ std::string program_line(const Answer& answer) {
 }
 
 /// The objective and the other variables, where there is a design.
-std::string design_text(const Answer& answer) {
+std::string design_text(const Answer& answer, const ObjectivePlace& worst) {
   const optim::ObjectiveReport& objective = assessment(answer).objective;
   const problems::ResponseName& response = answer.bound.statement().objectives.front().response;
   if (std::isnan(objective.value)) return "no design was found\n";
-  std::string text = fmt::format(
-      "{} = {}{}\n", objective_name(answer),
-      with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
-      objective.angle ? fmt::format("  ({})", at_place(*objective.angle, response)) : "");
+  std::string text =
+      fmt::format("{} = {}{}\n", objective_name(answer),
+                  with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
+                  worst.words.empty() ? "" : fmt::format("  ({})", worst.words));
   std::string list = program_line(answer);
   const auto values = answer.values();
   for (std::size_t i = list.empty() ? 0 : 1; i < values.size();) {
@@ -234,10 +244,16 @@ void add_design(const Answer& answer, Document& document) {
     variables[value.name] = value.json();
     if (!value.unit.empty()) units[value.name] = value.unit;
   }
-  document.say("\n" + design_text(answer));
+  const ObjectivePlace worst = std::isnan(a.objective.value)
+                                   ? ObjectivePlace{}
+                                   : objective_place(stated_design(answer), a.objective.angle);
+  document.say("\n" + design_text(answer, worst));
   document.fact("objective", a.objective.value);
   document.fact("objective_name", objective_name(answer));
   document.fact("objective_unit", objective_unit(answer));
+  document.fact("objective_worst_angle_deg", worst.angle);
+  document.fact("objective_case", worst.load_case);
+  document.fact("objective_worst_at", worst.worst_at);
   document.fact("objective_tolerance", a.objective.tolerance);
   document.fact("best_possible", a.best_possible);
   document.fact("objective_proved",

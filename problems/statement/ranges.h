@@ -60,9 +60,17 @@ std::shared_ptr<const MechanismResponse> of_part_over_ranges(const ProblemStatem
                                                              const ResponseName& name,
                                                              bool highest);
 
-/// "speed = 400 rpm": where in the ranges a limit is nearest to its bound, for a design that a
-/// statement begins with and, of a curve, the place; empty where no range matters.
-std::string worst_in_ranges(const ProblemStatement& design, const ConstraintStatement& limit,
-                            const std::optional<double>& place);
+/// The value that a parameter has somewhere in its range, in its listed unit.
+struct PlaceInRange {
+  std::string parameter, unit;
+  double value;
+};
+/// Where in the ranges a limit is nearest to its bound, or an objective at its worst, for a design
+/// that a statement begins with and, of a curve or of several load cases, the place; empty where no
+/// range matters.
+std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const ResponseName& of,
+                                          const std::optional<double>& place);
+/// "speed = 400 rpm and load = 0 N".
+std::string words_of(const std::vector<PlaceInRange>& places);
 
 }  // namespace camlaw::problems

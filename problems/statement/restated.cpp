@@ -14,9 +14,11 @@
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/cases.h"
+#include "problems/statement/made_entries.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
+#include "problems/statement/table_settings.h"
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
@@ -25,13 +27,6 @@ namespace {
 using Kind = Entry::Kind;
 
 constexpr std::string_view kFreeTable = "free.", kLaw = "law", kLower = ".lower", kUpper = ".upper";
-
-/// A name before its last dot and behind it; before it nothing where there is none.
-std::pair<std::string_view, std::string_view> at_last_dot(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos) return {{}, name};
-  return {name.substr(0, dot), name.substr(dot + 1)};
-}
 
 /// What "base_radius.upper" bounds; none where the name is of no bound.
 std::optional<std::string_view> bounded(std::string_view name) {
@@ -89,42 +84,12 @@ const LoadCase* case_without(const ProblemStatement& problem, std::string_view n
   return load;
 }
 
-Entry made_entry(Kind kind, const Entry& within, std::string_view key, const std::string& place) {
-  Entry entry;
-  entry.kind = kind;
-  entry.place = place;
-  entry.key = key;
-  entry.path = within.path.empty() ? std::string(key) : fmt::format("{}.{}", within.path, key);
-  return entry;
-}
-
-Entry text_entry(const Entry& within, std::string_view key, std::string_view text,
-                 const std::string& place) {
-  Entry entry = made_entry(Kind::Text, within, key, place);
-  entry.text = text;
-  return entry;
-}
-
-/// Puts an entry into a table, in the place of one of the same key.
-void put_entry(Entry& table, Entry entry) {
-  for (Entry& there : table.items) {
-    if (there.key != entry.key) continue;
-    there = std::move(entry);
-    return;
-  }
-  table.items.push_back(std::move(entry));
-}
-
-Entry* find_entry(Entry& table, std::string_view key) {
-  return const_cast<Entry*>(find(table, key));
-}
-
 Entry laws_entry(const Entry& table, std::string_view key, std::string_view text,
                  const std::string& place) {
   const std::vector<std::string> names = law_list(text);
-  if (names.size() == 1) return text_entry(table, key, names.front(), place);
+  if (names.size() == 1) return made_text(table, key, names.front(), place);
   Entry list = made_entry(Kind::List, table, key, place);
-  for (const std::string& name : names) list.items.push_back(text_entry(list, key, name, place));
+  for (const std::string& name : names) list.items.push_back(made_text(list, key, name, place));
   return list;
 }
 
@@ -209,7 +174,7 @@ void put_variable_bound(Entry& file, const VariableStatement& variable, std::str
         fmt::format("{}: the bounds of {} are not in a table of their own; change them in the file",
                     name, variable.name));
   }
-  put_entry(*entry, text_entry(*entry, side, text, place));
+  put_entry(*entry, made_text(*entry, side, text, place));
   // A start that the file states for other bounds may lie outside of these.
   const double bound = parse_quantity(text, variable.unit, variable.unit, std::string(name));
   const bool leaves = side == "upper" ? variable.start > bound : variable.start < bound;
@@ -219,56 +184,28 @@ void put_variable_bound(Entry& file, const VariableStatement& variable, std::str
 void put_limit(Entry& file, std::string_view name, std::string_view text,
                const std::string& place) {
   const auto [response, side] = at_last_dot(name);
-  Entry* list = find_entry(file, "constraints");
-  if (list == nullptr) {
-    file.items.push_back(made_entry(Kind::List, file, "constraints", place));
-    list = &file.items.back();
-  }
-  for (Entry& table : list->items) {
+  Entry& list = entry_or_made(file, "constraints", Kind::List, place);
+  for (Entry& table : list.items) {
     // One that was made here for the same response, not one of the file.
     const Entry* own = find(table, "response");
     const bool is_made = table.place.find('=') != std::string::npos &&
                          table.place.starts_with(std::string(response) + ".");
     if (!is_made || own == nullptr || own->text != response) continue;
-    put_entry(table, text_entry(table, side, text, place));
+    put_entry(table, made_text(table, side, text, place));
     return;
   }
-  Entry table = made_entry(Kind::Table, *list, "constraints", place);
-  table.path = fmt::format("{}[{}]", list->path, list->items.size() + 1);
-  table.items = {text_entry(table, "response", response, place),
-                 text_entry(table, side, text, place)};
-  list->items.push_back(std::move(table));
-}
-
-/// As a file writes it, but that words need no quotes.
-Entry written_entry(const Entry& within, std::string_view key, std::string_view text,
-                    const std::string& place) {
-  const bool is_word = std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalpha(c) != 0 || c == '-' || c == '_';
-  });
-  if (is_word && text != "true" && text != "false") return text_entry(within, key, text, place);
-  if (text.find_first_of("\n#") != std::string_view::npos) {
-    throw std::invalid_argument(
-        fmt::format("{}: one value is accepted, such as 64 or [0.2, 0.5]", place));
-  }
-  Entry value = parse_toml(fmt::format("value = {}", text), place).items.at(0);
-  const Entry named = made_entry(value.kind, within, key, place);
-  value.key = named.key;
-  value.path = named.path;
-  value.place = named.place;
-  return value;
+  Entry table = made_item(list, place);
+  table.items = {made_text(table, "response", response, place),
+                 made_text(table, side, text, place)};
+  list.items.push_back(std::move(table));
 }
 
 /// "free.knots": a key of the table [free], which is made where the file has none.
 void put_free(Entry& file, std::string_view name, std::string_view text, const std::string& place) {
   const std::string_view key = name.substr(kFreeTable.size());
-  Entry* table = find_entry(file, "free");
-  if (table == nullptr) {
-    file.items.push_back(made_entry(Kind::Table, file, "free", place));
-    table = &file.items.back();
-  }
-  if (table->kind != Kind::Table) return;  // which is refused where it is read
-  put_entry(*table, written_entry(*table, key, text, place));
+  Entry& table = entry_or_made(file, "free", Kind::Table, place);
+  if (table.kind != Kind::Table) return;  // which is refused where it is read
+  put_entry(table, written_entry(table, key, text, place));
 }
 
 void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::string_view text,
@@ -276,7 +213,7 @@ void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::
   for (Entry& table : find_entry(file, "cases")->items) {
     const Entry* own = find(table, "name");
     if (own == nullptr || own->text != load.name) continue;
-    put_entry(table, text_entry(table, at_last_dot(name).second, text, place));
+    put_entry(table, made_text(table, at_last_dot(name).second, text, place));
   }
 }
 
@@ -347,6 +284,7 @@ bool is_free_setting(const ProblemStatement& problem, std::string_view name) {
 bool is_of_file(const ProblemStatement& problem, std::string_view name) {
   if (is_law_setting(name) || is_free_setting(problem, name)) return true;
   if (speed_of_times(problem, name) != nullptr) return true;
+  if (is_table_setting(problem, name)) return true;
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
@@ -365,6 +303,9 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
   if (is_free_setting(problem, name)) return put_free(file, name, text, assignment);
   if (const MechanismParameter* speed = speed_of_times(problem, name)) {
     return put_speed(file, *speed, text, assignment);
+  }
+  if (is_table_setting(problem, name)) {
+    return put_in_table(file, problem, name, text, assignment);
   }
   if (const auto response = bounded(name)) {
     if (const VariableStatement* variable = variable_named(problem, *response)) {

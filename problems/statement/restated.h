@@ -7,9 +7,9 @@
 #include "problems/statement/statement.h"
 #include "problems/statement/toml_entry.h"
 
-/// What `--set` changes that only the file can say: laws, limits and bounds of variables, and what
-/// a load case does not set. It is put among the file's entries, so that it is read and checked as
-/// if the file stated it.
+/// What `--set` changes that only the file can say: laws, limits and bounds of variables, what a
+/// load case does not set, and the tables of variations, ranges and load cases. It is put among the
+/// file's entries, so that it is read and checked as if the file stated it.
 namespace camlaw::problems {
 
 /// Whether an assignment to this name changes entries of the file, and not a value of the problem

@@ -19,6 +19,7 @@
 #include "problems/statement/parts.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/restated.h"
+#include "problems/statement/table_settings.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::problems {
@@ -177,6 +178,15 @@ bool is_on(const ConstraintStatement& limit, std::string_view response) {
          name.substr(0, at) + name.substr(at + prefix.size()) == response;
 }
 
+/// The name of the machine's parameter of this name or symbol.
+std::optional<std::string> machine_parameter(const ProblemStatement& problem,
+                                             std::string_view name) {
+  for (const MechanismParameter& p : problem.mechanism->parameters) {
+    if (p.name == name || p.symbol == name) return p.name;
+  }
+  return {};
+}
+
 /// "pressure_angle.upper=25 deg": another bound of a limit that there is.
 void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view name,
                std::string_view text) {
@@ -208,6 +218,12 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
     is_set = true;
   }
   if (is_set) return;
+  if (const auto parameter = machine_parameter(problem, bound.response)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: {} has no range and no such limit; write ranges.{}.lower and ranges.{}.upper for a "
+        "range",
+        name, *parameter, *parameter, *parameter));
+  }
   if (known.empty()) {
     throw std::invalid_argument(fmt::format("{}: the file has no limit with a bound {}", name,
                                             bound.is_upper ? "above" : "below"));
@@ -235,6 +251,10 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
   if (const PartStatement* part = find_part(problem, name)) {
     start_with(problem, part->name, item_named(*part, text));
     return;
+  }
+  if (const std::string_view varied = varied_name(name); !varied.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: write variation.{}, for what manufacture does to {}", name, name, varied));
   }
   const NamedParameter parameter = find_parameter(problem, name);
   check_has_one_value(problem, parameter);

@@ -13,8 +13,10 @@
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
 #include "problems/statement/auto_knots.h"
+#include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
+#include "problems/statement/restated.h"
 #include "problems/sweeps/optimum_point.h"
 
 namespace camlaw::problems {
@@ -150,8 +152,23 @@ Possible<BoundProblem> SweepStudy::bound(std::size_t combination) const {
   }
 }
 
-/// A misspelt value is refused before anything is worked out: some combination must take it. What
-/// files the values name is read here, once.
+/// Whether a text names a law; the files of the study get what it names.
+bool SweepStudy::is_law(const std::string& text) {
+  Entry name;
+  name.kind = Entry::Kind::Text;
+  name.place = statement_.source;
+  name.text = text;
+  try {
+    read_law_name(name, statement_.files);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+/// A misspelt value is refused before anything is worked out: some combination must take it. A law
+/// that is there, but that the problem does not take, is left to its combinations, which tell why,
+/// if the problem takes another of the axis. What files the values name is read here, once.
 void SweepStudy::check_values() {
   constexpr std::size_t kValues = 100, kTries = 64;
   std::size_t step = plan_.size();
@@ -159,6 +176,8 @@ void SweepStudy::check_values() {
     const std::size_t count = axis.values.size(), block = step;
     step /= count;
     if (axis.is_class) continue;
+    std::optional<std::string> first_refused;
+    bool is_any_taken = false;
     for (const std::size_t value : tried(count, axis.is_numeric() ? kValues : count)) {
       std::optional<std::string> why;
       for (const std::size_t k : tried(plan_.size() / count, kTries)) {
@@ -173,8 +192,15 @@ void SweepStudy::check_values() {
         }
         if (!why) why = possible.why();
       }
-      if (why) throw std::invalid_argument(*why);
+      if (!why) {
+        is_any_taken = true;
+      } else if (is_law_setting(axis.name) && is_law(axis.values[value])) {
+        if (!first_refused) first_refused = why;
+      } else {
+        throw std::invalid_argument(*why);
+      }
     }
+    if (!is_any_taken && first_refused) throw std::invalid_argument(*first_refused);
   }
   if (!plan_.settings().sampling) return;
   std::optional<std::string> why;

@@ -85,6 +85,7 @@ class SweepStudy {
 
  private:
   void check_values();
+  bool is_law(const std::string& text);
   Possible<BoundProblem> bound(std::size_t combination) const;
   bool begins_at_neighbour(const optim::Task& task) const;
   optim::Outcome searched(const optim::Task& task, const BoundProblem& bound,

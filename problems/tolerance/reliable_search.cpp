@@ -46,6 +46,13 @@ optim::Optimum restated(const BoundProblem& bound, optim::Optimum found) {
   return found;
 }
 
+/// The design that is left is not the best that a search finds: this one had no time to.
+void say_stopped(const optim::Deadline& clock, optim::Assessment& assessment) {
+  assessment.reason = fmt::format(
+      "{} before a design was found that reaches every reliability; of the last one, {}",
+      clock.reason(), assessment.reason);
+}
+
 optim::Deadline clock_of(const optim::OptimiseOptions& options, const optim::Optimum& optimum) {
   return {options.time_limit, options.stop, options.spent + optimum.wall_s};
 }
@@ -92,7 +99,9 @@ Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOpt
     optimum = std::move(found);
     reached = std::move(next);
   }
+  const bool is_known = reached.cut_short.empty();  // else the fault tells why it is not
   hold_to(reached, optimum.found.assessment);
+  if (is_known && !reached.all() && clock.passed()) say_stopped(clock, optimum.found.assessment);
   return reached;
 }
 

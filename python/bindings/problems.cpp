@@ -137,6 +137,8 @@ nb::dict dict_of(const EvaluatedResponse& response) {
 struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   cli::SidedLimits sided;
+  std::vector<problems::Json> worst_at;                 ///< of each limit (cli::worst_at_json)
+  std::vector<problems::Json> other_side;               ///< of each limit (cli::side_json), or null
   std::vector<std::optional<std::string>> required_by;  ///< of each limit (ConstraintStatement)
   problems::Buildability built;
   cli::Warnings warnings;
@@ -149,7 +151,14 @@ nb::dict evaluated(const StatedProblem& problem) {
     all.responses = problems::evaluate(statement);
     cli::check_possible(statement.source, statement, all.responses);
     all.sided = cli::both_sides(statement, problems::standing(statement));
-    for (const auto& limit : statement.constraints) all.required_by.push_back(limit.required_by);
+    for (std::size_t i = 0; i < statement.constraints.size(); ++i) {
+      const auto& limit = statement.constraints[i];
+      const auto& other = all.sided.others[i];
+      all.worst_at.push_back(
+          cli::worst_at_json(statement, limit.response, all.sided.limits[i].worst_angle));
+      all.other_side.push_back(other ? cli::side_json(*other, statement, i) : nullptr);
+      all.required_by.push_back(limit.required_by);
+    }
     all.built = problems::buildability(statement);
     all.warnings = cli::warnings_of(statement);
     return all;
@@ -159,12 +168,12 @@ nb::dict evaluated(const StatedProblem& problem) {
   nb::dict result;
   result["responses"] = rows;
   nb::list limits = list_of(found.sided.limits);
-  for (std::size_t i = 0; i < found.sided.others.size(); ++i) {
-    const auto& other = found.sided.others[i];
-    nb::cast<nb::dict>(limits[i])["other_side"] =
-        other ? python_of(cli::side_json(*other)) : nb::none();
+  for (std::size_t i = 0; i < found.required_by.size(); ++i) {
+    nb::dict limit = nb::cast<nb::dict>(limits[i]);
     const auto& by = found.required_by[i];
-    nb::cast<nb::dict>(limits[i])["required_by"] = by ? nb::object(nb::cast(*by)) : nb::none();
+    limit["worst_at"] = python_of(found.worst_at[i]);
+    limit["other_side"] = python_of(found.other_side[i]);
+    limit["required_by"] = by ? nb::object(nb::cast(*by)) : nb::none();
   }
   result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));

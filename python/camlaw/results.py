@@ -19,7 +19,16 @@ from .problems import Problem
 
 
 #: What a search says of its answer, which a design alone does not tell.
-_CLAIMS = {"active", "best_possible", "kkt_residual", "objective_proved", "second_order"}
+_CLAIMS = {
+    "active",
+    "best_possible",
+    "kkt_residual",
+    "objective_case",
+    "objective_proved",
+    "objective_worst_angle_deg",
+    "objective_worst_at",
+    "second_order",
+}
 
 
 class Verification(NamedTuple):

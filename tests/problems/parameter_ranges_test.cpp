@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -61,9 +63,10 @@ TEST_CASE("The least force over a range of speeds is that of the greatest speed"
   CHECK(limits[0].proved);
   CHECK(limits[0].value == Approx(value_of_peak(fast, "follower_force", false)).epsilon(1e-9));
   CHECK(limits[1].value == Approx(value_of_peak(fast, "inertia_fraction", true)).epsilon(1e-9));
-  CHECK(worst_in_ranges(ranged, ranged.constraints[1], limits[1].worst_angle) == "speed = 400 rpm");
+  CHECK(words_of(worst_in_ranges(ranged, ranged.constraints[1].response, limits[1].worst_angle)) ==
+        "speed = 400 rpm");
   // The least force is that of a dwell here, where the speed does not matter.
-  CHECK(worst_in_ranges(ranged, ranged.constraints[0], limits[0].worst_angle).empty());
+  CHECK(worst_in_ranges(ranged, ranged.constraints[0].response, limits[0].worst_angle).empty());
 }
 
 TEST_CASE("Limits from both sides are looked at each over the whole range") {
@@ -106,8 +109,9 @@ TEST_CASE("A worst value inside the range is found and proved there") {
   const double b = 1.3 + 0.05 * v;
   CHECK(limits[0].value == Approx(2 - (b - 1.3) * (b - 1.3) + 0.1 * v * b).epsilon(1e-10));
   CHECK(limits[0].proved);
-  CHECK_THAT(worst_in_ranges(problem, problem.constraints[0], limits[0].worst_angle),
-             Contains("b = 1.37"));
+  const auto worst =
+      worst_in_ranges(problem, problem.constraints[0].response, limits[0].worst_angle);
+  CHECK_THAT(words_of(worst), Contains("b = 1.37"));
   CHECK(limits[1].value == Approx(2).epsilon(1e-10));
   CHECK(limits[1].proved);
   CHECK(limits[2].value == Approx(2 - 2.7 * 2.7).epsilon(1e-10));
@@ -340,6 +344,18 @@ TEST_CASE("What cannot be a range is refused by name") {
   CHECK_THAT(
       complaint("[[cases]]\nname = 'light'\nspeed = 1\n[ranges.speed]\nlower = 1\nupper = 2\n"),
       Contains("load cases set speed"));
+}
+
+TEST_CASE("A limit over ranges that is not proved is not said to be one over parts") {
+  const ProblemStatement problem =
+      read(cam(kSpeeds,
+               "[variables.roller_radius]\nlower = '6 mm'\nupper = '12 mm'\n"
+               "[objective]\nminimize = 'roller_radius'\n"
+               "[[constraints]]\nresponse = 'torque_rms'\nupper = '500 N m'\n"));
+  const auto found = optim::optimise(BoundProblem(problem).space()).found.assessment;
+  CHECK(found.verdict == optim::Verdict::Feasible);
+  CHECK_THAT(found.reason, Contains("torque_rms is met, but not proved") &&
+                               Contains("an estimate") && !Contains("parts"));
 }
 
 }  // namespace camlaw::problems::parameter_ranges_test

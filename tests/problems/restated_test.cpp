@@ -15,6 +15,7 @@
 #include "problems/results/recorded_design.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/variation.h"
 #include "tests/paths.h"
 #include "tests/problems/complaint.h"
 
@@ -158,6 +159,67 @@ TEST_CASE("limits, bounds and values of cases that a file does not list", "[stat
   const std::string force = "[[constraints]]\nresponse = 'contact_stress'\nupper = '900 MPa'\n";
   CHECK(solved(set(read(cam("cycloidal", "cycloidal", cases + force)), {"fast.load=90 N"})) ==
         solved(read(cam("cycloidal", "cycloidal", stated + force))));
+}
+
+TEST_CASE("tables of variations, ranges and cases are set as a file states them",
+          "[statement][restated]") {
+  const std::string limits =
+      "[[constraints]]\nresponse = 'undercut'\nupper = 0.8\n"
+      "[[constraints]]\nresponse = 'contact_stress'\nupper = '900 MPa'\n";
+  const auto with = [&](const std::string& tables) {
+    return read(cam("modified-sine", "cycloidal", limits + tables));
+  };
+  const ProblemStatement plain = with("");
+  const auto same = [&](const ProblemStatement& a, const ProblemStatement& b) {
+    return solved(a) == solved(b);
+  };
+  CHECK(
+      same(set(plain, {"variation.base_radius.plus=0.2 mm", "variation.base_radius.minus=0.1 mm"}),
+           with("[variation.base_radius]\nplus = '0.2 mm'\nminus = '0.1 mm'\n")));
+  CHECK(same(set(plain, {"variation.base_radius.fit=h7", "variation.base_radius.of_diameter=true"}),
+             with("[variation.base_radius]\nfit = 'h7'\nof_diameter = true\n")));
+  const std::string deviation = "[variation.roller_radius]\nstandard_deviation = '0.1 mm'\n";
+  const ProblemStatement twice = set(
+      set(with(deviation), {"variation.roller_radius.standard_deviation=0.3 mm"}), {"mass=2 kg"});
+  CHECK(variations_of(twice).front().plus == Approx(0.9));
+  CHECK(variations_of(twice).size() == 1);
+
+  const std::string speeds = "[ranges.speed]\nlower = '100 rpm'\nupper = '300 rpm'\n";
+  CHECK(
+      same(set(plain, {"ranges.speed.lower=100 rpm", "ranges.speed.upper=300 rpm"}), with(speeds)));
+  const ProblemStatement faster = set(with(speeds), {"ranges.speed.upper=350 rpm"});
+  REQUIRE(faster.ranges.size() == 1);
+  CHECK(faster.ranges.front().lower == 100);
+  CHECK(faster.ranges.front().upper == 350);
+
+  const std::string fast = "[[cases]]\nname = 'fast'\nspeed = '300 rpm'\n";
+  const std::string slow = "[[cases]]\nname = 'slow'\nspeed = '40 rpm'\nload = '90 N'\n";
+  CHECK(same(set(with(fast), {"cases.slow.speed=40 rpm", "cases.slow.load=90 N"}),
+             with(fast + slow)));
+  CHECK(
+      same(set(with(fast), {"cases.fast.speed=350 rpm"}), set(with(fast), {"fast.speed=350 rpm"})));
+  CHECK(set(with(fast), {"cases.fast.weight=3"}).cases.front().weight == 3);
+
+  // As the file's own rules have it.
+  const auto says = [&](const ProblemStatement& problem, const std::string& setting) {
+    ProblemStatement changed = problem;
+    return complaint([&] { set_value(changed, setting); });
+  };
+  CHECK_THAT(says(plain, "ranges.speed.lower=100 rpm"), Contains("upper is missing"));
+  CHECK_THAT(says(with(deviation), "variation.roller_radius.plus=0.1 mm"),
+             Contains("standard_deviation and plus or minus are both given"));
+  CHECK_THAT(says(plain, "variation.base_radius.plus=0.1 N"),
+             Contains("variation.base_radius.plus"));
+  CHECK_THAT(says(plain, "variation.base_radios.plus=0.1 mm"), Contains("base_radius"));
+  CHECK_THAT(says(plain, "variation.base_radius.plos=0.1 mm"), Contains("plus"));
+  CHECK_THAT(says(plain, "variation.base_radius=0.1 mm"),
+             Contains("variation.base_radius.plus") && Contains("variation.base_radius.fit"));
+  CHECK_THAT(says(plain, "base_radius.plus=0.1 mm"), Contains("variation.base_radius.plus"));
+  CHECK_THAT(says(plain, "ranges.speed=100 rpm"), Contains("ranges.speed.lower and"));
+  CHECK_THAT(says(plain, "speed.lower=100 rpm"), Contains("ranges.speed.lower and"));
+  CHECK_THAT(says(plain, "ranges.base_radius.lower=1 mm"), Contains("base_radius varies"));
+  CHECK_THAT(says(plain, "cases.fast=100 rpm"), Contains("cases.fast.speed"));
+  CHECK_THAT(says(plain, "cases.fast.spead=100 rpm"), Contains("did you mean speed"));
 }
 
 TEST_CASE("what cannot be set so is refused by name", "[statement][restated]") {

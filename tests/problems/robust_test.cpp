@@ -308,6 +308,9 @@ TEST_CASE("Further searches for a reliability are told, and end on a stop", "[va
   CHECK(found.limits.front().reach != IsReached::Yes);
   CHECK(optimum.found.x == first.found.x);
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Failed);
+  CHECK_THAT(optimum.found.assessment.reason,
+             Contains("stopped before a design was found that reaches every reliability") &&
+                 Contains("of all parts hold it"));
   // Stopped before anything is judged: that is said, of the objective too.
   optimum = first;
   const Reached none = search_until_reached(bound, options, optimum);

@@ -309,6 +309,16 @@ TEST_CASE("a misspelt value is refused before anything is worked out", "[sweep]"
   CHECK_THAT(says({"stroke=10:5:20 deg"}), Contains("length"));
   CHECK_THAT(says({"strike=10:5:20 mm"}), Contains("did you mean stroke"));
   CHECK_THAT(says({"law=cosine,cycloidal", "strike=3 mm"}), Contains("did you mean stroke"));
+  CHECK_THAT(says({"law=harmonic,modified-sin"}), Contains("modified-sin"));
+  // Laws whose acceleration jumps at the dwells: all of a list, then one of several.
+  CHECK_THAT(says({"law=harmonic,double-harmonic"}), Contains("harmonic") && Contains("jumps"));
+  const SweepStudy study(kCam, "cam.toml", swept({"law=cycloidal,harmonic", "stroke=10,20 mm"}));
+  CHECK(study.stated(0));
+  for (const std::size_t k : {2, 3}) {
+    const auto refused = study.stated(k);
+    CHECK_FALSE(refused);
+    CHECK_THAT(refused.why(), Contains("harmonic") && Contains("jumps"));
+  }
   const std::string none = kCam.substr(0, kCam.find("[objective]"));
   CHECK_THAT(complaint([&] { SweepStudy(none, "cam.toml", swept({"stroke=10,20 mm"})); }),
              Contains("states none"));

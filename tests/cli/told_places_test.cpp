@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What a text says of worst places and of combinations, --json says too.
+#include <fmt/format.h>
+
+#include "tests/cli/program_runner.h"
+#include "tests/paths.h"
+
+namespace camlaw::cli::told_places_test {
+namespace {
+
+std::string cam_file(const std::string& name) { return testing::source("problems/cams/") + name; }
+
+const ParsedJson& named(const ParsedJson& list, const std::string& name) {
+  for (const ParsedJson& one : list) {
+    if (one.at("name") == name) return one;
+  }
+  FAIL("nothing is called " + name);
+  return list;
+}
+
+/// "speed = 350 rpm" of such an entry of worst_at.
+std::string in_words(const ParsedJson& worst_at, const std::string& name) {
+  const ParsedJson& at = worst_at.at(name);
+  return fmt::format("{} = {:g} {}", name, at.at("value").get<double>(),
+                     at.at("unit").get<std::string>());
+}
+
+}  // namespace
+
+TEST_CASE("the worst place in ranges is in the JSON as in the text", "[program]") {
+  const std::string file = cam_file("speed_range.toml");
+  const Words design{"--set", "spring_rate=9.6347 N/mm", "--set", "base_radius=38.811 mm"};
+  Words plain{"evaluate", file}, as_json{"evaluate", file, "--json"};
+  plain.insert(plain.end(), design.begin(), design.end());
+  as_json.insert(as_json.end(), design.begin(), design.end());
+  const ParsedJson json = json_of(as_json);
+  const std::string text = done(plain);
+  const ParsedJson& force = named(json.at("constraints"), "follower_force");
+  REQUIRE(force.at("worst_at").is_object());
+  for (const char* name : {"speed", "load"}) {
+    CHECK_THAT(text, Contains(in_words(force.at("worst_at"), name)));
+  }
+  // The force on the roller is least at the highest speed and without a load.
+  CHECK(force.at("worst_at").at("speed").at("value") == 350);
+  CHECK(force.at("worst_at").at("load").at("value").get<double>() == Approx(0).margin(1e-9));
+  CHECK(named(json.at("constraints"), "pressure_angle").at("worst_at").is_null());
+
+  const ParsedJson made = json_of({"evaluate", cam_file("tolerances.toml"), "--json"});
+  const ParsedJson& angle = named(made.at("constraints"), "pressure_angle");
+  CHECK(angle.at("worst_at").at("base_radius").at("value").get<double>() ==
+        Approx(52.68 - 0.05).epsilon(1e-9));
+  CHECK(angle.at("worst_at").at("base_radius").at("unit") == "mm");
+}
+
+TEST_CASE("the objective's case and place are in the JSON as in the text", "[program]") {
+  const std::string file = cam_file("load_cases.toml");
+  const ParsedJson json = json_of({"optimize", file, "--json"});
+  CHECK(json.at("objective_case") == "setting_up");
+  CHECK(json.at("objective_worst_at").is_null());
+  CHECK_THAT(done({"optimize", file}),
+             Contains(fmt::format("at {:.4g} deg in case setting_up",
+                                  json.at("objective_worst_angle_deg").get<double>())));
+
+  // f is worst at an end of q, and in the case of the larger r.
+  const Folder folder;
+  const std::string own = folder / "own.toml";
+  std::ofstream(own) << "[machine]\n[machine.parameters.p]\ndefault = 1\nlower = 0\nupper = 10\n"
+                        "[machine.parameters.q]\ndefault = 1\nlower = 0\nupper = 9\n"
+                        "[machine.parameters.r]\ndefault = 1\nlower = 0\nupper = 9\n"
+                        "[responses.f]\nformula = 'r * (p - q)^2'\n"
+                        "[ranges.q]\nlower = 1\nupper = 4\n"
+                        "[[cases]]\nname = 'low'\nr = 1\n[[cases]]\nname = 'high'\nr = 3\n"
+                        "[variables.p]\nlower = 0\nupper = 2\nstart = 1\n"
+                        "[objective]\nminimize = 'f'\n";
+  const ParsedJson found = json_of({"optimize", own, "--json"});
+  CHECK(found.at("variables").at("p").get<double>() == Approx(2));
+  CHECK(found.at("objective").get<double>() == Approx(12));  // 3 (2 - 4)^2
+  CHECK(found.at("objective_case") == "high");
+  CHECK(found.at("objective_worst_angle_deg").is_null());  // f is a number
+  CHECK(found.at("objective_worst_at").at("q").at("value").get<double>() == Approx(4));
+  CHECK(found.at("objective_worst_at").at("q").at("unit") == "1");
+  CHECK_THAT(done({"optimize", own}), Contains("in case high, q = 4"));
+}
+
+TEST_CASE("each combination of a table has its verdict and its margins", "[program]") {
+  const Folder folder;
+  const std::string path = folder / "laws.toml";
+  std::ofstream(path) << "mechanism = 'spine-cutter'\n"
+                         "[law]\nname = ['cosine', 'cycloidal', 'parabolic']\n"
+                         "[variables.cam_radius]\nlower = '20 mm'\nupper = '90 mm'\n"
+                         "[objective]\nminimize = 'cam_radius'\n"
+                         "[[constraints]]\nresponse = 'pressure_angle'\nlower = '-50 deg'\n"
+                         "upper = '50 deg'\n"
+                         "[[constraints]]\nresponse = 'peak_inertia_force'\nupper = '7.5 N'\n";
+  const ParsedJson table = json_of({"optimize", path, "--table", "--json"}).at("table");
+  REQUIRE(table.size() == 3);
+  std::size_t designs = 0;
+  for (const ParsedJson& row : table) {
+    const std::string law = row.at("law");
+    INFO(law);
+    const ParsedJson alone =
+        ParsedJson::parse(run({"optimize", path, "--set", "law=" + law, "--json"}).out);
+    // Of the combinations that meet their limits the best alone is proved.
+    const bool is_proved = &row == &table[0];
+    CHECK(row.at("verdict") == (alone.at("verdict") == "infeasible" ? "infeasible"
+                                : is_proved                         ? "certified optimum"
+                                                                    : "feasible"));
+    if (alone.at("verdict") == "infeasible") {
+      CHECK(row.at("margins").is_null());
+      continue;
+    }
+    ++designs;
+    const ParsedJson& limits = alone.at("constraints");
+    REQUIRE(row.at("margins").size() == limits.size());
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const ParsedJson& margin = row.at("margins")[i];
+      CHECK(margin.at("name") == limits[i].at("name"));
+      CHECK(margin.at("unit") == limits[i].at("unit"));
+      CHECK(margin.at("margin").get<double>() ==
+            Approx(limits[i].at("margin").get<double>()).margin(1e-6));
+    }
+  }
+  CHECK(designs > 0);
+  CHECK(designs < 3);
+  CHECK_THAT(run({"optimize", path, "--table"}).out,
+             Contains("verdict") && Contains("certified optimum  met") &&
+                 Contains("infeasible         cannot be met"));
+}
+
+}  // namespace camlaw::cli::told_places_test
