@@ -231,13 +231,9 @@ void put_speed(Entry& file, const MechanismParameter& speed, std::string_view te
                const std::string& place) {
   Entry* program = find_entry(file, "program");
   std::erase_if(program->items, [](const Entry& item) { return item.key == "cycle_time"; });
-  Entry* constants = find_entry(file, "constants");
-  if (constants == nullptr) {
-    file.items.push_back(made_entry(Kind::Table, file, "constants", place));
-    constants = &file.items.back();
-  }
-  std::erase_if(constants->items, [&](const Entry& item) { return item.key == speed.symbol; });
-  put_entry(*constants, text_entry(*constants, speed.name, text, place));
+  Entry& constants = entry_or_made(file, "constants", Kind::Table, place);
+  std::erase_if(constants.items, [&](const Entry& item) { return item.key == speed.symbol; });
+  put_entry(constants, made_text(constants, speed.name, text, place));
 }
 
 /// Not so "3-4-5", which is a law.
