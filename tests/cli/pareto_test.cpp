@@ -246,7 +246,8 @@ TEST_CASE("a study that is killed at any moment goes on to the same front", "[pr
   CHECK(interrupted > 1);
   for (const std::string& name : folder.content()) {
     INFO(name);
-    CHECK((name.ends_with(".db") || name.ends_with(".toml")));
+    // What a program was about to begin when it was killed is left, apart from all studies.
+    CHECK((name.ends_with(".db") || name.ends_with(".toml") || name.starts_with(".camlaw-")));
   }
 }
 
