@@ -91,15 +91,10 @@ Possible<std::vector<double>> misses(std::span<const double> x, std::span<const 
   std::vector<double> sizes;
   for (std::size_t i = 2; i + 2 < x.size(); ++i) {
     const std::array<std::size_t, 4> at{i - 2, i - 1, i + 1, i + 2};
-    double left = s[i], squares = 1;
-    for (const std::size_t k : at) {
-      const double weight = lagrange_weight(x, at, k, i);
-      left -= weight * s[k];
-      squares += weight * weight;
-    }
+    const CubicMiss miss = cubic_miss(x, s, at, i);
     // Beside a gap the cubic reaches too far.
     constexpr double kMost = 5;
-    if (squares < kMost) sizes.push_back(std::abs(left) / std::sqrt(squares));
+    if (miss.noise * miss.noise < kMost) sizes.push_back(std::abs(miss.by) / miss.noise);
   }
   constexpr std::size_t kLeast = 8;
   if (sizes.size() < kLeast) return no_segments("too few neighbouring samples to tell their noise");

@@ -85,6 +85,17 @@ std::vector<std::vector<std::size_t>> grouped(const std::vector<bool>& is_off) {
 
 }  // namespace
 
+CubicMiss cubic_miss(std::span<const double> x, std::span<const double> s,
+                     std::span<const std::size_t> at, std::size_t i) {
+  double left = s[i], squares = 1;
+  for (const std::size_t k : at) {
+    const double weight = lagrange_weight(x, at, k, i);
+    left -= weight * s[k];
+    squares += weight * weight;
+  }
+  return {left, std::sqrt(squares)};
+}
+
 CubicMiss miss_without(std::span<const double> x, std::span<const double> s,
                        const std::vector<bool>& left_out, std::size_t i) {
   constexpr std::size_t kPoints = 4;
@@ -94,9 +105,7 @@ CubicMiss miss_without(std::span<const double> x, std::span<const double> s,
     if (k < left.size()) at.push_back(left[k]);
     if (k < right.size()) at.push_back(right[k]);
   }
-  double squares = 1;
-  for (const std::size_t k : at) squares += std::pow(lagrange_weight(x, at, k, i), 2);
-  return {lagrange_miss(x, s, at, i), std::sqrt(squares)};
+  return cubic_miss(x, s, at, i);
 }
 
 std::vector<bool> lone_samples(std::span<const double> x, std::span<const double> s,

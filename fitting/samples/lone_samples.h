@@ -15,6 +15,10 @@ struct CubicMiss {
   double noise;  ///< deviation of that where each sample has noise of deviation 1
 };
 
+/// The miss of sample i of the cubic through the samples `at`.
+CubicMiss cubic_miss(std::span<const double> x, std::span<const double> s,
+                     std::span<const std::size_t> at, std::size_t i);
+
 /// The miss of sample i of those at increasing x: of the cubic through the four nearest that are
 /// not left out, two on each side as far as there are.
 CubicMiss miss_without(std::span<const double> x, std::span<const double> s,

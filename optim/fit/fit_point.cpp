@@ -21,10 +21,7 @@ bool leaves(const FitPoint& point, const FitBox& box, Index j, double direction)
 
 /// The step of those that are not held.
 void solve(const FitPoint& point, double tolerance, GaussNewton& result) {
-  std::vector<Index> free;
-  for (Index j = 0; j < point.p.size(); ++j) {
-    if (!result.held[static_cast<std::size_t>(j)]) free.push_back(j);
-  }
+  const std::vector<Index> free = free_parameters(result.held);
   result.step = VectorXd::Zero(point.p.size());
   result.reduction = 0;
   result.full_rank = true;
@@ -37,6 +34,14 @@ void solve(const FitPoint& point, double tolerance, GaussNewton& result) {
 }
 
 }  // namespace
+
+std::vector<Index> free_parameters(const std::vector<bool>& held) {
+  std::vector<Index> free;
+  for (std::size_t j = 0; j < held.size(); ++j) {
+    if (!held[j]) free.push_back(static_cast<Index>(j));
+  }
+  return free;
+}
 
 std::optional<FitPoint> fit_point(const Residuals& residuals, VectorXd p) {
   FitPoint point;

@@ -40,6 +40,9 @@ struct GaussNewton {
 /// length one, are left out.
 GaussNewton gauss_newton(const FitPoint& point, const FitBox& box, double tolerance);
 
+/// The indexes of the parameters that are not held.
+std::vector<Eigen::Index> free_parameters(const std::vector<bool>& held);
+
 /// p + share step, as far as the first bound.
 Eigen::VectorXd stepped(const FitPoint& point, const FitBox& box, const Eigen::VectorXd& step,
                         double share);

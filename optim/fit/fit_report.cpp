@@ -77,10 +77,10 @@ std::vector<bool> judge(const Residuals& residuals, const FitBox& box, Loss loss
   auto point = fit_point(summed, end.p);
   assert(point);
   GaussNewton step = gauss_newton(*point, box, kRankTolerance);
-  if (end.doubt.empty() && !is_stationary(*point, step)) {
-    if (const auto kinked = at_kinks_of(summed, box, *point)) {
-      step = gauss_newton(*kinked, box, kRankTolerance);
-      point = kinked;
+  if (end.is_at_kinks) {
+    if (auto kinked = at_kinks_of(summed, box, *point)) {
+      point = std::move(kinked);
+      step = gauss_newton(*point, box, kRankTolerance);
     }
   }
   result.followed = followed(*point, step);
@@ -189,10 +189,7 @@ FitResult fit_report(const std::vector<FitParameter>& parameters, const Residual
   result.loss_scale = end.loss_scale;
   result.reason = end.doubt;
   const std::vector<bool> held = judge(residuals, box, options.loss, end, result);
-  std::vector<Index> free;
-  for (std::size_t j = 0; j < held.size(); ++j) {
-    if (!held[j]) free.push_back(static_cast<Index>(j));
-  }
+  const std::vector<Index> free = free_parameters(held);
   const Identifiability known = identify(point->jacobian(Eigen::all, free));
   result.rank = known.rank;
   result.condition = known.condition;

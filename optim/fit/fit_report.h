@@ -11,7 +11,8 @@ namespace camlaw::optim {
 struct FitEnd {
   Eigen::VectorXd p;
   std::optional<double> loss_scale;
-  std::string doubt;  ///< what is wrong with an estimated scale; empty where nothing is
+  std::string doubt;         ///< what is wrong with an estimated scale; empty where nothing is
+  bool is_at_kinks = false;  ///< of the residuals, where their sum is least
 };
 
 /// Deviations and intervals of the parameters by the covariance that the result has.

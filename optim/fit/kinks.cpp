@@ -2,7 +2,6 @@
 #include "optim/fit/kinks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -135,10 +134,7 @@ bool move_back(const Residuals& residuals, FitPoint& point, std::vector<Kink>& k
 std::vector<double> best_shares(const FitPoint& point, const std::vector<bool>& held,
                                 const std::vector<Kink>& kinks) {
   std::vector<double> shares(kinks.size(), 0.5);
-  std::vector<Index> free;
-  for (std::size_t j = 0; j < held.size(); ++j) {
-    if (!held[j]) free.push_back(static_cast<Index>(j));
-  }
+  const std::vector<Index> free = free_parameters(held);
   if (free.empty()) return shares;
   const ScaledColumns columns(point.jacobian(Eigen::all, free));
   const MatrixXd metric = pseudo_inverse(columns.matrix.transpose() * columns.matrix).matrix;
@@ -186,10 +182,7 @@ GaussNewton step_along(const FitPoint& point, const std::vector<bool>& held,
   GaussNewton result;
   result.held = held;
   result.step = VectorXd::Zero(point.p.size());
-  std::vector<Index> free;
-  for (std::size_t j = 0; j < held.size(); ++j) {
-    if (!held[j]) free.push_back(static_cast<Index>(j));
-  }
+  const std::vector<Index> free = free_parameters(held);
   if (free.size() <= kinks.size()) return result;
   const ScaledColumns columns(point.jacobian(Eigen::all, free));
   MatrixXd normals(static_cast<Index>(free.size()), static_cast<Index>(kinks.size()));

@@ -225,6 +225,7 @@ class Search {
     if (!minimum) return end;
     const bool is_estimated = options_.loss != Loss::None && !options_.loss_scale;
     end.end.p = minimum->p;
+    end.end.is_at_kinks = true;
     if (!is_estimated) end.merit = minimum->sum();
     end.stationary = true;
     return end;
@@ -350,7 +351,7 @@ void search_all(const std::vector<FitParameter>& parameters, const FitOptions& o
     }
   }
   if (best && !best->stationary && options.reach != FitReach::Rough) {
-    best = search.at_kinks(std::move(*best));
+    best = search.at_kinks(*best);  // a copy: time may pass meanwhile
   }
 }
 

@@ -208,15 +208,6 @@ void put_free(Entry& file, std::string_view name, std::string_view text, const s
   put_entry(table, written_entry(table, key, text, place));
 }
 
-void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::string_view text,
-                 const std::string& place) {
-  for (Entry& table : find_entry(file, "cases")->items) {
-    const Entry* own = find(table, "name");
-    if (own == nullptr || own->text != load.name) continue;
-    put_entry(table, made_text(table, at_last_dot(name).second, text, place));
-  }
-}
-
 /// The speed of a machine whose program has times that stay: none where this is not its name.
 const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::string_view name) {
   if (!problem.timing || !problem.timing->stays) return nullptr;
@@ -309,7 +300,8 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
     }
     return put_limit(file, name, text, assignment);
   }
-  put_in_case(file, *case_without(problem, name), name, text, assignment);
+  const LoadCase& load = *case_without(problem, name);
+  put_in_case(file, problem, load.name, at_last_dot(name).second, text, assignment);
 }
 
 }  // namespace camlaw::problems

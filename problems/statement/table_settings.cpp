@@ -100,31 +100,30 @@ void put_of_parameter(Entry& file, const ProblemStatement& problem, const TableS
                                               : made_text(own, setting.key, text, place));
 }
 
-/// "cases.fast.speed", of a load case that there is or of a new one.
-void put_of_case(Entry& file, const ProblemStatement& problem, const TableSetting& setting,
-                 std::string_view text, const std::string& place) {
-  Entry& list = entry_or_made(file, kCases, Entry::Kind::List, place);
-  if (list.kind != Entry::Kind::List) return;
-  const auto has_name = [&](const Entry& table) {
-    const Entry* name = find(table, "name");
-    return name != nullptr && name->text == setting.owner;
-  };
-  auto load = std::find_if(list.items.begin(), list.items.end(), has_name);
-  if (load == list.items.end()) {
-    Entry table = made_item(list, place);
-    table.items = {made_text(table, "name", setting.owner, place)};
-    load = list.items.insert(list.items.end(), std::move(table));
-  }
-  const bool is_parameter = setting.key != "weight" && setting.key != "name";
-  const Entry* there =
-      is_parameter ? entry_of_parameter(*load, problem, setting.key, Owner::Machine) : nullptr;
-  put_entry(*load, made_text(*load, there != nullptr ? there->key : setting.key, text, place));
-}
-
 }  // namespace
 
 bool is_table_setting(const ProblemStatement& problem, std::string_view name) {
   return table_setting(problem, name).has_value();
+}
+
+void put_in_case(Entry& file, const ProblemStatement& problem, std::string_view load_case,
+                 std::string_view key, std::string_view text, const std::string& place) {
+  Entry& list = entry_or_made(file, kCases, Entry::Kind::List, place);
+  if (list.kind != Entry::Kind::List) return;
+  const auto has_name = [&](const Entry& table) {
+    const Entry* name = find(table, "name");
+    return name != nullptr && name->text == load_case;
+  };
+  auto load = std::find_if(list.items.begin(), list.items.end(), has_name);
+  if (load == list.items.end()) {
+    Entry table = made_item(list, place);
+    table.items = {made_text(table, "name", load_case, place)};
+    load = list.items.insert(list.items.end(), std::move(table));
+  }
+  const bool is_parameter = key != "weight" && key != "name";
+  const Entry* there =
+      is_parameter ? entry_of_parameter(*load, problem, key, Owner::Machine) : nullptr;
+  put_entry(*load, made_text(*load, there != nullptr ? there->key : key, text, place));
 }
 
 void put_in_table(Entry& file, const ProblemStatement& problem, std::string_view name,
@@ -134,7 +133,9 @@ void put_in_table(Entry& file, const ProblemStatement& problem, std::string_view
   if (setting->owner.empty() || setting->key.empty()) {
     throw std::invalid_argument(fmt::format("{}: {}", name, how_to_write(*setting)));
   }
-  if (setting->table == kCases) return put_of_case(file, problem, *setting, text, place);
+  if (setting->table == kCases) {
+    return put_in_case(file, problem, setting->owner, setting->key, text, place);
+  }
   put_of_parameter(file, problem, *setting, text, place);
 }
 

@@ -20,6 +20,11 @@ bool is_table_setting(const ProblemStatement& problem, std::string_view name);
 void put_in_table(Entry& file, const ProblemStatement& problem, std::string_view name,
                   std::string_view text, const std::string& place);
 
+/// The same of a parameter, or the weight, of a load case, which is made where there is none of
+/// that name.
+void put_in_case(Entry& file, const ProblemStatement& problem, std::string_view load_case,
+                 std::string_view key, std::string_view text, const std::string& place);
+
 /// "base_radius" of "base_radius.plus", which lacks the table's name; empty for other names.
 std::string_view varied_name(std::string_view name);
 

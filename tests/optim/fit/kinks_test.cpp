@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "optim/fit/least_squares.h"
@@ -113,6 +115,34 @@ TEST_CASE("a fit to residuals that jump is not called converged for it", "[least
   });
   const FitResult result = fit({{.name = "b", .lower = 0, .upper = 7, .start = 4}}, jumping);
   CHECK_FALSE(result.converged);
+}
+
+TEST_CASE("a fit that runs out of time beside a kink has the best that it has seen",
+          "[least-squares]") {
+  const Values x = even(21);
+  Normal normal(8);
+  Values y;
+  for (const double each : x) y.push_back(3 * std::max(each - 12, 0.0) + 2 * normal());
+  int unfinished = 0;
+  for (int slow = 1; slow < 200; slow += 6) {
+    INFO("slow from call " << slow);
+    int calls = 0;
+    const AutomaticResiduals slowing(x.size(), [&](const auto& p, const auto& r) {
+      if (++calls == slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      for (std::size_t i = 0; i < r.size(); ++i) r[i] = kCorner(p, x[i]) - y[i];
+      return true;
+    });
+    FitOptions options;
+    options.time_limit = 0.02;
+    const FitResult result = fit({{.name = "b", .lower = 0, .upper = 19, .start = 10.5},
+                                  {.name = "h", .lower = 0, .upper = 100, .start = 1}},
+                                 slowing, options);
+    REQUIRE(result.parameters.size() == 2);
+    CHECK(std::isfinite(result.parameters[0].value));
+    CHECK(std::isfinite(result.sum_of_squares));
+    if (!result.converged) ++unfinished;
+  }
+  CHECK(unfinished > 3);
 }
 
 }  // namespace camlaw::optim::kinks_test
