@@ -123,20 +123,27 @@ TEST_CASE("a fit that runs out of time beside a kink has the best that it has se
   Normal normal(8);
   Values y;
   for (const double each : x) y.push_back(3 * std::max(each - 12, 0.0) + 2 * normal());
-  int unfinished = 0;
-  for (int slow = 1; slow < 200; slow += 6) {
-    INFO("slow from call " << slow);
-    int calls = 0;
-    const AutomaticResiduals slowing(x.size(), [&](const auto& p, const auto& r) {
-      if (++calls == slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
-      for (std::size_t i = 0; i < r.size(); ++i) r[i] = kCorner(p, x[i]) - y[i];
-      return true;
-    });
+  // Slow at one call after another, up to the last of them, which are those of the kinks.
+  int calls = 0, slow = 0;
+  const AutomaticResiduals slowing(x.size(), [&](const auto& p, const auto& r) {
+    if (++calls == slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = kCorner(p, x[i]) - y[i];
+    return true;
+  });
+  const auto fitted = [&](double time_limit) {
+    calls = 0;
     FitOptions options;
-    options.time_limit = 0.02;
-    const FitResult result = fit({{.name = "b", .lower = 0, .upper = 19, .start = 10.5},
-                                  {.name = "h", .lower = 0, .upper = 100, .start = 1}},
-                                 slowing, options);
+    options.time_limit = time_limit;
+    return fit({{.name = "b", .lower = 0, .upper = 19, .start = 10.5},
+                {.name = "h", .lower = 0, .upper = 100, .start = 1}},
+               slowing, options);
+  };
+  CHECK(fitted(100).converged);
+  const int all = calls;
+  int unfinished = 0;
+  for (slow = all; slow > 0; slow -= 1 + all / 60) {
+    INFO("slow at call " << slow << " of " << all);
+    const FitResult result = fitted(0.02);
     REQUIRE(result.parameters.size() == 2);
     CHECK(std::isfinite(result.parameters[0].value));
     CHECK(std::isfinite(result.sum_of_squares));
