@@ -408,11 +408,11 @@ TEST_CASE("Least dynamic moment is 9/4", "[free][heavy]") {
   const Solved fine = solved(text);
   const optim::Assessment& a = fine.optimum.found.assessment;
   CHECK(a.verdict == Verdict::Certified);
-  CHECK_FALSE(a.global);
+  CHECK(a.global);
   CHECK(fine.objective() > 2.25);
-  CHECK(fine.objective() < 2.25 * 1.01);
+  CHECK(fine.objective() < 2.25 * (1 + 1e-4));
   const Law<double> law = fine.law();
-  for (double x = 0.02; x < 1; x += 0.02) CHECK(law(x).v == Approx(root(x)).epsilon(0.04));
+  for (double x = 0.02; x < 1; x += 0.02) CHECK(law(x).v == Approx(root(x)).epsilon(2e-3));
   const std::size_t from = text.find("knots = ["), to = text.find(']', from) + 1;
   const Solved coarse = solved(replaced(text, text.substr(from, to - from), "knots = 9"));
   CHECK(coarse.objective() > fine.objective());
