@@ -263,11 +263,22 @@ void Combinations::take(const Errand& errand, SearchAnswer answer) {
   close_parts();
 }
 
+/// Behind a start that ends the search none is needed. Where the search is cut short, what others
+/// have found counts.
+void Combinations::leave_later_starts(Item& item, std::size_t number) {
+  if (item.starts[number].found->end == StartEnd::CutShort) return;
+  for (std::size_t i = number + 1; i < item.starts.size(); ++i) {
+    if (item.starts[i].errand) errands_.erase(*item.starts[i].errand);
+  }
+  item.starts.resize(number + 1);
+}
+
 void Combinations::take_start(Item& item, std::size_t number, FromStart found) {
   Item::Start& start = item.starts[number];
   start.found = std::move(found);
   start.errand.reset();
-  if (number > 0 || ends_search(*start.found)) return;
+  if (ends_search(*start.found)) return leave_later_starts(item, number);
+  if (number > 0) return;
   guess_ = told_of(*start.found);
   // Those that were begun before that was known, and were told otherwise, begin anew.
   for (std::size_t i = 1; i < item.starts.size(); ++i) {

@@ -74,6 +74,7 @@ class Combinations final : public Errands {
   SearchTask task_of(const Errand& errand) const;
   void take(const Errand& errand, SearchAnswer answer);
   void take_start(Item& item, std::size_t start, FromStart found);
+  void leave_later_starts(Item& item, std::size_t number);
   void close_items(Part& part);
   void close_parts();
 

@@ -9,6 +9,8 @@
 #include <new>
 
 #include "optim/crew/crew.h"
+#include "optim/search/combinations.h"
+#include "optim/search/deadline.h"
 #include "optim/search/search_task.h"
 #include "problems/statement/bind.h"
 #include "tests/optim/search/search_problems.h"
@@ -210,6 +212,36 @@ TEST_CASE("short work stays in the calling process, long work does not", "[searc
   CHECK(slow.second);
   CHECK(quick.first == slow.first);
   munmap(shared, sizeof(std::atomic<int>));
+}
+
+TEST_CASE("behind a start that ends the search no other one is waited for", "[search][workers]") {
+  Problem problem = two_valleys();
+  // What the deeper valley has, by Newton's method: 4 x (x^2 - 1) + 1/5 = 0.
+  double x = -1;
+  for (int i = 0; i < 20; ++i) x -= (4 * x * (x * x - 1) + 0.2) / (12 * x * x - 4);
+  problem.variables[0].start = x;
+  problem.objectives[0].limit = KnownLimit{(x * x - 1) * (x * x - 1) + x / 5, "no design has less"};
+  const auto desk = std::make_shared<SearchDesk>(ProblemSpace::of(problem));
+  const OptimiseOptions options;
+  const Deadline deadline({}, nullptr);
+  std::vector<SearchedPart> parts;
+  Combinations all(options, deadline, desk,
+                   [&](SearchedPart part) { parts.push_back(std::move(part)); });
+  const Service service = search_service(desk);
+  const auto answer = [&](std::size_t number) {
+    all.answered(number, *service(*all.order(number), {}));
+  };
+  const std::size_t first = *all.next(), second = *all.next(), third = *all.next();
+  answer(first);
+  CHECK_FALSE(all.order(second));
+  CHECK_FALSE(all.order(third));
+  const auto rest = all.next();
+  REQUIRE(rest);
+  answer(*rest);
+  CHECK(all.is_done());
+  REQUIRE(parts.size() == 1);
+  CHECK(parts.front().outcome.found.starts == 1);
+  all.answered(second, "of nobody");
 }
 
 TEST_CASE("damaged bytes of a search give an answer or none", "[search][workers]") {
