@@ -22,6 +22,7 @@ NB_MODULE(_camlaw, module) {
   add_errors(module);
   add_laws(module);
   add_problems(module);
+  add_mechanisms(module);
   add_batch(module);
   add_model(module);
   add_results(module);

@@ -11,6 +11,7 @@ namespace nb = nanobind;
 void add_errors(nb::module_& module);
 void add_laws(nb::module_& module);
 void add_problems(nb::module_& module);
+void add_mechanisms(nb::module_& module);
 void add_batch(nb::module_& module);
 void add_model(nb::module_& module);
 void add_results(nb::module_& module);

@@ -8,31 +8,27 @@
 #include <cmath>
 #include <map>
 
-#include "machines/registry.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/limit_text.h"
-#include "output/answers/mechanism_output.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
-#include "output/document/markdown.h"
 #include "output/document/printing.h"
 #include "output/figure/profile_figure.h"
 #include "output/report/html.h"
-#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
 #include "problems/results/input_files.h"
 #include "problems/results/start_settings.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/default_machine.h"
-#include "problems/statement/first_file.h"
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
-#include "problems/statement/parts.h"
 #include "problems/statement/shipped_files.h"
 #include "python/bindings/laws.h"
+#include "python/bindings/mechanisms.h"
 #include "python/bindings/module.h"
+#include "python/bindings/problem_state.h"
 
 namespace camlaw::python {
 namespace {
@@ -217,68 +213,6 @@ nb::tuple said_back(const StatedProblem& stated) {
                         cli::html_of(document));
 }
 
-/// The formula of a response as it is recorded.
-std::string formula_of(const problems::Mechanism& mechanism, const std::string& response) {
-  const nb::gil_scoped_release released;
-  return cli::json_of(cli::formula_document(mechanism, response))["formula"].get<std::string>();
-}
-
-nb::dict dict_of(const problems::Mechanism& mechanism) {
-  nb::list parameters, responses, peaks;
-  for (const problems::MechanismParameter& p : mechanism.parameters) {
-    nb::dict row;
-    row["parameter"] = p.name;
-    row["symbol"] = p.symbol;
-    row["default"] = p.default_value;
-    row["lower"] = p.low;
-    row["upper"] = p.high;
-    row["unit"] = p.unit;
-    row["integer"] = p.integer;
-    row["meaning"] = p.meaning;
-    parameters.append(row);
-  }
-  for (const problems::MechanismResponse& r : mechanism.responses) {
-    nb::dict row;
-    row["response"] = r.name;
-    row["kind"] = r.curve ? "curve" : "number";
-    row["unit"] = r.unit;
-    row["meaning"] = r.meaning;
-    responses.append(row);
-  }
-  for (const problems::NamedPeak& p : mechanism.peaks) {
-    nb::dict row;
-    row["response"] = p.name;
-    row["kind"] = "peak of " + p.curve;
-    row["unit"] = "";
-    row["meaning"] = p.meaning;
-    responses.append(row);
-  }
-  nb::dict result;
-  result["name"] = mechanism.name;
-  result["title"] = mechanism.title;
-  result["source"] = mechanism.source;
-  result["parameters"] = parameters;
-  result["responses"] = responses;
-  return result;
-}
-
-/// The problem files that are installed with the library, and what each is about.
-std::vector<std::pair<std::string, std::string>> example_names() {
-  std::vector<std::pair<std::string, std::string>> result;
-  for (const problems::ShippedFile& file : problems::shipped_files()) {
-    result.emplace_back(file.name, file.sentence);
-  }
-  return result;
-}
-
-std::vector<std::string> mechanism_names() {
-  std::vector<std::string> names;
-  for (const problems::Mechanism& mechanism : problems::mechanisms()) {
-    names.push_back(mechanism.name);
-  }
-  return names;
-}
-
 }  // namespace
 
 nb::dict dict_of(const optim::LimitReport& limit) {
@@ -301,66 +235,6 @@ nb::list list_of(const std::vector<optim::LimitReport>& limits) {
   nb::list rows;
   for (const optim::LimitReport& limit : limits) rows.append(dict_of(limit));
   return rows;
-}
-
-namespace {
-
-/// The first law of this family among those that a statement was read with, with other values.
-Member law_with(const std::vector<Member>& laws, const ArgumentsState& state) {
-  const auto law = std::find_if(laws.begin(), laws.end(), [&](const Member& member) {
-    return member.family->name == state.first;
-  });
-  if (law == laws.end()) {
-    throw std::invalid_argument(fmt::format(
-        "the problem was pickled with a law '{}', which it does not have", state.first));
-  }
-  Member result = *law;
-  result.arguments.values() = state.second;
-  return result;
-}
-
-}  // namespace
-
-ProblemState state_of(const StatedProblem& problem) {
-  const ProblemStatement& statement = problem.statement;
-  std::vector<double> starts;
-  for (const problems::VariableStatement& v : statement.variables) starts.push_back(v.start);
-  std::vector<ArgumentsState> laws;
-  for (Member law : statement.laws) laws.emplace_back(law.family->name, law.arguments.values());
-  std::vector<PartState> parts;
-  for (const problems::PartStatement& part : statement.parts) {
-    if (!part.is_chosen()) parts.emplace_back(part.name, part.items.front().name);
-  }
-  return {statement.text,         statement.source,
-          statement.settings,     problems::laws_to_json(statement.files.laws).dump(),
-          statement.files.tables, statement.constants,
-          std::move(starts),      std::move(laws),
-          std::move(parts)};
-}
-
-StatedProblem problem_of(const ProblemState& state) {
-  const nb::gil_scoped_release released;
-  const auto& [text, source, settings, law_files, tables, constants, starts, laws, parts] = state;
-  problems::HeldFiles files{problems::laws_from_json(problems::parse_json(law_files)), tables};
-  StatedProblem result{problems::read_problem(text, source, std::move(files))};
-  ProblemStatement& statement = result.statement;
-  problems::set_values(statement, settings);
-  for (const auto& [name, row] : parts) {
-    const problems::PartStatement* part = problems::find_part(statement, name);
-    if (part == nullptr) {
-      throw std::invalid_argument(
-          fmt::format("the problem was pickled with a part '{}', which it does not have", name));
-    }
-    problems::keep_item(statement, name, problems::item_named(*part, row));
-  }
-  statement.constants = constants;
-  for (std::size_t i = 0; i < statement.variables.size(); ++i) {
-    statement.variables[i].start = starts.at(i);
-  }
-  std::vector<Member> at_design;
-  for (const ArgumentsState& law : laws) at_design.push_back(law_with(statement.laws, law));
-  statement.laws = std::move(at_design);
-  return result;
 }
 
 nb::dict curves_of(const StatedProblem& problem, int count) {
@@ -466,29 +340,11 @@ void add_problems(nb::module_& module) {
              nb::arg("laws") = std::map<std::string, const NamedLaw*>{});
   module.def("problem_file", &problem_file, nb::arg("path"));
   module.def(
-      "first_file",
-      [](const std::string& mechanism) {
-        return without_lock(
-            [&] { return problems::first_file(problems::find_mechanism(mechanism)); });
-      },
-      nb::arg("mechanism"));
-  module.def("examples", &example_names);
-  module.def(
       "example",
       [](const std::string& name) {
         return problem_file(problems::find_shipped(name).path.string());
       },
       nb::arg("name"));
-  module.def("mechanism_names", &mechanism_names);
-  module.def("formula", [](const std::string& mechanism, const std::string& response) {
-    return formula_of(problems::find_mechanism(mechanism), response);
-  });
-  module.def("formulas_page", [](const std::string& mechanism) {
-    return without_lock(
-        [&] { return cli::markdown_of(cli::formulas_page(problems::find_mechanism(mechanism))); });
-  });
-  module.def("mechanism",
-             [](const std::string& name) { return dict_of(problems::find_mechanism(name)); });
 }
 
 }  // namespace camlaw::python

@@ -85,7 +85,7 @@ const Names& refusals_caught() {
   static const Names known{
       // A text may be read in several ways, or its place is added to the sentence.
       "numerics/formula/formula_writer.cpp", "numerics/tables/column_names.cpp",
-      "numerics/tables/columns.cpp", "machines/model/stated_response.cpp",
+      "numerics/tables/columns.cpp", "machines/model/formula_names.cpp",
       "problems/fronts/problem_settings.cpp", "problems/law_files/law_file.cpp",
       "problems/results/recorded_design.cpp", "problems/results/start_settings.cpp",
       "problems/statement/catalogue_rows.cpp", "problems/statement/program_units.cpp",
