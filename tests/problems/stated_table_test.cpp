@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "problems/published/table/stated_table.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -149,6 +152,7 @@ TEST_CASE("peaks are read off grids and differences as by hand", "[stated-table]
     return Formula::record(5, [=](std::span<const Expression> u) { return u[which]; });
   };
   const Cycle once{"1", {{0, 1}}}, back{"deg", {{0, 180}, {180, 360, true}}};
+  const std::vector<double> kWhole{0, 1};
   for (const int n : {5, 8, 20}) {
     double v = 0, a = 0, dv = 0, da = 0;
     const auto s = [&](int i) {
@@ -163,7 +167,7 @@ TEST_CASE("peaks are read off grids and differences as by hand", "[stated-table]
       da = std::max(da, std::abs(s(i + 1) - 2 * s(i) + s(i - 1)) * n * n);
     }
     const auto off = [&](std::size_t which, Readout::Kind kind, const Cycle& cycle) {
-      return read_off({formula(which), cycle}, {}, law, optim::Part::Magnitude, {kind, n});
+      return read_off({formula(which), cycle}, {}, law, kWhole, optim::Part::Magnitude, {kind, n});
     };
     CHECK(off(1, Readout::Kind::Grid, once) == Approx(v).epsilon(1e-12));
     CHECK(off(2, Readout::Kind::Grid, once) == Approx(a).epsilon(1e-12));
@@ -173,7 +177,7 @@ TEST_CASE("peaks are read off grids and differences as by hand", "[stated-table]
   }
   // The acceleration of the cosine falls from its end on: of four steps the first inner place
   // counts.
-  CHECK(read_off({formula(2), once}, {}, find_law("cosine").law(), optim::Part::Highest,
+  CHECK(read_off({formula(2), once}, {}, find_law("cosine").law(), kWhole, optim::Part::Highest,
                  {Readout::Kind::InnerGrid, 4}) ==
         Approx(kPi * kPi / 2 * std::cos(kPi / 4)).epsilon(1e-12));
   CHECK(read_readout("grid of 9 steps without its ends").kind == Readout::Kind::InnerGrid);
@@ -207,6 +211,77 @@ printed = "10.0 mm"
 )toml");
   CHECK(result.reproduced == 2);
   CHECK(value_of(result, "third").stated_value == Approx(10).epsilon(1e-12));
+}
+
+TEST_CASE("a place that a curve does not have is refused", "[stated-table]") {
+  const auto at = [](const std::string& place) {
+    return "mechanism = \"spine-cutter\"\n[[values]]\nid = \"a\"\nresponse = \"displacement\"\n"
+           "at = \"" +
+           place + "\"\nlaw = \"cosine\"\nprinted = \"0.00 mm\"\n";
+  };
+  CHECK(reproduced(at("360 deg")).reproduced == 1);
+  for (const char* place : {"-10 deg", "370 deg", "1000 deg"}) {
+    INFO(place);
+    CHECK_THROWS_WITH(reproduced(at(place)),
+                      Contains("'a'.at") && Contains("is outside the cycle, 0 .. 360 deg"));
+  }
+}
+
+namespace {
+
+/// A rise of 80 deg, a return of 160 deg and a rest by a disc cam at 200 rpm, and one value of it.
+std::string cam_value(const std::string& response, const std::string& printed) {
+  return R"toml(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "30 mm"
+base_radius = "52 mm"
+roller_radius = "8 mm"
+speed = "200 rpm"
+[program]
+segments = [{name = "rise", angle = "80 deg", law = "cycloidal"},
+            {name = "return", angle = "160 deg", law = "cycloidal"}, {name = "low"}]
+[[values]]
+id = "peak"
+response = ")toml" +
+         response + "\"\nprinted = \"" + printed + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("a grid has its steps in each segment of a program", "[stated-table]") {
+  // v = h omega / beta (1 - cos 2 pi x) and its peak among i / 7; omega = 20 pi / 3.
+  const double rate = 0.03 * (20 * kPi / 3) / (80 * kPi / 180);
+  double grid = 0, differences = 0;
+  const auto s = [](double x) { return x - std::sin(2 * kPi * x) / (2 * kPi); };
+  for (int i = 1; i < 7; ++i) {
+    grid = std::max(grid, rate * (1 - std::cos(2 * kPi * i / 7)));
+    differences = std::max(differences, rate * (s((i + 1) / 7.0) - s((i - 1) / 7.0)) * 7 / 2);
+  }
+  for (const auto& [peaks, value] :
+       {std::pair{"grid of {} steps", grid}, std::pair{"differences on {} steps", differences}}) {
+    INFO(peaks);
+    const auto result = reproduced(cam_value("highest velocity", fmt::format("{:.5f} m/s", value)) +
+                                   "[hypotheses.grid]\nstated = \"exact\"\npeaks = \"" + peaks +
+                                   "\"\nalternatives = [\"5:1:12\"]\n");
+    CHECK(result.explained == 1);
+    CHECK_THAT(result.departures.front(), Contains("grid: 7"));
+  }
+}
+
+TEST_CASE("what a value implies is told in words that tell its ends apart", "[stated-table]") {
+  const std::string speed =
+      "[hypotheses.speed]\nstated = \"200 rpm\"\nset = \"speed={} rpm\"\n"
+      "alternatives = [210]\n[[implied]]\nparameter = \"speed\"\nlower = \"";
+  const std::string two =
+      "[[values]]\nid = \"a\"\nresponse = \"highest acceleration\"\nprinted "
+      "= \"95.426 m/s2\"\n";
+  const std::string value = cam_value("highest velocity", "1.3501 m/s");
+  const auto found = reproduced(value + two + speed + "100 rpm\"\nupper = \"400 rpm\"\n").values[0];
+  CHECK_THAT(fmt::format("{}", fmt::join(found.causes, "; ")), Contains("needs 300.01 to 300.03"));
+  const auto none = reproduced(value + two + speed + "100 rpm\"\nupper = \"250 rpm\"\n");
+  CHECK_THAT(fmt::format("{}", fmt::join(none.values[0].causes, "; ")),
+             Contains("no value of speed gives the printed value") && !Contains("valueed"));
 }
 
 TEST_CASE("digits may be cut off, and the wrong response may be printed", "[stated-table]") {
@@ -268,6 +343,8 @@ TEST_CASE("a wrong table is refused with its file, line, row and key", "[stated-
        {"hypotheses.h", "gravity"}},
       {hypothesis("stated = \"a\"\nset = \"gravity={}\"\nalternatives = [\"1:-1:5\"]\n"),
        {"alternatives[1]", "range"}},
+      {hypothesis("stated = \"a\"\nset = \"gravity={}\"\nalternatives = [\"8:0.3:9\"]\n"),
+       {"alternatives[1]", "end at 8.9 and do not meet 9"}},
       {hypothesis("stated = \"a\"\nset = \"gravity={}\"\nalternatives = [\"0:1e-9:1\"]\n"),
        {"hypotheses.h"}},
       {hypothesis("stated = \"a\"\nset = \"gravity={}\"\nalternatives = [\"0:0.000001:1\"]\n"),

@@ -83,6 +83,17 @@ std::string value_text(const ImpliedParameter& implied, double value, const std:
   return fmt::format("{} = {:.4g}{}", implied.parameter, value, unit == "1" ? "" : " " + unit);
 }
 
+/// "299.98 to 300.02": as many digits as tell the ends apart, four at least.
+std::string range_words(const ImpliedRange& range) {
+  constexpr int kLeast = 4, kMost = 12;
+  for (int digits = kLeast; digits <= kMost; ++digits) {
+    const std::string lower = fmt::format("{:.{}g}", range.lower, digits),
+                      upper = fmt::format("{:.{}g}", range.upper, digits);
+    if (lower != upper) return fmt::format("{} to {}", lower, upper);
+  }
+  return fmt::format("{:.{}g}", range.lower, kLeast);
+}
+
 /// What one value says, where the values beside it need `shared`.
 std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedParameter& implied,
                                  const AskedParameter& of, const ImpliedRange& own,
@@ -90,7 +101,7 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
   const auto& printed = model.row(row).row->printed;
   const std::string& unit = model.row(row).problem->mechanism->parameters[of.parameter].unit;
   if (!shared.is_found()) {
-    return {fmt::format("no value of {}{} gives the printed valueed value", implied.parameter,
+    return {fmt::format("no value of {}{} gives the printed value", implied.parameter,
                         with_settings(implied))};
   }
   std::vector<std::string> result{fmt::format("{}{} is what {} needs",
@@ -105,7 +116,7 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
       fmt::format("that gives {}{}", optim::as_printed(value, printed.number.decimals),
                   misprint ? ", so that one digit is misprinted" : "");
   if (own.is_found()) {
-    text += fmt::format("; the printed value needs {:.4g} to {:.4g}", own.lower, own.upper);
+    text += "; the printed value needs " + range_words(own);
   }
   result.push_back(std::move(text));
   return result;

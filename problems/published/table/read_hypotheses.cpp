@@ -56,7 +56,13 @@ std::optional<std::vector<std::string>> expanded_range(const Entry& entry) {
   if (step->value == 0 || (to->value - from->value) / step->value < 0) {
     refuse(entry, fmt::format("'{}' is not a range; write from:step:to, such as 10:1:30", text));
   }
-  const double count = std::floor((to->value - from->value) / step->value * (1 + 1e-12) + 1e-9);
+  const double exact = (to->value - from->value) / step->value;
+  const double count = std::floor(exact * (1 + 1e-12) + 1e-9);
+  if (exact - count > 1e-9 * std::max(1.0, exact)) {
+    refuse(entry, fmt::format("the steps of '{}' end at {:g} and do not meet {:g}; use a step that "
+                              "divides the range",
+                              text, from->value + count * step->value, to->value));
+  }
   if (count >= static_cast<double>(kMostAlternatives)) {
     refuse(entry, fmt::format("'{}' has {:g} values; at most {} are accepted", text, count + 1,
                               kMostAlternatives));

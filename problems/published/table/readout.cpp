@@ -19,48 +19,60 @@ namespace {
 constexpr int kLeastSteps = 2, kMostSteps = 100000;
 
 /// The law as it goes on beyond its ends.
-class ContinuedSteps {
+class ContinuedLaw {
  public:
-  ContinuedSteps(const Law<double>& law, const Cycle& cycle, int steps)
-      : steps_(steps),
+  ContinuedLaw(const Law<double>& law, const Cycle& cycle)
+      : law_(law),
         mirrored_(std::any_of(cycle.stretches.begin(), cycle.stretches.end(),
                               [](const Stretch& s) { return s.returning; })),
-        periodic_(cycle.unit == "deg" && cycle.stretches.size() == 1) {
-    for (int i = 0; i <= steps; ++i) {
-      s_.push_back(law(static_cast<double>(i) / steps, i == steps ? Side::Left : Side::Right).s);
-    }
-  }
-  double operator()(int i) const {
-    if (i >= 0 && i <= steps_) return at(i);
-    if (mirrored_) return at(i < 0 ? -i : 2 * steps_ - i);
-    if (periodic_) return at(i < 0 ? i + steps_ : i - steps_);
-    return at(i < 0 ? 0 : steps_);
+        periodic_(cycle.unit == "deg" && cycle.stretches.size() == 1),
+        advance_(periodic_ ? within(1) - within(0) : 0) {}
+
+  double operator()(double x) const {
+    if (x >= 0 && x <= 1) return within(x);
+    if (mirrored_) return within(x < 0 ? -x : 2 - x);
+    if (periodic_) return x < 0 ? within(x + 1) - advance_ : within(x - 1) + advance_;
+    return within(x);
   }
 
  private:
-  double at(int i) const { return s_[static_cast<std::size_t>(std::clamp(i, 0, steps_))]; }
-  int steps_;
+  double within(double x) const {
+    x = std::clamp(x, 0.0, 1.0);
+    return law_(x, x < 1 ? Side::Right : Side::Left).s;
+  }
+  const Law<double>& law_;
   bool mirrored_, periodic_;
-  std::vector<double> s_;
+  double advance_;  ///< in a turn
 };
 
-std::vector<Motion<double>> grid_motions(const Law<double>& law, int steps) {
-  std::vector<Motion<double>> motions;
+/// A motion and its place x.
+struct PlacedMotion {
+  double x;
+  Motion<double> motion;
+};
+
+/// At even places from one x to another.
+std::vector<PlacedMotion> grid_motions(const Law<double>& law, double from, double to, int steps) {
+  std::vector<PlacedMotion> motions;
   for (int i = 0; i <= steps; ++i) {
-    motions.push_back(law(static_cast<double>(i) / steps, i == steps ? Side::Left : Side::Right));
+    const double x = i == steps ? to : from + (to - from) * (static_cast<double>(i) / steps);
+    motions.push_back({x, law(x, i == steps ? Side::Left : Side::Right)});
   }
   return motions;
 }
 
-std::vector<Motion<double>> differenced_motions(const Law<double>& law, const Cycle& cycle,
-                                                int steps) {
-  const ContinuedSteps s(law, cycle, steps);
-  const double n = steps;
-  std::vector<Motion<double>> motions;
+std::vector<PlacedMotion> differenced_motions(const Law<double>& law, const Cycle& cycle,
+                                              double from, double to, int steps) {
+  const ContinuedLaw s(law, cycle);
+  const double n = steps / (to - from);
+  const auto place = [&](int i) { return from + (to - from) * (static_cast<double>(i) / steps); };
+  std::vector<PlacedMotion> motions;
   for (int i = 0; i <= steps; ++i) {
-    motions.push_back({s(i), (s(i + 1) - s(i - 1)) * n / 2,
-                       (s(i + 1) - 2 * s(i) + s(i - 1)) * n * n,
-                       (s(i + 2) - 2 * s(i + 1) + 2 * s(i - 1) - s(i - 2)) * n * n * n / 2});
+    const double here = s(place(i)), after = s(place(i + 1)), before = s(place(i - 1));
+    motions.push_back(
+        {place(i),
+         {here, (after - before) * n / 2, (after - 2 * here + before) * n * n,
+          (s(place(i + 2)) - 2 * after + 2 * before - s(place(i - 2))) * n * n * n / 2}});
   }
   return motions;
 }
@@ -100,22 +112,25 @@ Readout read_readout(std::string_view text) {
 }
 
 double read_off(const SampledCurve& curve, std::span<const double> constants,
-                const Law<double>& law, optim::Part part, Readout readout) {
+                const Law<double>& law, std::span<const double> ends, optim::Part part,
+                Readout readout) {
   const FormulaAlong<double> at(curve.formula, constants);
-  const auto motions = readout.kind == Readout::Kind::Differences
-                           ? differenced_motions(law, curve.cycle, readout.steps)
-                           : grid_motions(law, readout.steps);
+  const std::size_t left_out = readout.kind == Readout::Kind::InnerGrid ? 1 : 0;
   double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-  for (const Stretch& stretch : curve.cycle.stretches) {
-    const Cycle::Part place = curve.cycle.part_of(stretch);
-    const std::size_t left_out = readout.kind == Readout::Kind::InnerGrid ? 1 : 0;
-    for (std::size_t i = left_out; i + left_out < motions.size(); ++i) {
-      const auto m = follower_motion(stretch, motions[i]);
-      const double x = place.at(static_cast<double>(i) / readout.steps);
-      const std::array<double, 5> others{m.s, m.v, m.a, m.j, x};
-      const double value = at(std::span<const double>(others));
-      if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
-      highest = std::max(highest, value), lowest = std::min(lowest, value);
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const auto motions =
+        readout.kind == Readout::Kind::Differences
+            ? differenced_motions(law, curve.cycle, ends[k], ends[k + 1], readout.steps)
+            : grid_motions(law, ends[k], ends[k + 1], readout.steps);
+    for (const Stretch& stretch : curve.cycle.stretches) {
+      const Cycle::Part place = curve.cycle.part_of(stretch);
+      for (std::size_t i = left_out; i + left_out < motions.size(); ++i) {
+        const auto m = follower_motion(stretch, motions[i].motion);
+        const std::array<double, 5> others{m.s, m.v, m.a, m.j, place.at(motions[i].x)};
+        const double value = at(std::span<const double>(others));
+        if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
+        highest = std::max(highest, value), lowest = std::min(lowest, value);
+      }
     }
   }
   return part == optim::Part::Highest  ? highest

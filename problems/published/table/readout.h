@@ -21,7 +21,7 @@ struct Readout {
     Differences  ///< the same, v, a and j by central differences of s between these places
   };
   Kind kind = Kind::Exact;
-  int steps = 0;  ///< of each stretch of the cycle
+  int steps = 0;  ///< of each stretch of the cycle, of a program of each segment
 };
 
 /// Reads "exact", "grid of 20 steps", "grid of 20 steps without its ends", "differences on 20
@@ -35,10 +35,12 @@ struct SampledCurve {
   Cycle cycle;
 };
 
-/// Its part as it is read off. Beyond the ends of a stretch the differences take the motion as it
-/// goes on: mirrored where the follower returns, turn after turn where the cycle is one, at rest
-/// otherwise. NaN where the curve has no value at one of the places.
+/// Its part as it is read off, in steps between `ends`: of the law's x, where its parts end, from 0
+/// to 1. Beyond the ends of a stretch the differences take the motion as it goes on: mirrored where
+/// the follower returns, turn after turn where the cycle is one, at rest otherwise. NaN where the
+/// curve has no value at one of the places.
 double read_off(const SampledCurve& curve, std::span<const double> constants,
-                const Law<double>& law, optim::Part part, Readout readout);
+                const Law<double>& law, std::span<const double> ends, optim::Part part,
+                Readout readout);
 
 }  // namespace camlaw::problems

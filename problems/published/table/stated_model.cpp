@@ -25,6 +25,18 @@ int choice_of(std::span<const int> choice, std::size_t h) {
   return h < choice.size() ? choice[h] : 0;
 }
 
+/// Where the parts of a law that has names for them end, from 0 to 1: a program's segments.
+std::vector<double> ends_of_parts(const Member& law) {
+  std::vector<double> ends{0};
+  if (law.family->spans) {
+    for (const NamedSpan& span : law.family->spans(law.arguments)) {
+      if (span.end > ends.back() && span.end < 1) ends.push_back(span.end);
+    }
+  }
+  ends.push_back(1);
+  return ends;
+}
+
 double peak_of(const optim::Trace& trace, optim::Part part) {
   const double value = optim::extreme_of(trace, part).value;
   return part == optim::Part::Magnitude ? std::abs(value) : value;
@@ -143,12 +155,17 @@ double Model::looked_up(const RowModel& model, const LookedUp& number,
                         Readout readout) {
   const Binding binding{constants, {}, {}, law};
   if (readout.kind != Readout::Kind::Exact && number.sampled) {
-    return read_off(*number.sampled, constants, law->law_at<double>({}), number.name.part, readout);
+    return read_off(*number.sampled, constants, law->law_at<double>({}),
+                    ends_of_parts(law->member_at({})), number.name.part, readout);
   }
   if (number.inner) return number.inner->number(binding).value({});
   const optim::Response response = response_of(*model.problem, number.name, binding);
   if (!response.is_curve()) return response.function().value({});
   const auto trace = response.curve().trace({});
+  const std::vector<double> breaks = trace->breaks();
+  const bool is_outside = number.place && !(number.place->angle >= breaks.front() &&
+                                            number.place->angle <= breaks.back());
+  if (is_outside) return kUndefined;
   return number.place ? trace->at(*number.place)[0] : peak_of(*trace, number.name.part);
 }
 

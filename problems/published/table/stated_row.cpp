@@ -110,6 +110,17 @@ void check_place(const StatedRow& row, const ResponseName& name, const Entry& wh
   }
 }
 
+/// Refuses a place that the curve does not have.
+void check_within(double place, const MechanismResponse& curve) {
+  if (!curve.turn && !curve.cycle) return;  // what it runs over differs by design
+  const double begin = curve.turn ? 0 : curve.cycle->stretches.front().begin;
+  const double end = curve.turn ? 360 : curve.cycle->stretches.back().end;
+  if (place >= begin && place <= end) return;
+  throw std::invalid_argument(fmt::format("{} is outside the cycle, {}",
+                                          with_unit(place, curve.along),
+                                          range_text(begin, end, curve.along)));
+}
+
 /// From the response's unit into that of the print.
 void set_unit(RowResponse& response, PrintedValue& printed, const Entry& where) {
   if (printed.unit.empty()) printed.unit = response.name.unit;
@@ -203,7 +214,9 @@ RowResponse Model::make_response_of(const RowModel& model, const std::string& na
   if (model.row->at) {
     const Entry& at = *find(model.row->where, "at");
     whole.place = optim::Place{located(at, [&] {
-      return parse_quantity(*model.row->at, response->along, response->along, "at");
+      const double place = parse_quantity(*model.row->at, response->along, response->along, "at");
+      check_within(place, *response);
+      return place;
     })};
   } else if (response->curve) {
     whole.sampled = sampled_curve(problem, *response);
