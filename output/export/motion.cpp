@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "kinematics/expansion.h"
+#include "machines/model/law_looks.h"
+#include "numerics/text/dimension.h"
+#include "numerics/text/units.h"
 #include "output/export/length_unit.h"
 #include "problems/statement/bind.h"
 
@@ -16,30 +19,37 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// s over x of a law, or its velocity: a law's derivative of an order as a curve.
+/// A law's derivative of an order by the place, as a curve over places from 0 to `length`.
 class LawTrace final : public optim::Trace {
  public:
-  LawTrace(Law<double> law, std::size_t order) : law_(std::move(law)), order_(order) {
+  LawTrace(Law<double> law, std::size_t order, double length)
+      : law_(std::move(law)), order_(order), length_(length) {
     const Law<Interval> enclosing = law_.as<Interval>();
     for (const auto& piece : enclosing.pieces()) expanders_.emplace_back(piece);
   }
 
   std::vector<double> breaks() const override {
     std::vector<double> result{0};
-    for (const auto& piece : law_.pieces()) result.push_back(piece.end);
+    for (const auto& piece : law_.pieces()) result.push_back(length_ * piece.end);
     return result;
   }
   std::array<double, 3> at(optim::Place place) const override {
-    const auto d = law_.derivatives<4>(place.angle, place.from_left ? Side::Left : Side::Right);
-    return {d[order_], d[order_ + 1], d[order_ + 2]};
+    const double x = at_break(law_, place.angle / length_);
+    const auto d = law_.derivatives<4>(x, place.from_left ? Side::Left : Side::Right);
+    std::array<double, 3> result{};
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = d[order_ + k] / std::pow(length_, static_cast<double>(order_ + k));
+    return result;
   }
   optim::Bounds enclose(double from, double to) const override { return expand(from, to)[0]; }
   std::array<optim::Bounds, 3> expand(double from, double to) const override {
-    const std::size_t piece = law_.piece_at(std::midpoint(from, to), Side::Left);
-    const auto over = expanders_[piece](Interval(from, to)).over;
+    const std::size_t piece = law_.piece_at(std::midpoint(from, to) / length_, Side::Left);
+    const Interval length(length_);
+    const auto over = expanders_[piece](Interval(from, to) / length).over;
     const auto bounds = [&](std::size_t derivative, double factor) {
-      return optim::Bounds{factor * over[order_ + derivative].lower(),
-                           factor * over[order_ + derivative].upper()};
+      Interval range = Interval(factor) * over[order_ + derivative];
+      for (std::size_t k = 0; k < order_ + derivative; ++k) range = range / length;
+      return optim::Bounds{range.lower(), range.upper()};
     };
     return {bounds(0, 1), bounds(1, 1), bounds(2, 0.5)};
   }
@@ -47,15 +57,22 @@ class LawTrace final : public optim::Trace {
  private:
   Law<double> law_;
   std::size_t order_;
+  double length_;
   std::vector<PieceExpander> expanders_;
 };
+
+/// Of a law's own places, x or an angle.
+double length_of_cycle(const std::string& place_unit) { return place_unit == "deg" ? 360 : 1; }
 
 Possible<ExportedMotion> whole_law_motion(const ProblemStatement& statement) {
   auto law = statement.laws.front().possible_law();
   if (!law) return law.reason();
   ExportedMotion motion{.master = "x", .place_unit = "1", .slave = "s", .unit = "1", .trace = {}};
-  motion.trace = std::make_shared<LawTrace>(*law, 0);
-  motion.velocity = std::make_shared<LawTrace>(*law, 1);
+  if (statement.mechanism->moved_by == MovedBy::Program)
+    motion.master = "cam_angle [deg]", motion.place_unit = "deg";
+  const double length = length_of_cycle(motion.place_unit);
+  motion.trace = std::make_shared<LawTrace>(*law, 0, length);
+  motion.velocity = std::make_shared<LawTrace>(*law, 1, length);
   return motion;
 }
 
@@ -81,6 +98,27 @@ std::optional<double> times_slope(const optim::Trace& curve, const optim::Trace&
   return factor;
 }
 
+/// Adds a curve that is proportional to the slope of the motion: the machine's velocity, or the
+/// law's.
+void add_velocity(const ProblemStatement& statement, const std::vector<optim::Response>& curves,
+                  ExportedMotion& motion) {
+  std::vector<std::shared_ptr<const optim::Trace>> candidates;
+  for (const optim::Response& other : curves) {
+    if (other.name == "velocity") candidates.push_back(other.curve().trace({}));
+  }
+  const bool follows_law =
+      statement.mechanism->moved_by != MovedBy::Nothing && statement.mechanism->cams.empty();
+  const auto law = follows_law ? statement.laws.front().possible_law().if_any() : std::nullopt;
+  if (law)
+    candidates.push_back(std::make_shared<LawTrace>(*law, 1, length_of_cycle(motion.place_unit)));
+  for (auto& candidate : candidates) {
+    const auto factor = times_slope(*motion.trace, *candidate);
+    if (!factor) continue;
+    motion.velocity = std::move(candidate), motion.velocity_factor = *factor;
+    return;
+  }
+}
+
 ExportedMotion curve_motion(const ProblemStatement& statement, const optim::Response& response,
                             const std::vector<optim::Response>& curves) {
   ExportedMotion motion;
@@ -89,14 +127,18 @@ ExportedMotion curve_motion(const ProblemStatement& statement, const optim::Resp
   motion.slave = response.name;
   motion.unit = response.unit;
   motion.trace = response.curve().trace({});
-  for (const optim::Response& other : curves) {
-    if (response.name != "displacement" || other.name != "velocity") continue;
-    std::shared_ptr<const optim::Trace> velocity = other.curve().trace({});
-    if (const auto factor = times_slope(*motion.trace, *velocity)) {
-      motion.velocity = std::move(velocity), motion.velocity_factor = *factor;
-    }
-  }
+  if (response.name == "displacement") add_velocity(statement, curves, motion);
   return motion;
+}
+
+/// Whether a slave's unit is one of length.
+bool is_length(const std::string& unit) {
+  return si_unit(unit).dimension == si_unit(kMillimetre.name).dimension;
+}
+
+void write_in_inches(ExportedMotion& motion) {
+  motion.slave_factor = unit_as_written(motion.unit, kMillimetre.name) / kInch.mm;
+  motion.unit = kInch.name;
 }
 
 }  // namespace
@@ -114,8 +156,7 @@ Possible<ExportedMotion> motion_of(const ProblemStatement& statement,
   for (const optim::Response& response : curves) {
     if (response.name == slave.value_or("displacement")) {
       ExportedMotion motion = curve_motion(statement, response, curves);
-      if (inches && motion.unit == "mm")
-        motion.unit = kInch.name, motion.slave_factor = 1 / kInch.mm;
+      if (inches && is_length(motion.unit)) write_in_inches(motion);
       return motion;
     }
     names.push_back(response.name);

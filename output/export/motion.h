@@ -38,7 +38,8 @@ struct ExportedMotion {
 };
 
 /// The motion of a mechanism: `slave` names one of its curves; none: the curve "displacement", else
-/// the law itself, s over x. With `inches` a slave in mm is in inches. Impossible where there is no
+/// the law itself, s over x or, of a program, over the cam's angle. With `inches` a length is in
+/// inches. Impossible where there is no
 /// such curve, with those that there are.
 Possible<ExportedMotion> motion_of(const ProblemStatement& statement,
                                    const std::optional<std::string>& slave, bool inches = false);

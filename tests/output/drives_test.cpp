@@ -16,6 +16,8 @@ namespace camlaw::problems::drives_test {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr double kPi = std::numbers::pi;
+
 using Catch::Contains;
 using drive_readers::Cam;
 
@@ -115,6 +117,74 @@ TEST_CASE("Drives count the master in milliseconds or increments, and the slave 
     CHECK(drive.reader(counted).points.back().x == 65536);
     CHECK(departure(drive.reader(counted), motion, 65536.0 / 360) <= stated_deviation(counted));
   }
+}
+
+namespace {
+
+/// A slide that a program moves: `responses` are its own.
+ProblemStatement slide(const std::string& responses) {
+  return read_problem(R"toml(
+title = "slide"
+[machine]
+name = "slide"
+moved_by = "program"
+[machine.parameters.stroke]
+unit = "mm"
+default = 50
+)toml" + responses + R"toml(
+[program]
+segments = [{name = "a", angle = "100 deg", law = "cycloidal"}, {name = "b", angle = "60 deg"},
+            {name = "c", law = "poly-3-4-5"}]
+)toml",
+                      "slide.toml");
+}
+
+}  // namespace
+
+TEST_CASE("A program without a displacement of its own moves s over the cam's angle", "[drives]") {
+  const ExportedMotion motion =
+      motion_of(slide("[responses.speed]\nunit = \"mm\"\nformula = \"stroke * v\"\n"), {}).value();
+  CHECK(motion.master == "cam_angle [deg]");
+  CHECK(motion.place_unit == "deg");
+  CHECK(motion.end() == 360);
+  // x - sin(2 pi x) / (2 pi) over 100 deg, at a quarter of it.
+  const auto at = motion.at({25});
+  CHECK(at[0] == Approx(0.25 - 1 / (2 * kPi)).epsilon(1e-12));
+  CHECK(at[1] == Approx(1 / 100.0).epsilon(1e-12));
+  CHECK(at[2] == Approx(2 * kPi / 1e4).epsilon(1e-12));
+  CHECK(std::abs(at[3]) < 1e-15);
+  CHECK(motion.at({50})[3] == Approx(-4 * kPi * kPi / 1e6).epsilon(1e-12));
+  // The enclosures hold values, first and half of second derivatives.
+  const auto bounds = motion.trace->expand(20, 30);
+  for (double place = 20; place <= 30; place += 0.5) {
+    const auto f = motion.trace->at({place});
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(bounds[k].lower <= (k == 2 ? 0.5 : 1) * f[k]);
+      CHECK(bounds[k].upper >= (k == 2 ? 0.5 : 1) * f[k]);
+    }
+  }
+}
+
+TEST_CASE("A displacement stated as a formula has the law's jerk", "[drives]") {
+  const ExportedMotion motion =
+      motion_of(slide("[responses.displacement]\nunit = \"mm\"\nformula = \"-stroke * s\"\n"), {})
+          .value();
+  CHECK(motion.at({50})[3] == Approx(50 * 4 * kPi * kPi / 1e6).epsilon(1e-12));
+  // The square of s has another slope than the law.
+  const ExportedMotion bent =
+      motion_of(slide("[responses.displacement]\nunit = \"mm\"\nformula = \"stroke * s^2\"\n"), {})
+          .value();
+  CHECK(std::isnan(bent.at({50})[3]));
+}
+
+TEST_CASE("A slave in any unit of length is written in inches", "[drives]") {
+  const auto statement = slide(
+      "[responses.fine]\nunit = \"um\"\nformula = \"stroke * s\"\n"
+      "[responses.part]\nunit = \"1\"\nformula = \"s\"\n");
+  const ExportedMotion fine = motion_of(statement, "fine", true).value();
+  CHECK(fine.unit == "in");
+  CHECK(fine.at({50})[0] == Approx(25 / 25.4).epsilon(1e-12));
+  CHECK(motion_of(statement, "part", true).value().unit == "1");
 }
 
 TEST_CASE("Derivatives that are rounding alone are written as 0", "[exports][drives]") {

@@ -243,6 +243,19 @@ MotionDeviation deviation_of(const WrittenMotion& exact, const PiecewiseMotion& 
   return result;
 }
 
+namespace {
+
+/// Breaks without those that rounding has set beside another one.
+std::vector<double> joints_apart(const std::vector<double>& breaks, double least) {
+  std::vector<double> joints{breaks.front()};
+  for (std::size_t k = 1; k < breaks.size(); ++k) {
+    if (k + 1 == breaks.size() || breaks[k] - joints.back() >= least) joints.push_back(breaks[k]);
+  }
+  return joints;
+}
+
+}  // namespace
+
 QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int decimals,
                               std::size_t most) {
   constexpr double kLeast = 1e-7;  // of the cycle
@@ -250,6 +263,13 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
   const ExportedMotion& motion = exact.motion;
   const double cycle = motion.end() - motion.begin();
   const DerivativeSizes sizes = derivative_sizes(exact);
+  const std::vector<double> joints = joints_apart(motion.trace->breaks(), 10 * kLeast * cycle);
+  if (joints.size() > most + 1) {
+    throw std::invalid_argument(fmt::format(
+        "{} has {} pieces, each of which takes a polynomial, and the drive has {}; no --tolerance "
+        "helps, but points do, or a law of fewer pieces",
+        motion.slave_heading(), joints.size() - 1, most));
+  }
   double inner = 0.95 * tolerance;
   for (int i = 0; i < kTries; ++i, inner *= 0.8) {
     std::vector<MotionKnot> knots{exact.knot(motion.begin(), decimals)};
@@ -269,14 +289,7 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
         self(self, middle, to);
       }
     };
-    const std::vector<double> breaks = motion.trace->breaks();
-    double from = breaks.front();
-    for (std::size_t k = 1; k < breaks.size(); ++k) {
-      // A joint that rounding has set beside another one is no knot.
-      if (k + 1 < breaks.size() && breaks[k] - from < 10 * kLeast * cycle) continue;
-      divide(divide, from, breaks[k]);
-      from = breaks[k];
-    }
+    for (std::size_t k = 1; k < joints.size(); ++k) divide(divide, joints[k - 1], joints[k]);
     if (knots.size() > most + 1) {
       throw std::invalid_argument(fmt::format(
           "{} takes {} polynomials of degree 5 within {}, and the drive has {}; "
