@@ -16,12 +16,22 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 def _key(name: Any, where: str) -> str:
     if not isinstance(name, str):
         raise InputError(f"{where or 'problem'}: the name {shown(name)} is not a text")
+    if any(ord(letter) < 32 for letter in name):
+        raise InputError(f"{where or 'problem'}: the name {shown(name)} has a control character")
     return name if _BARE.fullmatch(name) else _text(text(name, where))
 
 
 def _text(value: str) -> str:
     # A basic string of TOML; JSON's escapes are among its own.
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _large(value: int, where: str) -> str:
+    """A whole number beyond those of TOML, as a float."""
+    try:
+        return repr(float(value))
+    except OverflowError:
+        raise InputError(f"{where}: the number is larger than 1.8e308") from None
 
 
 def _value(value: Any, where: str) -> str:
@@ -33,6 +43,8 @@ def _value(value: Any, where: str) -> str:
         return _text(text(value, where))
     if is_pint(value):
         return _text(value_text(value))
+    if isinstance(value, int) and not -(2**63) <= value < 2**63:
+        return _large(value, where)
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, (list, tuple)):

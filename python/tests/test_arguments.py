@@ -115,6 +115,8 @@ def test_sentences_name_the_argument_and_what_is_accepted():
         lambda: LAW(["0.5"]): "x: .* is not an array of real numbers",
         lambda: stated(variables={"base_radius": 3}): r"variables.base_radius: 3 is neither \(lower, upper\)",
         lambda: stated(cams={"press": {"speed": 3}}): "cams.press: a cam has no 'speed'; it accepts",
+        lambda: stated(constants={'foo "\n': 1}): "constants: the name .* has a control character",
+        lambda: stated(constants={"stroke": 10**400}): "constants.stroke: the number is larger than",
         lambda: PROBLEM.optimize(progress=3): "progress: 3 is none of True, False, None and a function",
         lambda: cl.fit(SAMPLES, set={"mass": 3}): "set: it sets values of a mechanism; give mechanism",
         lambda: cl.fit(SAMPLES, loss="least"): "loss: 'least' is not a loss; none, huber and cauchy",
