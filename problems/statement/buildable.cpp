@@ -75,8 +75,9 @@ bool asks_for(const ProblemStatement& problem, const MechanismResponse* response
   const auto& limits = problem.constraints;
   return std::any_of(wanted.begin(), wanted.end(),
                      [&](const auto& o) { return is_of(o.response, *response); }) ||
-         std::any_of(limits.begin(), limits.end(),
-                     [&](const auto& c) { return !c.of_check && is_of(c.response, *response); });
+         std::any_of(limits.begin(), limits.end(), [&](const auto& c) {
+           return (!c.of_check || c.required_by) && is_of(c.response, *response);
+         });
 }
 
 /// On a shaft the cam that a check is of.
@@ -225,11 +226,26 @@ bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted
   return c.lower && *c.lower >= *wanted.lower && (part == Part::Value || part == Part::Lowest);
 }
 
+/// Whether the file does not state a limit itself, and that of a check says more.
+bool is_covered(const ConstraintStatement& c, const ConstraintStatement& limit) {
+  const bool has_one_side = c.upper.has_value() != c.lower.has_value();
+  return c.required_by && has_one_side && c.response.response != nullptr && is_as_tight(limit, c);
+}
+
+/// Adds the limit of a check, or puts it in place of a looser one that only a response requires.
 void add_limit(ConstraintStatement limit, ProblemStatement& problem) {
-  const auto& all = problem.constraints;
+  auto& all = problem.constraints;
   const bool kept =
       std::any_of(all.begin(), all.end(), [&](const auto& c) { return is_as_tight(c, limit); });
-  if (!kept) problem.constraints.push_back(std::move(limit));
+  if (kept) return;
+  const auto looser =
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return is_covered(c, limit); });
+  if (looser == all.end()) {
+    all.push_back(std::move(limit));
+  } else {
+    limit.required_by = looser->required_by;
+    *looser = std::move(limit);
+  }
 }
 
 /// Refuses a bound that would be another at another design: limits have numbers.
@@ -332,7 +348,8 @@ double accepted_input(const BuildableInput& input, double value) {
 }
 
 void limit_to_checks(ProblemStatement& problem) {
-  std::erase_if(problem.constraints, [](const ConstraintStatement& c) { return c.of_check; });
+  std::erase_if(problem.constraints,
+                [](const ConstraintStatement& c) { return c.of_check && !c.required_by; });
   if (!problem.buildable.require) return;
   for (const BuildableCheck* check : checks_for(problem)) {
     if (!missing(*check, problem).empty()) continue;
