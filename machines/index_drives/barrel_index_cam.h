@@ -48,6 +48,17 @@ struct BarrelIndexCam : RibTurret<T> {
             -(turret_radius * c) + axis_distance,
             -f.ds};
   }
+  /// A point of the surface of a roller at psi, in the direction cos theta, sin theta from its path
+  /// round its axis.
+  template <class X>
+  SpacePoint<X> surface_point(RollerPlace place, const X& psi, const std::pair<X, X>& theta) const {
+    using std::cos;
+    using std::sin;
+    const X c = cos(psi), s = sin(psi);
+    const X along = theta.first * roller_radius, across = theta.second * roller_radius;
+    return {X(distance_at(place)), s * turret_radius + along * c + across * s,
+            c * turret_radius - axis_distance - along * s + across * c};
+  }
   /// What is left between two neighbouring rollers, m: the rib between them.
   T roller_gap() const {
     using std::sin;

@@ -40,6 +40,16 @@ struct GloboidalCam : RibTurret<T> {
     return {u * f.ds,  -(u * c) + axis_distance, f.ds,         -c,
             u * f.dds, u * (s * f.ds),           number<X>(0), s};
   }
+  /// A point of the surface of a roller at psi, in the direction cos theta, sin theta from its path
+  /// round its axis.
+  template <class X>
+  SpacePoint<X> surface_point(RollerPlace place, const X& psi, const std::pair<X, X>& theta) const {
+    using std::cos;
+    using std::sin;
+    const T u = distance_at(place);
+    const X c = cos(psi), s = sin(psi), along = theta.first * roller_radius;
+    return {-(u * c) + axis_distance + along * s, u * s + along * c, theta.second * roller_radius};
+  }
   /// What is left between two neighbouring rollers where they are nearest, m: the rib's top.
   T roller_gap() const {
     using std::sin;

@@ -30,6 +30,16 @@ X rib_force(const Drive& drive, const RuledContact<X>& middle, const FollowerMot
   return drive.follower().torque(f) / drive.lever() * middle.inclination();
 }
 
+/// What names of responses in a plane across the roller begin with, and where that is.
+inline const char* place_prefix(RollerPlace place) {
+  return place == RollerPlace::Middle ? "" : place == RollerPlace::Root ? "root_" : "tip_";
+}
+inline const char* place_words(RollerPlace place) {
+  return place == RollerPlace::Middle ? " at the middle of the roller"
+         : place == RollerPlace::Root ? " at the roller's end away from the cam's axis"
+                                      : " at the roller's end towards the cam's axis";
+}
+
 /// Of a driving roller at the angle psi.
 template <class Drive, class X>
 X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
@@ -60,6 +70,50 @@ X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
   return unless_zero(force, material.pressure(X(absolute(force) / drive.face_width), sum));
 }
 
+/// A coordinate of a line of contact: 0 for x, 1 for y, 2 for z.
+struct ContactPlace {
+  int coordinate;
+  RollerPlace place;
+  double side;
+};
+
+/// Where the driving roller at psi touches a flank, in the coordinates of the cam turned by phi.
+template <class Drive, class X>
+X contact_coordinate(const Drive& drive, const ContactPlace& which, const X& psi,
+                     const FollowerMotion<X>& f, const X& phi) {
+  const auto theta = drive.contact(which.place, psi, f).direction(which.side);
+  const SpacePoint<X> at = on_turned_cam(drive.surface_point(which.place, psi, theta), phi);
+  return which.coordinate == 0 ? at.x : which.coordinate == 1 ? at.y : at.z;
+}
+
+/// The lines of contact of both flanks, each by three of its points.
+template <template <class> class M>
+std::vector<MechanismResponse> contact_lines() {
+  std::vector<MechanismResponse> all;
+  for (const double side : {kDrives, kHolds}) {
+    for (const RollerPlace place : {RollerPlace::Middle, RollerPlace::Root, RollerPlace::Tip}) {
+      for (const int coordinate : {0, 1, 2}) {
+        const std::string name = std::string(side == kDrives ? "" : "second_") +
+                                 place_prefix(place) + "contact_" + "xyz"[coordinate];
+        const std::string meaning = std::string("line of contact on the ") +
+                                    (side == kDrives ? "driving" : "holding") + " flank" +
+                                    place_words(place) + ", in the cam's own coordinates";
+        all.push_back(listed_curve<M>(
+            {name, "mm", "m", meaning}, turn_of_the_cam(), ContactPlace{coordinate, place, side},
+            [](const auto& drive, const ContactPlace& which, const auto& motion, const auto& x) {
+              using X = std::decay_t<decltype(x)>;
+              const auto f = drive.over_angle(motion);
+              return handed_over(f.s, drive.step(), [&](const X& gain) {
+                return contact_coordinate(drive, which, X(drive.angle(gain)), f,
+                                          X(number<X>(2) * pi<X>() * x));
+              });
+            }));
+      }
+    }
+  }
+  return all;
+}
+
 template <template <class> class M>
 std::vector<MechanismResponse> rib_responses() {
   std::vector<MechanismResponse> all = turret_responses<M>();
@@ -81,11 +135,7 @@ std::vector<MechanismResponse> rib_responses() {
   add(C::RollerAngle, middle,
       {"roller_angle", "deg", "rad", "angle between the line of centres and the driving roller"});
   for (const RollerPlace place : {middle, RollerPlace::Root, RollerPlace::Tip}) {
-    const bool root = place == RollerPlace::Root;
-    const std::string prefix = place == middle ? "" : root ? "root_" : "tip_";
-    const std::string at = place == middle ? " at the middle of the roller"
-                           : root          ? " at the roller's end away from the cam's axis"
-                                           : " at the roller's end towards the cam's axis";
+    const std::string prefix = place_prefix(place), at = place_words(place);
     add(C::PressureAngle, place,
         {prefix + "pressure_angle", "deg", "rad",
          "angle between the normal of the flank and the path of the roller" + at +
@@ -111,6 +161,7 @@ std::vector<MechanismResponse> rib_responses() {
       {"contact_force", "N", "N",
        "force between the loaded flank and its roller, positive where that is the "
        "driving one"});
+  append(all, contact_lines<M>());
   const auto number_of = [&](const char* name, const char* meaning, auto formula) {
     all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));
   };

@@ -2,10 +2,26 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "numerics/scalar/scalar.h"
 
 namespace camlaw {
+
+/// A point beside a cam whose axis is y, m.
+template <class X>
+struct SpacePoint {
+  X x, y, z;
+};
+
+/// The same point in the coordinates of the cam, which has turned by phi, rad, about y.
+template <class X>
+SpacePoint<X> on_turned_cam(const SpacePoint<X>& p, const X& phi) {
+  using std::cos;
+  using std::sin;
+  const X c = cos(phi), s = sin(phi);
+  return {c * p.x - s * p.z, p.y, c * p.z + s * p.x};
+}
 
 /// Of a cylindrical roller on a cam that it has cut: the contact in one plane across the roller's
 /// axis (docs/theory.md, "Contact along a roller"). The flank is the envelope of the roller's
@@ -29,6 +45,12 @@ struct RuledContact {
   X pressure_angle() const {
     using std::atan;
     return atan(a / b);
+  }
+  /// (IX11) cos theta and sin theta of the line of contact with the flank that drives (side -1) or
+  /// holds (side 1).
+  std::pair<X, X> direction(double side) const {
+    const X share = number<X>(side) / length();
+    return {share * b, -(share * a)};
   }
   /// 1 / cos alpha.
   X inclination() const { return length() / b; }

@@ -18,6 +18,7 @@
 #include "output/export/curve_svg.h"
 #include "output/export/dxf.h"
 #include "output/export/plane_curve.h"
+#include "output/export/plate_flanks.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
@@ -240,11 +241,13 @@ void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& sta
         "--tool: {} has its tool's radius as cutter_radius; write --set 'cutter_radius={:.6g} mm'",
         statement.mechanism->name, *tool_radius(o)));
   }
-  const auto profile =
+  const auto profiles =
       problems::cam_curves(statement, asked == "second-profile" ? "second-profile" : "profile");
-  if (profile.empty()) return;
+  if (profiles.empty()) return;
   if (asked != "all") curves.clear();
-  curves.push_back(problems::path_of_tool(profile.front(), *tool_radius(o)));
+  for (const problems::PlaneCurve& profile : profiles) {
+    curves.push_back(problems::path_of_tool(profile, *tool_radius(o)));
+  }
 }
 
 /// What a mechanism without a profile has instead, in words.
@@ -272,6 +275,12 @@ std::string instead(const problems::ProblemStatement& statement) {
       asked == "cutter" ? ", and --tool '10 mm' gives the path of a tool of that radius" : ""));
 }
 
+/// Of a kind of which a machine has several curves how many there are: ", and here are 3".
+std::string beside_others(const std::string& asked,
+                          const std::vector<problems::PlaneCurve>& curves) {
+  return asked == "all" ? "" : fmt::format(", and here are {}", curves.size());
+}
+
 std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
                                                const problems::ProblemStatement& statement) {
   const bool gcode = format.format == ExportFormat::Gcode;
@@ -283,7 +292,12 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   const bool without = format.format == ExportFormat::JsonText && law && !o.curve;
   if (curves.empty() && !without) refuse_without(statement, asked);
   if (gcode && curves.size() > 1) {
-    throw std::invalid_argument("--curve all: a gcode program follows one curve");
+    throw std::invalid_argument(fmt::format("--curve {}: a gcode program follows one curve{}",
+                                            asked, beside_others(asked, curves)));
+  }
+  if (inspection && asked != "all" && curves.size() > 1) {
+    throw std::invalid_argument(fmt::format("--curve {}: an inspection table is of one curve{}",
+                                            asked, beside_others(asked, curves)));
   }
   if (inspection && (curves.size() > 1 || !curves.front().name().ends_with("profile"))) {
     throw std::invalid_argument(
@@ -296,6 +310,9 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
 std::vector<std::string> cuts_of(const problems::ProblemStatement& statement,
                                  const std::vector<problems::PlaneCurve>& asked,
                                  const problems::LengthUnit& unit) {
+  if (statement.mechanism->form == problems::Form::ParallelIndex) {
+    return problems::cuts_into_flanks(statement, unit);
+  }
   std::vector<problems::PlaneCurve> curves = asked;
   for (problems::PlaneCurve& own : problems::cam_curves(statement, "all")) {
     const bool there = std::any_of(asked.begin(), asked.end(),

@@ -35,7 +35,9 @@ double radius_of(const IntervalPoint& p) {
 class CurveEnclosure {
  public:
   CurveEnclosure(const PlaneCurve& curve, double from, double to) {
-    const auto x = curve.x_->expand(from, to), y = curve.y_->expand(from, to);
+    const double before = curve.cycles_before(from);
+    const auto x = curve.x_->expand(from - before, to - before);
+    const auto y = curve.y_->expand(from - before, to - before);
     const Interval scale(curve.scale_);
     at_ = {scale * of(x[0]), scale * of(y[0])};
     slope_ = {scale * of(x[1]), scale * of(y[1])};
@@ -99,7 +101,8 @@ CurveStretch PlaneCurve::stretch(double from, double to) const {
 }
 
 std::array<optim::Bounds, 3> PlaneCurve::heights(double from, double to) const {
-  const auto y = y_->expand(from, to);
+  const double before = cycles_before(from);
+  const auto y = y_->expand(from - before, to - before);
   const Interval scale(scale_);
   const Interval all[] = {scale * of(y[0]), scale * of(y[1]), Interval(2 * scale_) * of(y[2])};
   std::array<optim::Bounds, 3> result;

@@ -8,12 +8,12 @@
 namespace camlaw::problems::dxf {
 
 /// The handle that entities have as their owner, and the first that is free for them.
-inline constexpr int kModel = 0x17, kFirstFree = 0x30;
+inline constexpr int kModel = 0x17, kFirstFree = 0x60;
 
 /// What the frame must know of the drawing.
 struct Frame {
   Extent extent;
-  std::vector<std::string> layers;  ///< beside "0", at most 16
+  std::vector<std::string> layers;  ///< beside "0", at most 64
   LengthUnit unit;
   int next;  ///< the first handle that no entity has
 };

@@ -20,14 +20,17 @@ struct Link {
   double half, angle;
 };
 
-std::vector<Link> links_of(const Chords& chords) {
+template <class Point>
+std::vector<Link> links_between(const std::vector<Point>& points) {
   std::vector<Link> links;
-  for (std::size_t i = 0; i + 1 < chords.points.size(); ++i) {
-    const Eigen::Vector2d &a = chords.points[i].at, &b = chords.points[i + 1].at;
-    links.push_back({a, b, 0.5 * (a + b), 0.5 * (b - a).norm(), chords.points[i].angle});
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Eigen::Vector2d &a = points[i].at, &b = points[i + 1].at;
+    links.push_back({a, b, 0.5 * (a + b), 0.5 * (b - a).norm(), points[i].angle});
   }
   return links;
 }
+
+std::vector<Link> links_of(const Chords& chords) { return links_between(chords.points); }
 
 double turn_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   const Eigen::Vector2d u = b - a, v = c - a;
@@ -42,14 +45,9 @@ double distance_between(const Link& p, const Link& q) {
                    distance_to_line(q.a, p.a, p.b), distance_to_line(q.b, p.a, p.b)});
 }
 
-}  // namespace
-
-Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius) {
-  const Chords path = chords_within(centre, kFollow, kDigits, kRough);
-  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
-  const std::vector<Link> paths = links_of(path), cuts = links_of(cut);
-  Interference result{
-      .depth = 0, .certain = path.worst + cut.worst, .proved = path.proved && cut.proved};
+/// Where a circle along the one lines cuts deepest into the others.
+Interference deepest(const std::vector<Link>& paths, const std::vector<Link>& cuts, double radius) {
+  Interference result;
   double nearest = radius;
   for (const Link& p : paths) {
     for (const Link& q : cuts) {
@@ -61,6 +59,25 @@ Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, d
     }
   }
   result.depth = radius - nearest;
+  return result;
+}
+
+}  // namespace
+
+Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius) {
+  const Chords path = chords_within(centre, kFollow, kDigits, kRough);
+  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
+  Interference result = deepest(links_of(path), links_of(cut), radius);
+  result.certain = path.worst + cut.worst;
+  result.proved = path.proved && cut.proved;
+  return result;
+}
+
+Interference interference(const std::vector<CirclePlace>& centre, const PlaneCurve& profile,
+                          double radius) {
+  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
+  Interference result = deepest(links_between(centre), links_of(cut), radius);
+  result.certain = cut.worst;
   return result;
 }
 

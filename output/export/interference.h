@@ -20,6 +20,16 @@ struct Interference {
 /// A circle of a radius whose centre runs along a curve; both curves over the same angle.
 Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius);
 
+/// A place of a circle's centre, mm, and the angle of the cam at which it is there, deg.
+struct CirclePlace {
+  Eigen::Vector2d at;
+  double angle;
+};
+
+/// The same of a centre that runs along straight lines between places: nothing is proved.
+Interference interference(const std::vector<CirclePlace>& centre, const PlaneCurve& profile,
+                          double radius);
+
 /// How near some points come to a profile, mm, to 5e-4.
 double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile);
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "machines/cams/cam_shape.h"
+#include "output/export/plate_flanks.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
@@ -55,10 +56,35 @@ PlaneCurve::PlaneCurve(std::string name, const optim::Response& x, const optim::
     for (const double place : trace->breaks()) all.insert(place);
   }
   breaks_.assign(all.begin(), all.end());
+  cycle_ = breaks_.back() - breaks_.front();
+  cycle_end_ = breaks_.back();
+}
+
+optim::Place PlaneCurve::in_cycle(optim::Place place) const {
+  const bool is_after = place.angle > cycle_end_ ||
+                        (place.angle == cycle_end_ && !place.from_left && end() != cycle_end_);
+  if (is_after) place.angle -= cycle_;
+  return place;
+}
+
+PlaneCurve PlaneCurve::part(std::string name, double from, double to) const {
+  PlaneCurve result = *this;
+  result.name_ = std::move(name);
+  result.end_ = CurveEnd::Part;
+  result.breaks_ = {from};
+  for (const double after : {0.0, cycle_}) {
+    for (const double place : breaks_) {
+      const double at = place + after;
+      if (at > result.breaks_.back() && at < to) result.breaks_.push_back(at);
+    }
+  }
+  result.breaks_.push_back(to);
+  return result;
 }
 
 CurvePoint PlaneCurve::look(optim::Place place) const {
-  const auto x = x_->at(place), y = y_->at(place);
+  const optim::Place own = in_cycle(place);
+  const auto x = x_->at(own), y = y_->at(own);
   CurvePoint point{{x[0], y[0]}, {x[1], y[1]}};
   if (left_ != 0) {
     const Eigen::Vector2d bend(x[2], y[2]);
@@ -81,7 +107,7 @@ CurvePoint PlaneCurve::at(optim::Place place) const {
 }
 
 std::array<double, 3> PlaneCurve::height(optim::Place place) const {
-  const auto y = y_->at(place);
+  const auto y = y_->at(in_cycle(place));
   return {scale_ * y[0], scale_ * y[1], scale_ * y[2]};
 }
 
@@ -150,10 +176,12 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
   bool known = option == "all";
   std::string options = "all";
   const auto curves = curves_of(statement);
+  const bool has_flanks = statement.mechanism->form == Form::ParallelIndex;
+  if (has_flanks) result = plate_flanks(statement, curves, option);
   for (const CurveKind& kind : curve_kinds()) {
     options += fmt::format(", {}", kind.option);
     known |= option == kind.option;
-    if (option != "all" && option != kind.option) continue;
+    if (has_flanks || (option != "all" && option != kind.option)) continue;
     const auto* x = find_curve(curves, fmt::format("{}_x", kind.response));
     const auto* y = find_curve(curves, fmt::format("{}_y", kind.response));
     if (x != nullptr && y != nullptr) result.push_back(curve_of_cam(statement, kind.name, *x, *y));
@@ -215,12 +243,16 @@ bool winds_left(const PlaneCurve& curve) { return angle_about_centre(curve) > 0;
 bool outside_is_left(const PlaneCurve& profile) {
   // To the right of a path that runs counterclockwise is outside; a plate's runs to greater x, and
   // above it is to the left.
-  if (profile.is_closed()) return !winds_left(profile);
+  if (profile.is_about_centre()) return !winds_left(profile);
   return profile.at({profile.end(), true}).at.x() >= profile.at({profile.begin()}).at.x();
 }
 
 PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
-  return profile.beside("cutter path", outside_is_left(profile) ? tool_radius : -tool_radius);
+  // "cam 1 driving profile" is one of several, "second profile" is the only one on its cam.
+  constexpr std::string_view kProfile = "profile";
+  const std::string before = profile.name().substr(0, profile.name().size() - kProfile.size());
+  const std::string name = (before.starts_with("cam ") ? before : "") + "cutter path";
+  return profile.beside(name, outside_is_left(profile) ? tool_radius : -tool_radius);
 }
 
 }  // namespace camlaw::problems

@@ -37,6 +37,7 @@ struct CurveStretch {
 /// How a curve goes on after the cycle.
 enum class CurveEnd {
   Ends,      ///< it does not, as along a plate
+  Part,      ///< it does not, as a flank of a disc, which others continue about the shaft
   Returns,   ///< it is closed, as about a shaft
   Advances,  ///< from another place, as on a drum that is developed
 };
@@ -63,8 +64,10 @@ class PlaneCurve {
   CurvePoint look(optim::Place place) const;
   /// Whether it goes round the cam's centre, as a disc's does; one that is developed does not.
   bool is_closed() const { return end_ == CurveEnd::Returns; }
+  /// Whether it goes round the cam's centre, or is a part of what does.
+  bool is_about_centre() const { return is_closed() || end_ == CurveEnd::Part; }
   /// Whether it goes on after the cycle as it began.
-  bool goes_on() const { return end_ != CurveEnd::Ends; }
+  bool goes_on() const { return is_closed() || end_ == CurveEnd::Advances; }
   /// The way over a break, of the last one to where the next cycle begins, mm: 0 but for rounding
   /// where it does not jump.
   Eigen::Vector2d way_over(std::size_t number) const;
@@ -89,13 +92,22 @@ class PlaneCurve {
   /// The same curve in another unit of length: all that is said in mm is then in that one.
   PlaneCurve in(const LengthUnit& unit) const;
   const char* unit() const { return unit_.name; }
+  /// The part of a curve over the cycle from one angle to another; an angle beyond the end of the
+  /// cycle is one after it. The part is smooth at the end of the cycle too.
+  PlaneCurve part(std::string name, double from, double to) const;
   /// The curve parallel to this one at a distance, mm, to the left of its direction: q = p + d n
   /// with q' = p' (1 - d k), n the unit normal and k the curvature.
   PlaneCurve beside(std::string name, double distance) const;
 
  private:
+  /// A place of the cycle for one of the curve, which may lie in the cycle after it.
+  optim::Place in_cycle(optim::Place place) const;
+  /// The same for where a stretch between two breaks begins.
+  double cycles_before(double from) const { return from >= cycle_end_ ? cycle_ : 0; }
+
   std::string name_;
   std::shared_ptr<const optim::Trace> x_, y_;
+  double cycle_ = 0, cycle_end_ = 0;  ///< how long the cycle is and where it ends, deg
   std::vector<double> breaks_;
   double left_ = 0;  ///< mm
   LengthUnit unit_ = kMillimetre;

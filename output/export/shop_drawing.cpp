@@ -19,7 +19,9 @@ using Eigen::Vector2d;
 
 constexpr double kRadian = 180 / std::numbers::pi;
 
-/// Distances of a closed curve from the cam's centre, and its box.
+constexpr double kDrawnTurn = 360;  // deg
+
+/// Distances of a curve from the cam's centre, and its box.
 struct Reach {
   double least = 1e300, most = 0;
   Vector2d low{1e300, 1e300}, high{-1e300, -1e300};
@@ -82,7 +84,7 @@ void draw_way(const PlaneCurve& profile, const Reach& reach, double mark, Drawin
 
 /// "turns clockwise as drawn", "moves to the left as drawn"; empty where neither is known.
 std::string sense_line(const ProblemStatement& design, const PlaneCurve& profile) {
-  if (profile.is_closed()) {
+  if (profile.is_about_centre()) {
     return fmt::format("turns {} as drawn", turns_left(profile) ? "counterclockwise" : "clockwise");
   }
   if (!runs_along(design)) return "";
@@ -107,7 +109,7 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
     return fmt::format("{:.4f} {}", mm / s.unit.mm, s.unit.name);
   };
   std::vector<std::string> lines;
-  if (profile.is_closed()) {
+  if (profile.is_about_centre()) {
     lines.push_back(
         fmt::format("radius of the profile {} to {}", length(reach.least), length(reach.most)));
   }
@@ -158,11 +160,13 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   const double mark = 0.02 * (reach.high - reach.low).maxCoeff();
   Drawing drawing(1 / s.unit.mm);
   const std::optional<Bore> bore = bore_of(design, s.bore_radius, s.keyway);
-  if ((s.keyway || s.bore_radius) && !profile.is_closed()) {
+  if ((s.keyway || s.bore_radius) && !profile.is_about_centre()) {
     throw std::invalid_argument("--bore and --keyway are for disc cams");
   }
-  const Vector2d zero = profile.at({profile.begin()}).at;
-  if (profile.is_closed()) {
+  // A flank that begins in the cycle before goes on over its end, where the angle is 0.
+  const double begin = profile.begin() > 0 ? kDrawnTurn : profile.begin();
+  const Vector2d zero = profile.at({begin}).at;
+  if (profile.is_about_centre()) {
     if (bore) {
       const BoreOutline outline = outline_of(*bore, zero, reach.least, "the profile");
       drawing.add("SHAFT", outline.arc);
@@ -174,7 +178,7 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   }
   if (runs_along(design)) draw_way(profile, reach, mark, drawing);
   const Vector2d inwards =
-      profile.is_closed() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));
+      profile.is_about_centre() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));
   drawing.line("ZERO_MARK", inwards, zero);
   drawing.text("ZERO_MARK", inwards + Vector2d(mark / 2, 0), 1.2 * mark, "0 deg");
   draw_follower(design, mark, drawing);

@@ -176,8 +176,9 @@ void draw_roller_arm(Scene& scene, Point pivot, Point centre, double radius) {
 }
 
 std::optional<Scene> scene_of(const problems::ProblemStatement& design, int points) {
-  for (const auto& draw : {balancing_scene, disc_scene, feeder_scene, geneva_scene, index_scene,
-                           plate_scene, spherical_geneva_scene, servo_scene, slider_scene}) {
+  for (const auto& draw :
+       {balancing_scene, disc_scene, feeder_scene, geneva_scene, index_scene, plate_scene,
+        spherical_geneva_scene, servo_scene, path_scene, slider_scene}) {
     if (std::optional<Scene> scene = draw(design, points)) return scene;
   }
   return {};

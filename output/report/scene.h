@@ -104,6 +104,8 @@ std::optional<Scene> plate_scene(const problems::ProblemStatement& design, int p
 std::optional<Scene> spherical_geneva_scene(const problems::ProblemStatement& design, int points);
 /// The working point of a servo motor in the plane of its speed and torque.
 std::optional<Scene> servo_scene(const problems::ProblemStatement& design, int points);
+/// Of a file that states path_x and path_y: the path, and the point that runs along it.
+std::optional<Scene> path_scene(const problems::ProblemStatement& design, int points);
 /// Of any machine with a displacement in mm whose shape is not known: a mark on its way.
 std::optional<Scene> slider_scene(const problems::ProblemStatement& design, int points);
 

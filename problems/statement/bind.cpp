@@ -321,8 +321,22 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
                                   known_limit(statement_, objective, chosen)});
     share_curve(objective.response, problem.objectives.back().response, curves);
   }
-  problem.constraints = constraints_of(statement_, bound, curves);
+  const bool follows_parts = std::any_of(parts_.begin(), parts_.end(), [&](std::size_t part) {
+    return !statement_.parts[part].inputs.empty();
+  });
+  problem.constraints = follows_parts ? constraints_of(with_parts(options), bound, curves)
+                                      : constraints_of(statement_, bound, curves);
   return problem;
+}
+
+ProblemStatement BoundProblem::with_parts(const std::vector<std::size_t>& options) const {
+  ProblemStatement result = statement_;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::size_t at = first_part() + i;  // without options it is the start
+    if (at >= options.size()) break;
+    start_with(result, result.parts[parts_[i]].name, options[at]);
+  }
+  return result;
 }
 
 /// The problem of a combination that leaves its law no room: a limit that no design meets. Its

@@ -53,6 +53,8 @@ class BoundProblem {
   /// Where the choices of parts begin among all.
   std::size_t first_part() const { return statement_.chooses_law() ? 1 : 0; }
   Member member(const std::vector<std::size_t>& options) const;
+  /// The statement with the parts of a combination: what they are limited to comes with them.
+  ProblemStatement with_parts(const std::vector<std::size_t>& options) const;
   optim::Problem without_designs(const Member& chosen, std::span<const LawRange> varying,
                                  optim::Problem problem) const;
 

@@ -75,8 +75,9 @@ bool asks_for(const ProblemStatement& problem, const MechanismResponse* response
   const auto& limits = problem.constraints;
   return std::any_of(wanted.begin(), wanted.end(),
                      [&](const auto& o) { return is_of(o.response, *response); }) ||
-         std::any_of(limits.begin(), limits.end(),
-                     [&](const auto& c) { return !c.of_check && is_of(c.response, *response); });
+         std::any_of(limits.begin(), limits.end(), [&](const auto& c) {
+           return (!c.of_check || c.required_by) && is_of(c.response, *response);
+         });
 }
 
 /// On a shaft the cam that a check is of.
@@ -165,12 +166,28 @@ bool is_beyond_keyway(const BuildableCheck& check, const ProblemStatement& probl
   return problem.buildable.inputs.contains(of_cam + "keyway_depth");
 }
 
+/// The part that states what a check needs; null where none does.
+const PartStatement* part_behind(const BuildableCheck& check, const ProblemStatement& problem) {
+  for (const std::string& name : check.needs) {
+    if (const PartStatement* part = part_with_input(problem, name)) return part;
+  }
+  return part_with_input(problem, check.input);
+}
+
+/// Which material a permissible pressure is of, and who says so.
+std::string material_of(const BuildableCheck& check, const ProblemStatement& problem) {
+  const PartStatement* part = part_behind(check, problem);
+  if (part == nullptr) return problem.buildable.material;
+  const PartItem& item = part->items[part->start];
+  return fmt::format("{}, {}", item.name, item.source.empty() ? part->catalogue : item.source);
+}
+
 std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto& needs = check.needs;
   const bool pressed = std::any_of(needs.begin(), needs.end(), [](const std::string& name) {
     return name.ends_with("allowable_pressure");
   });
-  if (pressed) return problem.buildable.material;
+  if (pressed) return material_of(check, problem);
   const bool is_own = problem.buildable.inputs.contains(check.input);
   if (!is_beyond_keyway(check, problem)) return is_own ? "" : check.standard;
   return (is_own ? "wall" : check.standard) + " beyond keyway_depth";
@@ -225,11 +242,26 @@ bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted
   return c.lower && *c.lower >= *wanted.lower && (part == Part::Value || part == Part::Lowest);
 }
 
+/// Whether the file does not state a limit itself, and that of a check says more.
+bool is_covered(const ConstraintStatement& c, const ConstraintStatement& limit) {
+  const bool has_one_side = c.upper.has_value() != c.lower.has_value();
+  return c.required_by && has_one_side && c.response.response != nullptr && is_as_tight(limit, c);
+}
+
+/// Adds the limit of a check, or puts it in place of a looser one that only a response requires.
 void add_limit(ConstraintStatement limit, ProblemStatement& problem) {
-  const auto& all = problem.constraints;
+  auto& all = problem.constraints;
   const bool kept =
       std::any_of(all.begin(), all.end(), [&](const auto& c) { return is_as_tight(c, limit); });
-  if (!kept) problem.constraints.push_back(std::move(limit));
+  if (kept) return;
+  const auto looser =
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return is_covered(c, limit); });
+  if (looser == all.end()) {
+    all.push_back(std::move(limit));
+  } else {
+    limit.required_by = looser->required_by;
+    *looser = std::move(limit);
+  }
 }
 
 /// Refuses a bound that would be another at another design: limits have numbers.
@@ -331,14 +363,32 @@ double accepted_input(const BuildableInput& input, double value) {
       fmt::format("{} is {}; it must be above 0", input.name, with_unit(value, input.unit)));
 }
 
+void follow_parts(ProblemStatement& problem) {
+  if (problem.constraints.empty()) return;
+  for (const BuildableCheck* check : checks_for(problem)) {
+    if (part_behind(*check, problem) == nullptr || !missing(*check, problem).empty()) continue;
+    const ConstraintStatement wanted = limit_of(*check, problem);
+    for (ConstraintStatement& c : problem.constraints) {
+      if (!c.of_check || c.response.name != wanted.response.name) continue;
+      if (wanted.upper && c.upper) c.upper = wanted.upper;
+      if (wanted.lower && c.lower) c.lower = wanted.lower;
+    }
+  }
+}
+
 void limit_to_checks(ProblemStatement& problem) {
-  std::erase_if(problem.constraints, [](const ConstraintStatement& c) { return c.of_check; });
+  std::erase_if(problem.constraints,
+                [](const ConstraintStatement& c) { return c.of_check && !c.required_by; });
   if (!problem.buildable.require) return;
   for (const BuildableCheck* check : checks_for(problem)) {
     if (!missing(*check, problem).empty()) continue;
     check_stays(*check, problem);
     const ConstraintStatement limit = limit_of(*check, problem);
-    add_limit(limit, problem);
+    if (part_behind(*check, problem) != nullptr) {
+      problem.constraints.push_back(limit);  // whose bound may change
+    } else {
+      add_limit(limit, problem);
+    }
     for (const ValidityLimit& valid : limit.response.response->defined_while) {
       ConstraintStatement more = valid_limit(*problem.mechanism, valid);
       more.of_check = true;

@@ -53,6 +53,10 @@ const BuildableInput* find_input(const Mechanism& mechanism, std::string_view na
 /// The value of an input; throws std::invalid_argument where it is not above 0.
 double accepted_input(const BuildableInput& input, double value);
 
+/// Gives the limits that stand for checks the bounds of the parts that the problem has: an
+/// allowable pressure may come with a material.
+void follow_parts(ProblemStatement& problem);
+
 /// Where the problem requires it: has the checks that can be made among its limits, in place of
 /// those that it had for them. A limit that is as tight already is enough. Throws
 /// std::invalid_argument where the bound of a check would vary with the design.

@@ -11,6 +11,7 @@
 #include "numerics/text/csv_rows.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 #include "problems/statement/toml_reader.h"
@@ -24,12 +25,12 @@ constexpr std::string_view kDiameter = "_diameter", kRadius = "_radius";
 
 /// What a column of a catalogue holds.
 struct Column {
-  enum class Kind { Name, Source, Number };
+  enum class Kind { Name, Source, Number, Input };
 
   Kind kind = Kind::Number;
   std::string title;          ///< as the header has it, without the unit
   std::size_t parameter = 0;  ///< of the mechanism
-  double factor = 1;          ///< from the column's unit to the parameter's listed one
+  double factor = 1;          ///< from the column's unit to the parameter's or input's listed one
 };
 
 [[noreturn]] void refuse_line(const std::string& catalogue, std::size_t line,
@@ -54,7 +55,22 @@ std::optional<std::size_t> radius_of(const Mechanism& mechanism, std::string_vie
 std::vector<std::string> column_names(const Mechanism& mechanism) {
   std::vector<std::string> all{"name", "source"};
   for (const MechanismParameter& p : mechanism.parameters) all.push_back(p.name);
+  for (const BuildableInput& input : mechanism.inputs) all.push_back(input.name);
   return all;
+}
+
+/// The factor to the listed unit from that in the brackets of "face_width [mm]".
+double unit_factor(std::string_view cell, const std::string& title, const std::string& listed) {
+  const std::size_t bracket = cell.find('[');
+  if (bracket == std::string_view::npos) {
+    if (listed == "1") return 1;
+    throw std::invalid_argument(
+        fmt::format("the column '{}' has no unit; write it in brackets, "
+                    "such as {} [{}]",
+                    title, title, listed));
+  }
+  const std::size_t end = cell.find(']', bracket);
+  return unit_as_written(std::string(trimmed(cell.substr(bracket + 1, end - bracket - 1))), listed);
 }
 
 /// "face_width [mm]".
@@ -68,6 +84,11 @@ Column column_of(std::string_view cell, const Mechanism& mechanism) {
   }
   auto parameter = parameter_called(mechanism, column.title);
   if (!parameter) {
+    if (const BuildableInput* input = find_input(mechanism, column.title)) {
+      column.kind = Column::Kind::Input;
+      column.factor = unit_factor(cell, column.title, input->unit);
+      return column;
+    }
     parameter = radius_of(mechanism, column.title);
     column.factor = 0.5;
   }
@@ -77,17 +98,7 @@ Column column_of(std::string_view cell, const Mechanism& mechanism) {
                                             suggestion(column.title, column_names(mechanism))));
   }
   column.parameter = *parameter;
-  const std::string& listed = mechanism.parameters[*parameter].unit;
-  if (bracket == std::string_view::npos) {
-    if (listed == "1") return column;
-    throw std::invalid_argument(
-        fmt::format("the column '{}' has no unit; write it in brackets, "
-                    "such as {} [{}]",
-                    column.title, column.title, listed));
-  }
-  const std::size_t end = cell.find(']', bracket);
-  const std::string unit(trimmed(cell.substr(bracket + 1, end - bracket - 1)));
-  column.factor *= unit_as_written(unit, listed);
+  column.factor *= unit_factor(cell, column.title, mechanism.parameters[*parameter].unit);
   return column;
 }
 
@@ -114,18 +125,17 @@ class CatalogueReader {
         refuse_line(part_.catalogue, line, error.what());
       }
       const Column& column = columns_.back();
-      if (column.kind != Column::Kind::Number) continue;
-      auto& known = part_.parameters;
-      if (std::find(known.begin(), known.end(), column.parameter) != known.end()) {
-        refuse_line(part_.catalogue, line,
-                    fmt::format("{} appears twice", mechanism_.parameters[column.parameter].name));
+      if (column.kind == Column::Kind::Number) {
+        take(line, part_.parameters, column.parameter,
+             mechanism_.parameters[column.parameter].name);
+      } else if (column.kind == Column::Kind::Input) {
+        take(line, part_.inputs, column.title, column.title);
       }
-      known.push_back(column.parameter);
     }
     const bool has_names = std::any_of(columns_.begin(), columns_.end(), [](const Column& c) {
       return c.kind == Column::Kind::Name;
     });
-    if (!has_names || part_.parameters.empty()) {
+    if (!has_names || (part_.parameters.empty() && part_.inputs.empty())) {
       refuse_line(
           part_.catalogue, line,
           "the first line must hold names, with a column 'name' and parameters of the machine");
@@ -144,6 +154,9 @@ class CatalogueReader {
       if (column.kind == Column::Kind::Source) item.source = cells[i];
       if (column.kind == Column::Kind::Number) {
         item.values.push_back(number_of(line, column, cells[i]));
+      }
+      if (column.kind == Column::Kind::Input) {
+        item.inputs.push_back(input_of(line, column, cells[i]));
       }
     }
     if (item.name.empty()) refuse_line(part_.catalogue, line, "the row has no name");
@@ -167,12 +180,34 @@ class CatalogueReader {
   }
 
  private:
-  double number_of(std::size_t line, const Column& column, std::string_view cell) const {
+  /// Adds what a column is of; nothing may have two columns.
+  template <class Of>
+  void take(std::size_t line, std::vector<Of>& known, const Of& of, const std::string& name) const {
+    if (std::find(known.begin(), known.end(), of) != known.end()) {
+      refuse_line(part_.catalogue, line, fmt::format("{} appears twice", name));
+    }
+    known.push_back(of);
+  }
+
+  double plain_number(std::size_t line, const Column& column, std::string_view cell) const {
     double value = 0;
     if (is_missing(cell) || !read_number(cell, value)) {
       refuse_line(part_.catalogue, line,
                   fmt::format("{}: '{}' is not a number", column.title, cell));
     }
+    return value;
+  }
+
+  double input_of(std::size_t line, const Column& column, std::string_view cell) const {
+    const BuildableInput& input = *find_input(mechanism_, column.title);
+    try {
+      return accepted_input(input, column.factor * plain_number(line, column, cell));
+    } catch (const std::invalid_argument& error) {
+      refuse_line(part_.catalogue, line, error.what());
+    }
+  }
+
+  double number_of(std::size_t line, const Column& column, std::string_view cell) const {
     const MechanismParameter& p = mechanism_.parameters[column.parameter];
     NamedParameter named;
     named.name = p.name;
@@ -180,7 +215,8 @@ class CatalogueReader {
     named.low = p.low;
     named.high = p.high;
     named.integer = p.integer;
-    value = onto_range(value * column.factor, p.low, p.high);
+    const double value =
+        onto_range(plain_number(line, column, cell) * column.factor, p.low, p.high);
     if (const auto why = refusal(named, value)) refuse_line(part_.catalogue, line, *why);
     return value;
   }

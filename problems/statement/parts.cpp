@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "numerics/text/names.h"
+#include "problems/statement/buildable.h"
 
 namespace camlaw::problems {
 namespace {
@@ -34,6 +35,14 @@ const PartStatement* part_of(const ProblemStatement& problem, std::size_t parame
   return found == all.end() ? nullptr : &*found;
 }
 
+const PartStatement* part_with_input(const ProblemStatement& problem, std::string_view input) {
+  const auto& all = problem.parts;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const PartStatement& part) {
+    return std::find(part.inputs.begin(), part.inputs.end(), input) != part.inputs.end();
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
 std::size_t item_named(const PartStatement& part, std::string_view name) {
   const std::string wanted = folded(trimmed(name));
   std::vector<std::string> known;
@@ -55,6 +64,10 @@ void start_with(ProblemStatement& problem, std::string_view part, std::size_t it
   its.start = item;
   put_item(its, item, problem.constants);
   problem.stated.insert(its.parameters.begin(), its.parameters.end());
+  for (std::size_t i = 0; i < its.inputs.size(); ++i) {
+    problem.buildable.inputs[its.inputs[i]] = its.items[item].inputs[i];
+  }
+  if (!its.inputs.empty()) follow_parts(problem);
 }
 
 void keep_item(ProblemStatement& problem, std::string_view part, std::size_t item) {

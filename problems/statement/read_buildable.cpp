@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "problems/statement/buildable.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -24,6 +25,10 @@ void check_no_parameter(const Entry& entry, const Mechanism& mechanism) {
 
 void read_input(const Entry& entry, ProblemStatement& problem) {
   const BuildableInput& input = *find_input(*problem.mechanism, entry.key);
+  if (const PartStatement* part = part_with_input(problem, input.name)) {
+    refuse(entry, fmt::format("{} comes with parts.{}, from {}; drop this entry", input.name,
+                              part->name, part->catalogue));
+  }
   const double value = quantity_of(entry, input.unit);
   problem.buildable.inputs[input.name] =
       located(entry, [&] { return accepted_input(input, value); });

@@ -152,6 +152,7 @@ class Joining {
     for (PartStatement part : alone.parts) {
       part.name = before() + part.name;
       for (std::size_t& parameter : part.parameters) parameter = place(parameter);
+      for (std::string& input : part.inputs) input = before() + input;
       problem.parts.push_back(std::move(part));
     }
     for (const std::string& name : cam_.fixed) {

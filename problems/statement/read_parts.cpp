@@ -44,6 +44,11 @@ void check_part_alone(const Entry& file, const Entry& table, const ProblemStatem
       refuse(table, fmt::format("{} comes with {} already", p.name, known->name));
     }
   }
+  for (const std::string& input : part.inputs) {
+    if (const PartStatement* known = part_with_input(problem, input)) {
+      refuse(table, fmt::format("{} comes with {} already", input, known->name));
+    }
+  }
 }
 
 /// Leaves of a part the items that the file names.

@@ -38,6 +38,12 @@ double accepted_number(std::string_view text, const NamedParameter& parameter,
   return value;
 }
 
+/// Why a number of a part is not set by itself.
+std::string came_with(const std::string& name, const PartStatement& part) {
+  return fmt::format("{}: it comes with {}, from {}; set {}", name, part.name, part.catalogue,
+                     part.name);
+}
+
 /// Sets one number: the start of what varies, or what is fixed.
 void set_number(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
                 std::string_view text) {
@@ -48,8 +54,7 @@ void set_number(ProblemStatement& problem, const NamedParameter& parameter, std:
   }
   if (const PartStatement* part =
           parameter.of_law ? nullptr : part_of(problem, parameter.parameter)) {
-    throw std::invalid_argument(fmt::format("{}: it comes with {}, from {}; set {}", name,
-                                            part->name, part->catalogue, part->name));
+    throw std::invalid_argument(came_with(name, *part));
   }
   double value = accepted_number(text, parameter, name);
   if (const auto i = find_variable(problem, parameter, index)) {
@@ -236,6 +241,9 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
   const auto [name, text] = parse_assignment(assignment, kExample);
   if (const BuildableInput* input = find_input(*problem.mechanism, name)) {
     const std::string& stated = input->name;
+    if (const PartStatement* part = part_with_input(problem, stated)) {
+      throw std::invalid_argument(came_with(stated, *part));
+    }
     problem.buildable.inputs[stated] =
         accepted_input(*input, parse_quantity(text, input->unit, input->unit, stated));
     return;

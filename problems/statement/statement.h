@@ -45,18 +45,20 @@ struct VariableStatement {
 /// One row of a catalogue.
 struct PartItem {
   std::string name;
-  std::vector<double> values;  ///< of PartStatement::parameters, in their listed units
-  std::string source = {};     ///< where the row was read
+  std::vector<double> values;       ///< of PartStatement::parameters, in their listed units
+  std::string source = {};          ///< where the row was read
+  std::vector<double> inputs = {};  ///< of PartStatement::inputs, in their listed units
 };
 
 /// A part of the machine from a catalogue: one, or several to choose from, each with several of the
-/// machine's numbers at once.
+/// machine's numbers at once, or of what [buildable] states of it.
 struct PartStatement {
   std::string name;                     ///< "roller"
   std::string catalogue = {};           ///< as the file names it
   std::vector<std::size_t> parameters;  ///< of the mechanism
   std::vector<PartItem> items;
   std::size_t start = 0;
+  std::vector<std::string> inputs = {};  ///< of the mechanism's checks: "allowable_pressure"
 
   bool is_chosen() const { return items.size() > 1; }
 };

@@ -74,6 +74,9 @@ std::string parts_sentences(const ProblemStatement& problem) {
       words += fmt::format("Choose the {} from {} of {}, starting at {}.\n", part.name,
                            listed(names), part.catalogue, start);
     }
+    if (!part.is_chosen() || part.inputs.empty() || !problem.buildable.require) continue;
+    words += fmt::format("Limits that need {} follow the {}; they are stated for {}.\n",
+                         listed(part.inputs), part.name, start);
   }
   return words;
 }
@@ -264,7 +267,9 @@ std::string buildable_sentence(const ProblemStatement& problem) {
   std::vector<std::string> parts;
   for (const BuildableInput& input : problem.mechanism->inputs) {
     const auto stated = problem.buildable.inputs.find(input.name);
-    if (stated == problem.buildable.inputs.end()) continue;
+    const PartStatement* part = part_with_input(problem, input.name);
+    const bool is_chosen = part != nullptr && part->is_chosen();
+    if (stated == problem.buildable.inputs.end() || is_chosen) continue;
     parts.push_back(input.name + " = " + with_unit(stated->second, input.unit));
   }
   const std::string& material = problem.buildable.material;

@@ -166,9 +166,16 @@ bool SweepStudy::is_law(const std::string& text) {
   }
 }
 
-/// A misspelt value is refused before anything is worked out: some combination must take it. A law
-/// that is there, but that the problem does not take, is left to its combinations, which tell why,
-/// if the problem takes another of the axis. What files the values name is read here, once.
+/// Whether a value says something, be it possible or not: a number in a unit, or a law that is
+/// there. Any other word that is refused is taken for a slip of the pen.
+bool SweepStudy::is_well_written(const SweepAxis& axis, std::size_t value) {
+  return axis.is_numeric() || (is_law_setting(axis.name) && is_law(axis.values[value]));
+}
+
+/// What can be seen to be a mistake is refused before anything is worked out: a misspelt word, and
+/// a name or a unit of which no value is possible. A value that is well written, but that no
+/// combination takes, is left to its combinations, which tell why. What files the values name is
+/// read here, once.
 void SweepStudy::check_values() {
   constexpr std::size_t kValues = 100, kTries = 64;
   std::size_t step = plan_.size();
@@ -194,7 +201,7 @@ void SweepStudy::check_values() {
       }
       if (!why) {
         is_any_taken = true;
-      } else if (is_law_setting(axis.name) && is_law(axis.values[value])) {
+      } else if (is_well_written(axis, value)) {
         if (!first_refused) first_refused = why;
       } else {
         throw std::invalid_argument(*why);

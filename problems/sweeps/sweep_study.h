@@ -43,8 +43,8 @@ struct SweptVariable {
 class SweepStudy {
  public:
   /// `text` is that of a problem file with one objective, or for evaluation one or more. Throws
-  /// std::invalid_argument where no combination with a value can be stated, but for the laws of a
-  /// class: of those that a problem cannot take the outcome says so.
+  /// std::invalid_argument where a word that is swept is misspelt, or where of a name or a sampling
+  /// no value can be stated. Of the other values that a problem cannot take the outcome says why.
   SweepStudy(const std::string& text, const std::string& source, const SweepSettings& settings,
              HeldFiles files = {});
   /// As a record has it.
@@ -86,6 +86,7 @@ class SweepStudy {
  private:
   void check_values();
   bool is_law(const std::string& text);
+  bool is_well_written(const SweepAxis& axis, std::size_t value);
   Possible<BoundProblem> bound(std::size_t combination) const;
   bool begins_at_neighbour(const optim::Task& task) const;
   optim::Outcome searched(const optim::Task& task, const BoundProblem& bound,

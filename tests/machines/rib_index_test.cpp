@@ -185,6 +185,59 @@ TEST_CASE("lines of contact and curvatures along a roller are those of a numeric
   }
 }
 
+namespace {
+
+/// The lines of contact that a drive states, against those that a roller which moves over the cam
+/// touches; lengths in mm.
+template <class Drive>
+void check_contact_lines(const ProblemStatement& statement, Drive drive) {
+  constexpr int kPlaces = 720;
+  const Curves curves(statement, kPlaces);
+  const auto constant = [&](const char* name) { return constant_of(statement, name); };
+  drive.rollers = constant("rollers");
+  drive.axis_distance = constant("axis_distance");
+  drive.turret_radius = constant("turret_radius");
+  drive.roller_radius = constant("roller_radius");
+  drive.face_width = constant("face_width");
+  const double omega = constant("speed") * kPi / 30;
+  int looked = 0;
+  for (int i = 7; i < kPlaces; i += 31) {
+    const double phi = 2 * kPi * i / kPlaces;
+    const Mover<Drive> mover{drive,
+                             {curves["roller_angle"][i] * kDegree, curves["velocity"][i] / omega,
+                              curves["acceleration"][i] / (omega * omega)}};
+    for (const RollerPlace place : {RollerPlace::Root, RollerPlace::Middle, RollerPlace::Tip}) {
+      const std::string prefix = place == RollerPlace::Middle ? ""
+                                 : place == RollerPlace::Root ? "root_"
+                                                              : "tip_";
+      const double alpha = curves[prefix + "pressure_angle"][i] * kDegree;
+      for (const bool drives : {true, false}) {
+        const double u = drive.distance_at(place);
+        const double theta = mover.touching(0, u, (drives ? kPi : 0) - alpha);
+        const Vector found = turned(mover.surface(0, u, theta), -phi);
+        const std::string name = (drives ? "" : "second_") + prefix + "contact_";
+        INFO(name << " at " << i);
+        CHECK(curves[name + "x"][i] == Approx(found[0]).margin(1e-5));
+        CHECK(curves[name + "y"][i] == Approx(found[1]).margin(1e-5));
+        CHECK(curves[name + "z"][i] == Approx(found[2]).margin(1e-5));
+        ++looked;
+      }
+    }
+  }
+  CHECK(looked > 100);
+}
+
+}  // namespace
+
+TEST_CASE("stated lines of contact are where a roller that moves over the cam touches it",
+          "[index-drives]") {
+  check_contact_lines(read_problem(globoidal(), "drive.toml"), GloboidalCam<double>{});
+  const ProblemStatement statement = read_problem(barrel(), "drive.toml");
+  BarrelIndexCam<double> drum;
+  drum.cam_radius = constant_of(statement, "cam_radius");
+  check_contact_lines(statement, drum);
+}
+
 TEST_CASE("the radii of cams with ribs are those that the rollers' edges reach", "[index-drives]") {
   // Least and greatest distance from the cam's axis of the edge of a roller at u, over its path.
   const auto reach = [](const auto& drive, double u) {

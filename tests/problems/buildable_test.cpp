@@ -8,12 +8,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <set>
 
 #include "machines/registry.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 // Of each check one cam that fails by a hair and one that holds by a hair. Where the hair lies is
 // known from a closed form, or from formulas that are written here once more and sampled.
@@ -640,6 +642,37 @@ TEST_CASE("every check of every mechanism names what there is", "[buildable]") {
     }
   }
   CHECK(count > 60);
+}
+
+TEST_CASE("a check and a response that requires less have one limit", "[buildable]") {
+  for (const char* const file : {"index_drives/parallel_eight", "index_drives/globoidal_eight",
+                                 "index_drives/barrel_eight", "cams/roller_from_catalogue"}) {
+    INFO(file);
+    std::string text = testing::read(testing::source(std::string("problems/") + file + ".toml"));
+    if (text.find("[buildable]") == std::string::npos) text += "\n[buildable]\nrequire = true\n";
+    const std::string path = testing::source(std::string("problems/") + file + ".toml");
+    ProblemStatement problem = read_problem(text, path);
+    const auto check = [&] {
+      std::set<std::pair<std::string, bool>> sides;
+      for (const ConstraintStatement& c : problem.constraints) {
+        if (c.lower && c.upper) continue;
+        INFO(c.response.name);
+        CHECK(sides.emplace(c.response.name, c.upper.has_value()).second);
+      }
+    };
+    check();
+    const std::size_t before = problem.constraints.size();
+    set_value(problem, "speed=90 rpm");
+    check();
+    CHECK(problem.constraints.size() == before);
+  }
+  // Of a limit that the file itself states both are listed, as it is somebody's own.
+  const ProblemStatement own =
+      read_problem(testing::read(testing::source("problems/index_drives/parallel_eight.toml")) +
+                       "[[constraints]]\nresponse = 'undercut'\nupper = 1\n",
+                   "own.toml");
+  CHECK(std::count_if(own.constraints.begin(), own.constraints.end(),
+                      [](const auto& c) { return c.response.name == "undercut"; }) == 2);
 }
 
 }  // namespace camlaw::problems::buildable_test

@@ -4,16 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "optim/search/optimise.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/design_json.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
 #include "tests/paths.h"
 #include "tests/problems/complaint.h"
@@ -199,6 +202,149 @@ TEST_CASE("the shipped cam takes the smallest roller of its catalogue that lives
     prime = std::max(prime, slope / std::tan(std::numbers::pi / 6) - 30 * m.s);
   }
   CHECK(constant_of(design, "base_radius") == Approx(prime - 16).epsilon(1e-7));
+}
+
+namespace {
+
+constexpr const char* kMaterials = R"(
+name, youngs_modulus [GPa], poisson_ratio, allowable_pressure [MPa], source
+soft, 110, 0.26, 420, page 3
+firm, 210, 0.3, 750, page 4
+hard, 210, 0.3, 1.2e3, page 5
+)";
+
+const std::string kPressed = R"(
+[parts.material]
+catalogue = 'rollers.csv'
+[constants]
+face_width = 12
+speed = 300
+mass = 3
+spring_rate = 10
+spring_preload = 1600
+[variables.base_radius]
+lower = 20
+upper = 300
+start = 60
+[objective]
+minimize = 'base_radius'
+[[constraints]]
+response = 'undercut'
+upper = 0.9
+)";
+const std::string kRequired = "[buildable]\nrequire = true\n";
+
+ProblemStatement with_material(const std::string& more) {
+  return with_rollers(kPressed + more, kMaterials);
+}
+
+double base_of(const optim::Optimum& found) { return found.found.x.front(); }
+
+}  // namespace
+
+TEST_CASE("a material brings the pressure that it bears, and limits follow it", "[parts]") {
+  ProblemStatement problem = with_material(kRequired);
+  CHECK(constant_of(problem, "youngs_modulus") == Approx(110));
+  CHECK(constant_of(problem, "poisson_ratio") == 0.26);
+  CHECK(problem.buildable.inputs.at("allowable_pressure") == 420);
+  const auto limit = [](const ProblemStatement& p) {
+    const auto& all = p.constraints;
+    return *std::find_if(all.begin(), all.end(), [](const auto& c) {
+              return c.response.name == "contact_stress";
+            })->upper;
+  };
+  CHECK(limit(problem) == 420);
+  set_value(problem, "material=hard");
+  CHECK(limit(problem) == 1200);
+  CHECK_THAT(in_words(problem), Contains("Limits that need allowable_pressure follow the material; "
+                                         "they are stated for hard."));
+  // The check is made without [buildable] too, and says which material it is of.
+  const Buildability built = buildability(with_material(""));
+  const auto stress = std::find_if(built.checks.begin(), built.checks.end(),
+                                   [](const auto& a) { return a.check->name == "stress"; });
+  REQUIRE(stress != built.checks.end());
+  CHECK(stress->built != Built::NotChecked);
+  CHECK(stress->report.bound == 420);
+  CHECK(stress->note == "soft, page 3");
+}
+
+TEST_CASE("a search chooses the material that allows the best design", "[parts]") {
+  const BoundProblem bound(with_material(kRequired));
+  const optim::Optimum found = optim::optimise(bound.space());
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  // By the number that the material fixes: a limit of the file's own, with the same constants.
+  double best = 1e9;
+  std::string name;
+  for (const auto& [row, youngs, poisson, bears] :
+       {std::tuple("soft", 110, 0.26, 420), {"firm", 210, 0.3, 750}, {"hard", 210, 0.3, 1200}}) {
+    std::string text = kPressed;
+    text.replace(text.find("[parts.material]\ncatalogue = 'rollers.csv'\n[constants]\n"),
+                 std::string("[parts.material]\ncatalogue = 'rollers.csv'\n[constants]\n").size(),
+                 fmt::format("[constants]\nyoungs_modulus = '{} GPa'\npoisson_ratio = {}\n", youngs,
+                             poisson));
+    const BoundProblem alone(with_rollers(
+        text + kRequired +
+        fmt::format("[[constraints]]\nresponse = 'contact_stress'\nupper = {}\n", bears)));
+    const optim::Optimum own = optim::optimise(alone.space());
+    const double base = base_of(own);
+    const bool is_feasible = optim::is_feasible(own.found.assessment);
+    if (is_feasible && base < best) best = base, name = row;
+    // One row alone is the same problem.
+    std::string chosen = kPressed;
+    chosen.replace(chosen.find("'rollers.csv'\n"), 14,
+                   fmt::format("'rollers.csv'\nchoose = '{}'\n", row));
+    const BoundProblem only(with_rollers(chosen + kRequired, kMaterials));
+    const optim::Optimum same = optim::optimise(only.space());
+    CHECK(optim::is_feasible(same.found.assessment) == is_feasible);
+    if (is_feasible) CHECK(base_of(same) == Approx(base).epsilon(1e-6));
+  }
+  CHECK(name == "hard");
+  CHECK(bound.choices().front().options[found.options.front()] == name);
+  CHECK(base_of(found) == Approx(best).epsilon(1e-6));
+  // The design that is recorded has the limit of its material.
+  const ProblemStatement design = bound.at(found.options, found.found.x);
+  for (const optim::LimitReport& report : standing(design)) CHECK(report.met);
+  CHECK(design.buildable.inputs.at("allowable_pressure") == 1200);
+}
+
+TEST_CASE("what comes with a material is not stated beside it", "[parts]") {
+  const auto says = [](const std::string& more, const std::string& rows = kMaterials) {
+    return complaint([&] { with_rollers(kPressed + more, rows); });
+  };
+  CHECK_THAT(says("[buildable]\nallowable_pressure = 900\n"),
+             Contains("buildable.allowable_pressure") &&
+                 Contains("comes with parts.material, from rollers.csv; drop this entry"));
+  CHECK_THAT(says("", "name, allowable_pressure [mm]\nA, 1\n"), Contains("rollers.csv:1"));
+  CHECK_THAT(says("", "name, allowable_pressure\nA, 1\n"), Contains("has no unit"));
+  CHECK_THAT(says("", "name, allowable_pressure [MPa]\nA, -1\n"),
+             Contains("rollers.csv:2: allowable_pressure is -1 MPa; it must be above 0"));
+  CHECK_THAT(says("", "name, allowable_pressure [MPa], allowable_pressure [GPa]\nA, 1, 1\n"),
+             Contains("allowable_pressure appears twice"));
+  ProblemStatement problem = with_material("");
+  CHECK_THAT(complaint([&] { set_value(problem, "allowable_pressure=500 MPa"); }),
+             Contains("it comes with material, from rollers.csv; set material"));
+}
+
+TEST_CASE("cams on one shaft have materials of their own", "[parts][shaft]") {
+  HeldFiles files;
+  files.tables["rollers.csv"] = kMaterials;
+  const std::string cam =
+      "mechanism = 'disc-cam-roller'\n[cams.{0}.parts.material]\ncatalogue = 'rollers.csv'\n"
+      "start = '{1}'\n[cams.{0}.constants]\nface_width = 12\nmass = 1\nspring_rate = 5\n"
+      "spring_preload = 100\n[cams.{0}.program]\nsegments = [{{name = 'up', angle = 130, law = "
+      "'cycloidal'}}, {{name = 'down', law = 'cycloidal'}}]\n";
+  ProblemStatement problem = read_problem(
+      "[constants]\nspeed = 100\n[cams.a]\n" + fmt::format(fmt::runtime(cam), "a", "soft") +
+          "[cams.b]\n" + fmt::format(fmt::runtime(cam), "b", "hard") + kRequired,
+      "f.toml", files);
+  CHECK(problem.buildable.inputs.at("a.allowable_pressure") == 420);
+  CHECK(problem.buildable.inputs.at("b.allowable_pressure") == 1200);
+  set_value(problem, "b.material=firm");
+  CHECK(problem.buildable.inputs.at("a.allowable_pressure") == 420);
+  CHECK(problem.buildable.inputs.at("b.allowable_pressure") == 750);
+  for (const ConstraintStatement& c : problem.constraints) {
+    if (c.response.name == "b.contact_stress") CHECK(c.upper == 750);
+  }
 }
 
 }  // namespace camlaw::problems::parts_test

@@ -10,6 +10,7 @@
 #include "problems/law_files/json_text.h"
 #include "problems/sweeps/stored_sweep.h"
 #include "problems/sweeps/sweep_worker.h"
+#include "tests/paths.h"
 #include "tests/problems/complaint.h"
 #include "tests/temporary_folder.h"
 
@@ -322,6 +323,35 @@ TEST_CASE("a misspelt value is refused before anything is worked out", "[sweep]"
   const std::string none = kCam.substr(0, kCam.find("[objective]"));
   CHECK_THAT(complaint([&] { SweepStudy(none, "cam.toml", swept({"stroke=10,20 mm"})); }),
              Contains("states none"));
+}
+
+TEST_CASE("a number that a machine does not take is a row that says why", "[sweep]") {
+  const struct {
+    const char *file, *axis, *why;
+    std::size_t refused;
+  } examples[] = {
+      {"index_drives/parallel_eight", "rollers=4,8,16", "whole number of pitches", 0},
+      {"index_drives/parallel_eight", "plates=2,3,9", "plates accepts", 2},
+      {"index_drives/barrel_eight", "roller_radius=-1:9:8 mm", "roller_radius accepts", 0},
+      {"index_drives/globoidal_eight", "index_angle=200,400 deg", "400 deg", 1},
+      {"cams/roller_least_base", "base_radius=50,500 mm", "outside the bounds", 1},
+      {"cams/roller_least_base", "pressure_angle.upper=-50,30 deg", "would not be below", 0},
+      {"servo_axis/pick_and_place", "gear_ratio=0,2", "gear_ratio", 0},
+      {"geneva/fastest", "slots=2,6", "slots", 0},
+      {"springs/lightest_helical", "active_coils=-3,6", "active_coils", 0}};
+  for (const auto& [file, axis, why, refused] : examples) {
+    const auto path = testing::source(std::string("problems/") + file + ".toml");
+    SweepSettings settings = swept({axis});
+    settings.evaluates = true;
+    const SweepStudy study(testing::read(path), path, settings);
+    const Sweep sweep = run(study);
+    for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
+      INFO(file << ": " << axis << ", " << i);
+      REQUIRE(sweep.outcomes[i]);
+      CHECK(sweep.outcomes[i]->points.empty() == (i == refused));
+      if (i == refused) CHECK_THAT(sweep.outcomes[i]->failure, Contains(why));
+    }
+  }
 }
 
 }  // namespace camlaw::problems::sweep_test
