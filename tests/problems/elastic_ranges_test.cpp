@@ -218,4 +218,17 @@ TEST_CASE("bounds of a train over boxes of its machine hold, and close as they s
   }
 }
 
+TEST_CASE("what a proof leaves open is told by stretch and by parameters", "[elastic-ranges]") {
+  const ProblemStatement problem =
+      read(valve(kDamping + kPreload + kSpeeds, limit("elastic_force", "upper", "1135.6 N")));
+  const auto& of = problem.constraints.front().response;
+  const auto left = left_in_ranges(problem, of, optim::Bounds{99, 100});
+  REQUIRE(left.size() == 1);
+  CHECK(left.front().parameter == "speed");
+  CHECK((left.front().lower >= 600 && left.front().upper <= 900));
+  CHECK(left.front().upper - left.front().lower < 100);
+  CHECK_THAT(words_of(left), Contains("speed from ") && Contains(" rpm to "));
+  CHECK(left_in_ranges(problem, of, {}).empty());
+}
+
 }  // namespace camlaw::problems::elastic_ranges_test
