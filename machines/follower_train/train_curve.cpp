@@ -8,6 +8,7 @@
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "machines/follower_train/parts_at.h"
+#include "machines/follower_train/train_boxes.h"
 #include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/law_looks.h"
@@ -70,9 +71,16 @@ class EnclosedTrain {
     for (const auto& piece : law.pieces()) expanders_.emplace_back(piece);
   }
 
-  /// f(c) + f'(c) h + f'' h^2 / 2, f'' within what holds over the stretch.
-  optim::Bounds over(double from, double to) const {
+  /// Stretches come again and again, of one box of trains after the other.
+  std::optional<TrainExpansion> expansion(double from, double to) const {
     if (!motion_) return {};
+    if (!last_ || from != from_ || to != to_) last_ = expanded(from, to);
+    from_ = from, to_ = to;
+    return last_;
+  }
+
+ private:
+  TrainExpansion expanded(double from, double to) const {
     const Interval length(length_);
     const Interval x = boost::numeric::hull(Interval(from) / length, Interval(to) / length);
     const double middle = std::clamp(boost::numeric::median(x), 0.0, 1.0);
@@ -84,12 +92,9 @@ class EnclosedTrain {
     const Interval second =
         train_quantity(which_, train, {over[0], over[1], over[2], over[3], over[4]},
                        motion_->around(middle, radius, magnitude(over[2])), load_)[2];
-    const Interval h(-radius, radius), square(0, step_up(radius * radius));
-    const Interval range = scale_ * (f[0] + f[1] * h + Interval(0.5) * square * second);
-    return {range.lower(), range.upper()};
+    return {scale_ * f[0], scale_ * f[1], scale_ * second, radius};
   }
 
- private:
   TrainQuantity which_;
   double length_;  ///< of the cycle
   const Law<Interval>& law_;
@@ -97,10 +102,12 @@ class EnclosedTrain {
   TrainLoad<Interval> load_;
   Interval scale_ = Interval(0.0);
   std::vector<PieceExpander> expanders_;
+  mutable double from_ = 0, to_ = 0;  ///< where last_ is of
+  mutable std::optional<TrainExpansion> last_;
 };
 
 /// The train for one design. Intervals are worked out where they are first asked for.
-class TrainTrace final : public optim::Trace {
+class TrainTrace final : public optim::Trace, public ExpandsTrain {
  public:
   TrainTrace(TrainQuantity which, TrainRun run, std::span<const double> parts,
              std::span<const Interval> enclosing, double factor, Law<double> law,
@@ -136,9 +143,16 @@ class TrainTrace final : public optim::Trace {
   }
 
   optim::Bounds enclose(double from, double to) const override {
+    const auto expanded = expansion(from, to);
+    if (!expanded) return {};
+    const Interval range = expanded->range();
+    return {range.lower(), range.upper()};
+  }
+
+  std::optional<TrainExpansion> expansion(double from, double to) const override {
     if (!motion_) return {};
     if (!enclosed_) enclosed_.emplace(which_, run_, enclosing_parts_, factor_, enclosing_law_);
-    return enclosed_->over(from, to);
+    return enclosed_->expansion(from, to);
   }
 
   std::string why_unbounded() const override { return motion_ ? "" : motion_.why(); }
@@ -261,14 +275,13 @@ std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
                      std::move(*law), std::move(*enclosing_law));
 }
 
-LawKernel swing_at_rest() {
-  return law_kernel([]<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
-    const auto motion = TrainMotion<T>::periodic({part[0], part[1]}, law);
-    if (!motion) return motion.reason();
-    const auto swing = motion->swing_at_rest();
-    if (!swing) return swing.reason();
-    return T(part[2] * *swing);
-  });
+std::unique_ptr<OverBoxes> TrainCurve::over_boxes(const Widened& wide, optim::Design x,
+                                                  TraceAt at) const {
+  if (run_ != TrainRun::Turn) return nullptr;
+  const auto law = binding_.law->member_at(x).possible_law<Interval>();
+  if (!law) return nullptr;
+  return train_over_boxes(which_, PartsOverBox(parts_, binding_, wide.first, x),
+                          factor_.as<double>(), *law, std::move(at));
 }
 
 }  // namespace camlaw::problems

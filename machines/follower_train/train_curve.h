@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/follower_train/follower_train.h"
+#include "machines/model/box_traces.h"
 #include "machines/model/law_number.h"
 #include "machines/model/listed_responses.h"
 
@@ -63,7 +64,7 @@ std::unique_ptr<optim::Trace> train_trace(TrainQuantity which, TrainRun run,
                                           Law<double> law, Law<Interval> enclosing_law);
 
 /// A curve of the train.
-class TrainCurve final : public optim::Curve {
+class TrainCurve final : public optim::Curve, public BoundedOverBoxes {
  public:
   /// `parts` are kTrainParts, `factor` leads from SI to the listed unit.
   TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> parts,
@@ -78,6 +79,9 @@ class TrainCurve final : public optim::Curve {
   std::optional<optim::Function> joint_angle(int joint) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
+  /// Of a turn; of a rise nothing is known.
+  std::unique_ptr<OverBoxes> over_boxes(const Widened& wide, optim::Design x,
+                                        TraceAt at) const override;
 
  private:
   /// The curve's derivative by the place, of order 0 or 1, as a function of the design.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "machines/model/enclosed.h"
 #include "machines/model/law_binding.h"
@@ -101,7 +102,47 @@ class SlopeOverBox final : public BoxFormula<SlopeOverBox> {
   std::size_t argument_;
 };
 
+/// By the formula.
+class RecordedOverBoxes final : public OverBoxes {
+ public:
+  RecordedOverBoxes(const CurveRecord& record, const Widened& wide, Design x)
+      : record_(record), wide_(wide), x_(x.begin(), x.end()) {}
+
+  OverBox over(const Box& box, double from, double to, double sign) override {
+    auto& known = boxes_[ends_of(box)];
+    if (!known) known = std::make_unique<BoxTraces>(record_, wide_, x_, box);
+    return known->over(from, to, sign);
+  }
+
+ private:
+  const CurveRecord& record_;
+  const Widened& wide_;
+  std::vector<double> x_;
+  std::map<std::vector<double>, std::unique_ptr<BoxTraces>> boxes_;
+};
+
+class RecordedBounds final : public BoundedOverBoxes {
+ public:
+  explicit RecordedBounds(CurveRecord record) : record_(std::move(record)) {}
+
+  std::unique_ptr<OverBoxes> over_boxes(const Widened& wide, Design x, TraceAt) const override {
+    return std::make_unique<RecordedOverBoxes>(record_, wide, x);
+  }
+
+ private:
+  CurveRecord record_;
+};
+
 }  // namespace
+
+std::shared_ptr<const BoundedOverBoxes> bounded_over_boxes(
+    const MechanismResponse& response, const std::shared_ptr<const optim::Curve>& curve,
+    const Widened& wide) {
+  if (auto record = curve_record(response, wide.binding)) {
+    return std::make_shared<RecordedBounds>(*std::move(record));
+  }
+  return std::dynamic_pointer_cast<const BoundedOverBoxes>(curve);
+}
 
 std::optional<CurveRecord> curve_record(const MechanismResponse& response, const Binding& binding) {
   if (!response.write || !response.cycle || !response.held.empty()) return {};

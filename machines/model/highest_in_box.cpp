@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <queue>
 
 namespace camlaw::problems {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using optim::Bounds;
 
 constexpr int kStepsOfOne = 8;  // of one parameter's range
+constexpr double kClose = 0.5;  // of the bounds' width at the middle of a part
 
 bool is_point(const Bounds& b) { return b.lower == b.upper; }
 
@@ -24,20 +26,43 @@ Point point_of(const Box& box, const std::function<double(const Bounds&)>& choos
 
 double middle(const Bounds& b) { return std::midpoint(b.lower, b.upper); }
 
-/// The search of highest_within: bounds of the highest value so far.
+/// The search of highest_within: what is bounded highest is halved first, so that no part is looked
+/// at whose bound would not count.
 class Halving {
  public:
   Halving(const Box& whole, int parts, const std::function<Bounds(const Point&)>& at,
           const std::function<OverBox(const Box&)>& over)
       : whole_(whole), parts_(parts), at_(at), over_(over) {}
 
-  void look_at(const Point& point) {
-    const Bounds here = at_(point);
-    see(point, here.lower);
-    found_.value.upper = std::max(found_.value.upper, here.upper);
+  void look_at(const Point& point) { see(point, at_(point)); }
+
+  void search(int halvings) {
+    look_into(whole_, halvings);
+    while (!open_.empty()) {
+      const Part highest = open_.top();
+      if (highest.upper <= found_.value.upper) return;
+      if (highest.halvings == 0 || parts_ <= 0 || highest.is_close) {
+        found_.value.upper = highest.upper;
+        found_.left = highest.box;
+        return;
+      }
+      open_.pop();
+      halve(highest);
+    }
   }
 
-  void go_through(const Box& box, int halvings) {
+  const Highest& found() const { return found_; }
+
+ private:
+  struct Part {
+    Box box;
+    double upper;
+    bool is_close;  ///< what is left about the middle's value comes of the stretch, not of the box
+    int halvings;   ///< that it may still be divided
+    bool operator<(const Part& other) const { return upper < other.upper; }
+  };
+
+  void look_into(const Box& box, int halvings) {
     --parts_;
     const OverBox whole = over_(box);
     Box narrow = box;
@@ -64,45 +89,42 @@ class Halving {
     }
     upper += 2e-15 * sizes;
     if (!(upper <= whole.value.upper)) upper = whole.value.upper;
-    see(centre, here.lower);
+    see(centre, here);
     if (upper <= found_.value.upper) return;
-    if (halvings == 0 || parts_ <= 0) {
-      found_.value.upper = upper;
-      return;
-    }
-    halve(narrow, halvings);
+    const bool is_close = upper - here.upper <= kClose * (here.upper - here.lower);
+    open_.push({std::move(narrow), upper, is_close, halvings});
   }
 
-  const Highest& found() const { return found_; }
-
- private:
-  void see(const Point& point, double lower) {
-    if (!(lower > found_.value.lower)) return;
-    found_.value.lower = lower;
+  void see(const Point& point, const Bounds& here) {
+    found_.value.upper = std::max(found_.value.upper, here.upper);
+    if (!(here.lower > found_.value.lower)) return;
+    found_.value.lower = here.lower;
     found_.place = point;
   }
 
   /// Where the box is widest, as a share of the whole one.
-  void halve(const Box& box, int halvings) {
+  void halve(const Part& part) {
     std::size_t widest = 0;
     double most = 0;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      const double width = box[i].upper - box[i].lower;
+    for (std::size_t i = 0; i < part.box.size(); ++i) {
+      const double width = part.box[i].upper - part.box[i].lower;
       const double share = width > 0 ? width / (whole_[i].upper - whole_[i].lower) : 0;
       if (share > most) most = share, widest = i;
     }
-    Box part = box;
-    part[widest].upper = middle(box[widest]);
-    go_through(part, halvings - 1);
-    part[widest] = {middle(box[widest]), box[widest].upper};
-    go_through(part, halvings - 1);
+    const Bounds along = part.box[widest];
+    Box half = part.box;
+    half[widest].upper = middle(along);
+    look_into(half, part.halvings - 1);
+    half[widest] = {middle(along), along.upper};
+    look_into(half, part.halvings - 1);
   }
 
   const Box& whole_;
   int parts_;  ///< that may still be looked at
   const std::function<Bounds(const Point&)>& at_;
   const std::function<OverBox(const Box&)>& over_;
-  Highest found_{{-optim::kInfinity, -optim::kInfinity}, {}};
+  std::priority_queue<Part> open_;
+  Highest found_{{-optim::kInfinity, -optim::kInfinity}, {}, {}};
 };
 
 constexpr std::size_t kGridOf = 3;  // parameters; of more only the middle is looked at
@@ -138,6 +160,12 @@ std::vector<Point> combinations(const std::vector<std::vector<double>>& values) 
 }
 
 }  // namespace
+
+std::vector<double> ends_of(const Box& box) {
+  std::vector<double> ends;
+  for (const Bounds& b : box) ends.insert(ends.end(), {b.lower, b.upper});
+  return ends;
+}
 
 std::vector<Point> places_of(const Box& box) {
   const int steps = steps_of(box);
@@ -273,7 +301,7 @@ Highest highest_within(const Box& box, const Division& division,
   if (box.size() <= kFew) {
     for (const Point& corner : combinations(ends)) search.look_at(corner);
   }
-  search.go_through(box, division.halvings);
+  search.search(division.halvings);
   return search.found();
 }
 

@@ -58,10 +58,16 @@ struct Division {
 struct Highest {
   optim::Bounds value;  ///< numbers between which it is proved to lie
   Point place;          ///< where it is the lower of them, at least; empty where nothing bounds it
+  /// Of the parts that were not divided further the one that the upper of them comes from; empty
+  /// where it is reached at a place.
+  Box left;
 };
 
+/// The ends of a box one after the other, as a key.
+std::vector<double> ends_of(const Box& box);
+
 /// By halving the box: where a slope has one sign, that parameter stands at an end. `at` bounds the
-/// value at a point.
+/// value at a point; a part of the box that is bounded about as closely is not divided further.
 Highest highest_within(const Box& box, const Division& division,
                        const std::function<optim::Bounds(const Point&)>& at,
                        const std::function<OverBox(const Box&)>& over);

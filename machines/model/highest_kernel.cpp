@@ -251,6 +251,12 @@ Point HighestKernel::worst(std::span<const double> u) const {
   return climb(place, u);
 }
 
+Box HighestKernel::left(std::span<const double> u) const {
+  Box here;
+  for (const double value : u) here.push_back({value, value});
+  return highest_over(here).left;
+}
+
 Point HighestKernel::climbed_highest(const std::vector<Point>& places,
                                      const std::function<double(const Point&)>& value,
                                      std::span<const double> u) const {

@@ -77,6 +77,8 @@ class HighestKernel final : public optim::Kernel {
 
   /// The place in the ranges; where a value is not a number, the first such place.
   Point worst(std::span<const double> u) const;
+  /// The part of the ranges that its bounds leave open (Highest::left).
+  Box left(std::span<const double> u) const;
   /// From some of these places to the highest value nearby; `value` is that at a place, to be made
   /// highest.
   Point climbed_highest(const std::vector<Point>& places,

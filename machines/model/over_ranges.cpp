@@ -62,6 +62,11 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
       const Binding own = without_ranges(binding, ranges);
       return range_curve(response, ranges, sign, own)->worst(*place, x);
     };
+    over->left = [response, ranges, sign](const Binding& binding, Design x,
+                                          const optim::Bounds* stretch) {
+      const Binding own = without_ranges(binding, ranges);
+      return range_curve(response, ranges, sign, own)->left(stretch->lower, stretch->upper, x);
+    };
   } else {
     const auto kernel = [response, ranges, sign](const Binding& binding) {
       const Widened wide = widened(without_ranges(binding, ranges), ranges);
@@ -77,6 +82,13 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
       std::vector<double> u;
       for (const std::size_t input : own.own_inputs()) u.push_back(x[input]);
       return told(f, wide, x, own.worst(u));
+    };
+    over->left = [kernel, sign](const Binding& binding, Design x, const optim::Bounds*) {
+      const auto [f, wide] = kernel(binding);
+      const HighestKernel own(f, wide, sign);
+      std::vector<double> u;
+      for (const std::size_t input : own.own_inputs()) u.push_back(x[input]);
+      return f.is_enclosed() ? own.left(u) : Box{};
     };
   }
   result->over_ranges = std::move(over);

@@ -20,6 +20,9 @@ struct OverRanges {
   /// Where in the ranges the worst value is, at a design and a place of it (of a number none). Not
   /// a number for a range in which it is the same everywhere.
   std::function<std::vector<double>(const Binding&, optim::Design, const optim::Place*)> worst;
+  /// The part of the ranges that a proof leaves open, at a design and a stretch of it (of a number
+  /// none); empty where none is.
+  std::function<Box(const Binding&, optim::Design, const optim::Bounds*)> left = {};
 };
 
 /// Takes from a response what only a formula or a curve of the mechanism has, for a number that is

@@ -13,12 +13,12 @@ namespace camlaw::problems {
 
 using optim::Bounds, optim::Design, optim::Function, optim::Place;
 
-/// A curve over the ranges, and what bounds it; without `record` nothing is proved between places.
+/// A curve over the ranges, and what bounds it; without `bounds` nothing is proved between places.
 struct RangeParts {
   std::shared_ptr<const optim::Curve> curve;  ///< over the widened design
   Widened wide;
   double sign;
-  std::optional<CurveRecord> record;
+  std::shared_ptr<const BoundedOverBoxes> bounds;
 };
 
 namespace {
@@ -34,6 +34,9 @@ class RangeTrace final : public optim::Trace {
         places_(places_of(box_)) {
     for (const Point& p : places_) at_place(p);
     breaks_ = at_place(places_.front()).breaks();
+    if (!parts_->bounds) return;
+    over_ = parts_->bounds->over_boxes(
+        parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
   }
 
   std::vector<double> breaks() const override { return breaks_; }
@@ -51,18 +54,12 @@ class RangeTrace final : public optim::Trace {
   }
 
   Bounds enclose(double from, double to) const override {
-    if (!parts_->record) return {};
-    constexpr int kLeast = 2, kMost = 24, kParts = 64;
-    const double share = (breaks_.back() - breaks_.front()) / std::max(to - from, 1e-300);
-    const int halvings =
-        std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
-    const double sign = parts_->sign;
-    const Highest found = highest_within(
-        box_, {halvings, kParts},
-        [&](const Point& p) { return times(sign, at_place(p).enclose(from, to)); },
-        [&](const Box& box) { return over(box).over(from, to, sign); });
-    return times(sign, found.value);
+    if (!over_) return {};
+    return times(parts_->sign, highest(from, to).value);
   }
+
+  /// The part of the ranges that bounds it over a stretch; all of them where nothing is proved.
+  Box left(double from, double to) const { return over_ ? highest(from, to).left : box_; }
 
   std::string why_unbounded() const override { return at_place(places_.front()).why_unbounded(); }
 
@@ -91,12 +88,19 @@ class RangeTrace final : public optim::Trace {
     known = parts_->curve->trace(parts_->wide.design(x_, p));
     return *known;
   }
-  const BoxTraces& over(const Box& box) const {
-    std::vector<double> key;
-    for (const Bounds& b : box) key.insert(key.end(), {b.lower, b.upper});
-    auto& known = boxes_[key];
-    if (!known) known = std::make_unique<BoxTraces>(*parts_->record, parts_->wide, x_, box);
-    return *known;
+  Highest highest(double from, double to) const {
+    constexpr int kLeast = 2, kMost = 24, kPartsOf = 8;  // of each halving
+    const double share = (breaks_.back() - breaks_.front()) / std::max(to - from, 1e-300);
+    const int halvings =
+        std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
+    const double sign = parts_->sign;
+    return highest_within(
+        box_, {halvings, kPartsOf * halvings},
+        [&](const Point& p) {
+          optim::check_deadline();
+          return times(sign, at_place(p).enclose(from, to));
+        },
+        [&](const Box& box) { return over_->over(box, from, to, sign); });
   }
 
   std::shared_ptr<const RangeParts> parts_;
@@ -105,7 +109,7 @@ class RangeTrace final : public optim::Trace {
   std::vector<Point> places_;
   std::vector<double> breaks_;
   mutable std::map<Point, std::unique_ptr<optim::Trace>> traces_;
-  mutable std::map<std::vector<double>, std::unique_ptr<BoxTraces>> boxes_;
+  std::unique_ptr<OverBoxes> over_;  ///< none: nothing is proved
 };
 
 }  // namespace
@@ -144,6 +148,10 @@ std::unique_ptr<optim::Trace> RangeCurve::trace(Design x) const {
   return std::make_unique<RangeTrace>(parts_, x);
 }
 
+Box RangeCurve::left(double from, double to, Design x) const {
+  return RangeTrace(parts_, x).left(from, to);
+}
+
 double RangeCurve::memory() const { return parts_->curve->memory(); }
 
 Point RangeCurve::worst(Place place, Design x) const {
@@ -158,7 +166,7 @@ std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
   const bool decides = std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
     return response.possible_by.holds(range.parameter);
   });
-  if (!decides) parts.record = curve_record(response, wide.binding);
+  if (!decides) parts.bounds = bounded_over_boxes(response, parts.curve, wide);
   return std::make_shared<RangeCurve>(std::move(parts));
 }
 

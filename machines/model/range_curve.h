@@ -26,14 +26,16 @@ class RangeCurve final : public optim::Curve {
 
   /// Where in the ranges it is, as told() says it.
   Point worst(optim::Place place, optim::Design x) const;
+  /// The part of the ranges that its bounds over a stretch leave open (Highest::left).
+  Box left(double from, double to, optim::Design x) const;
 
  private:
   std::shared_ptr<const RangeParts> parts_;
 };
 
 /// The curve over the ranges for a binding in which they do not vary; `sign` is below 0 for the
-/// lowest value. Nothing is proved of a curve that is not recorded, nor where the ranges decide
-/// whether there is such a machine.
+/// lowest value. Nothing is proved of a curve that bounded_over_boxes knows nothing of, nor where
+/// the ranges decide whether there is such a machine.
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
                                               const std::vector<TakenRange>& ranges, double sign,
                                               const Binding& binding);

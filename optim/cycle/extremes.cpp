@@ -233,9 +233,14 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   while (!stretches.empty()) {
     const Stretch stretch = stretches.back();
     stretches.pop_back();
-    if (++proof.boxes > most_boxes) return proof;
     const Bounds bounds = trace.enclose(stretch.from, stretch.to);
-    if ((sign > 0 ? bounds.upper : -bounds.lower) <= limit) continue;
+    const double most = sign > 0 ? bounds.upper : -bounds.lower;
+    const auto give_up = [&] {
+      if (std::isfinite(most)) proof.left = {stretch.from, stretch.to};
+      return proof;
+    };
+    if (++proof.boxes > most_boxes) return give_up();
+    if (most <= limit) continue;
     const double middle = std::midpoint(stretch.from, stretch.to);
     const bool divisible = middle > stretch.from && middle < stretch.to;
     // A stretch of one point's width, or without any bound, is decided by its points alone: no
@@ -246,7 +251,7 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
       proof.worst = summit(trace, sign, proof.worst);
       return proof;
     }
-    if (!divisible) return proof;
+    if (!divisible) return give_up();
     stretches.push_back({middle, stretch.to, false, stretch.at_end});
     stretches.push_back({stretch.from, middle, stretch.at_begin, false});
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "optim/problem/problem.h"
@@ -65,7 +66,9 @@ struct CycleProof {
   bool proved = false;
   Extreme worst;        ///< the highest value met on the way; where that is above, its summit
   bool broken = false;  ///< worst is above the limit
-  int boxes = 0;        ///< stretches looked at
+  /// The stretch at which it was given up, where the bounds there are numbers.
+  std::optional<Bounds> left = {};
+  int boxes = 0;  ///< stretches looked at
 };
 
 /// Divides the cycle until every stretch is proved to lie below the limit, or a value above it is

@@ -41,10 +41,10 @@ template <class Archive, class L>
 requires std::is_same_v<std::remove_const_t<L>, LimitReport>
 void visit(Archive& archive, L& limit) {
   auto& [name, unit, value, bound, is_upper, margin, tolerance, worst_angle, from_left, is_equation,
-         met, proved, multiplier, at_rest] = limit;
+         met, proved, left, multiplier, at_rest] = limit;
   archive(name), archive(unit), archive(value), archive(bound), archive(is_upper), archive(margin);
   archive(tolerance), archive(worst_angle), archive(from_left), archive(is_equation), archive(met);
-  archive(proved), archive(multiplier), archive(at_rest);
+  archive(proved), archive(left), archive(multiplier), archive(at_rest);
 }
 
 template <class Archive, class O>

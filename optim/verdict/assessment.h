@@ -25,6 +25,8 @@ struct LimitReport {
   bool is_equation = false;
   bool met = false;     ///< margin >= -tolerance
   bool proved = false;  ///< by intervals: over the whole cycle, rounding included
+  /// Where a proof was given up: of a curve the stretch of the cycle, of a number without bounds.
+  std::optional<Bounds> left = {};
   /// Objective gained per unit by which the bound is relaxed; NaN where no price is known.
   double multiplier = 0;
   /// It pushes at a rest, where it vanishes whatever the design: what easing it gains there has no

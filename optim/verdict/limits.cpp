@@ -16,6 +16,7 @@ namespace {
 struct SideOfLimit {
   double value, margin;
   std::optional<Place> place;
+  std::optional<Bounds> left = {};  ///< LimitReport::left
 };
 
 SideOfLimit side_of(const Response& response, MaximaAt& maxima, Design x, double sign,
@@ -39,13 +40,17 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
       if (sign * (bound - value) < side.margin) side = {value, sign * (bound - value), {}};
     }
     const Bounds exact = f.enclose(x);
-    return sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
+    const bool proved =
+        sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
+    if (!proved && f.is_enclosed()) side.left = Bounds{};
+    return proved;
   }
   const CycleProof proof =
       prove_below(maxima.trace(response.curve()), sign, sign * bound + tolerance);
   if (sign * (bound - proof.worst.value) < side.margin) {
     side = {proof.worst.value, sign * (bound - proof.worst.value), proof.worst.place};
   }
+  side.left = proof.left;
   return proof.proved;
 }
 
@@ -73,6 +78,7 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
     if (prove) {
       result.proved =
           prove_side(c.response, maxima, x, sign, bound, size.tolerance, side) && result.proved;
+      if (side.left) result.left = side.left;
     }
     // A value at minus infinity is as far from its bound as can be, but no value of a design.
     if (std::isinf(side.margin) && side.margin > 0) {

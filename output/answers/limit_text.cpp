@@ -20,6 +20,15 @@ std::string place_text(double place, const std::string& unit) {
   return with_unit(fmt::format("{:.4g}", std::abs(place) < kNone ? 0 : place), unit);
 }
 
+namespace {
+
+/// An end of a short stretch, told apart from its other end.
+std::string with_digits(double place, const std::string& unit) {
+  return with_unit(fmt::format("{:.9g}", place), unit);
+}
+
+}  // namespace
+
 std::string place_text(double place, const problems::ResponseName& curve) {
   return place_text(place, curve.response != nullptr ? curve.response->along : "");
 }
@@ -75,6 +84,41 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
   return text;
 }
 
+namespace {
+
+/// What a proof of a limit that is met left open.
+struct Undecided {
+  std::string words;  ///< "from 99.8 deg to 99.9 deg, speed from 810 rpm to 820 rpm"; or empty
+  std::optional<optim::Bounds> stretch;  ///< of a curve, in its case
+  std::vector<problems::PartOfRange> ranges;
+};
+
+Undecided undecided(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                    std::size_t number) {
+  if (!side.met || side.proved || !side.left) return {};
+  const problems::ResponseName& of = design.constraints[number].response;
+  Undecided open;
+  if (std::isfinite(side.left->lower)) open.stretch = side.left;
+  open.ranges = problems::left_in_ranges(design, of, open.stretch);
+  if (open.stretch) {
+    const auto from = problems::place_in_case(of, side.left->lower);
+    const auto to = problems::place_in_case(of, side.left->upper);
+    const problems::ResponseName& one = from ? of.response->over_cases.at(from->part) : of;
+    if (from && to) open.stretch = optim::Bounds{from->place, to->place};
+    const std::string unit = one.response != nullptr ? one.response->along : "";
+    const std::string begin = with_digits(open.stretch->lower, unit);
+    const std::string end = with_digits(open.stretch->upper, unit);
+    open.words = begin == end ? "at " + begin : fmt::format("from {} to {}", begin, end);
+    if (from && !from->load_case.empty()) open.words += " in case " + from->load_case;
+  }
+  if (!open.ranges.empty()) {
+    open.words += (open.words.empty() ? "" : ", ") + problems::words_of(open.ranges);
+  }
+  return open;
+}
+
+}  // namespace
+
 std::vector<Cell> limit_cells(const optim::LimitReport& report,
                               const problems::ConstraintStatement& stated) {
   const LimitText text = limit_text(report, stated);
@@ -121,7 +165,31 @@ Json side_json(const optim::LimitReport& side, const problems::ProblemStatement&
           {"met", side.met},
           {"worst_angle_deg", json_value(side.worst_angle)},
           {"worst_at", worst_at_json(design, of, side.worst_angle)},
-          {"proved", side.proved}};
+          {"proved", side.proved},
+          {"undecided", undecided_json(side, design, number)}};
+}
+
+Json undecided_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                    std::size_t number) {
+  const Undecided open = undecided(side, design, number);
+  if (open.words.empty()) return nullptr;
+  Json ranges = Json::object();
+  for (const problems::PartOfRange& part : open.ranges) {
+    ranges[part.parameter] = {
+        {"lower", to_json(part.lower)}, {"upper", to_json(part.upper)}, {"unit", part.unit}};
+  }
+  Json object{{"ranges", std::move(ranges)}};
+  if (open.stretch) {
+    object["from"] = to_json(open.stretch->lower);
+    object["to"] = to_json(open.stretch->upper);
+  }
+  return object;
+}
+
+std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                           std::size_t number) {
+  const std::string words = undecided(side, design, number).words;
+  return words.empty() ? "" : fmt::format("not decided: {} {}\n", side.name, words);
 }
 
 namespace {
@@ -155,7 +223,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
                           numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
                           words("unit", "unit"), numbers("at", "worst_angle_deg"), data("worst_at"),
                           data("met"), data("tolerance"), words("proved", "proved"),
-                          data("other_side"), data("required_by")},
+                          data("undecided"), data("other_side"), data("required_by")},
               .shown = 0};
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const optim::LimitReport& limit = sided.limits[i];
@@ -166,6 +234,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
     cells.push_back(datum(limit.met));
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
+    cells.push_back(datum(undecided_json(limit, design, i)));
     cells.push_back(
         datum(sided.others[i] ? side_json(*sided.others[i], design, i) : Json(nullptr)));
     cells.push_back(datum(design.constraints[i].required_by));
@@ -201,7 +270,10 @@ Document limits_document(const std::vector<optim::LimitReport>& limits,
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto& other = sided.others[i];
     document.say(side_line(limits[i], other, limit_text(limits[i], design, i)));
-    if (other) document.say(side_line(*other, limits[i], limit_text(*other, design, i)));
+    document.say(undecided_line(limits[i], design, i));
+    if (!other) continue;
+    document.say(side_line(*other, limits[i], limit_text(*other, design, i)));
+    document.say(undecided_line(*other, design, i));
   }
   document.add(limits_table(sided, design));
   return document;

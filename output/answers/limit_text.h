@@ -51,6 +51,15 @@ SidedLimits both_sides(const problems::ProblemStatement& design,
 Json worst_at_json(const problems::ProblemStatement& design, const problems::ResponseName& of,
                    const std::optional<double>& place);
 
+/// What a proof of a limit that is met left open: by `from` and `to` the stretch of a curve's cycle
+/// at which it was given up, and `ranges`, by the parameters' names `lower`, `upper` and `unit`;
+/// null where it is proved and where nothing is known.
+Json undecided_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                    std::size_t number);
+/// The same for people, on a line; empty where that is null.
+std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                           std::size_t number);
+
 /// A side of the design's limit of this number, for programs.
 Json side_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
                std::size_t number);

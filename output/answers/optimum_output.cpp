@@ -85,6 +85,10 @@ void add_limits(const Answer& answer, Document& document) {
   if (!prices.empty()) document.say("\n");
   document.add(std::move(table));
   if (!prices.empty()) document.add(sides_table(sided, design, priced ? "price" : "", prices));
+  for (std::size_t i = 0; is_design && i < sided.limits.size(); ++i) {
+    document.say(undecided_line(sided.limits[i], design, i));
+    if (sided.others[i]) document.say(undecided_line(*sided.others[i], design, i));
+  }
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const auto& by = design.constraints[i].required_by;
     if (!by) continue;

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "machines/model/law_binding.h"
 #include "machines/model/load_case.h"
 #include "machines/model/robust_number.h"
 #include "problems/statement/cases.h"
@@ -328,38 +327,6 @@ ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStateme
   objective.of_ranges = spread(problem, objective.response, highest);
   objective.response.response = objective.of_ranges.get();
   return objective;
-}
-
-std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const ResponseName& of,
-                                          const std::optional<double>& place) {
-  if (of.response == nullptr || design.laws.empty()) return {};
-  if (!of.response->over_cases.empty()) {
-    const auto in = place ? place_in_case(of, *place) : std::nullopt;
-    if (!in) return {};
-    return worst_in_ranges(design, of.response->over_cases.at(in->part), in->place);
-  }
-  if (!of.response->over_ranges || (of.response->curve && !place)) return {};
-  Binding binding;
-  binding.constants = design.constants;
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
-  const optim::Place at{place.value_or(0)};
-  const OverRanges& over = *of.response->over_ranges;
-  const std::vector<double> worst = over.worst(binding, {}, &at);
-  std::vector<PlaceInRange> places;
-  for (std::size_t i = 0; i < worst.size(); ++i) {
-    if (std::isnan(worst[i])) continue;
-    const MechanismParameter& p = design.mechanism->parameters[over.ranges[i].parameter];
-    places.push_back({p.name, p.unit, worst[i]});
-  }
-  return places;
-}
-
-std::string words_of(const std::vector<PlaceInRange>& places) {
-  std::vector<std::string> parts;
-  for (const PlaceInRange& place : places) {
-    parts.push_back(fmt::format("{} = {}", place.parameter, with_unit(place.value, place.unit)));
-  }
-  return listed(parts);
 }
 
 }  // namespace camlaw::problems

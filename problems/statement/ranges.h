@@ -73,4 +73,16 @@ std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const 
 /// "speed = 400 rpm and load = 0 N".
 std::string words_of(const std::vector<PlaceInRange>& places);
 
+/// A part of the range of a parameter, in its listed unit.
+struct PartOfRange {
+  std::string parameter, unit;
+  double lower, upper;
+};
+/// What of the ranges a proof of a limit left open, for a design that a statement begins with and,
+/// of a curve, the stretch of the cycle at which it was given up; empty where no range matters.
+std::vector<PartOfRange> left_in_ranges(const ProblemStatement& design, const ResponseName& of,
+                                        const std::optional<optim::Bounds>& stretch);
+/// "speed from 300 rpm to 310 rpm".
+std::string words_of(const std::vector<PartOfRange>& parts);
+
 }  // namespace camlaw::problems

@@ -2,6 +2,8 @@
 // What a text says of worst places and of combinations, --json says too.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
 
@@ -50,6 +52,38 @@ TEST_CASE("the worst place in ranges is in the JSON as in the text", "[program]"
   CHECK(angle.at("worst_at").at("base_radius").at("value").get<double>() ==
         Approx(52.68 - 0.05).epsilon(1e-9));
   CHECK(angle.at("worst_at").at("base_radius").at("unit") == "mm");
+}
+
+TEST_CASE("what a proof over ranges leaves open is in the JSON as in the text", "[program]") {
+  // The search ends beside the top at b = v, c = v - 0.2, so that the limit seems to be met.
+  const Folder folder;
+  const std::string own = folder / "own.toml";
+  std::ofstream(own) << "[machine]\nmoved_by = 'law'\n"
+                        "[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
+                        "[machine.parameters.c]\ndefault = 1\nlower = -5\nupper = 5\n"
+                        "[responses.f]\n"
+                        "formula = 'v - 2 * abs(b - v) - 3 * abs(c - b + 0.2)'\n"
+                        "[law]\nname = 'cosine'\n[ranges.b]\nlower = -1\nupper = 4\n"
+                        "[ranges.c]\nlower = -1\nupper = 4\n"
+                        "[[constraints]]\nresponse = 'f'\nupper = 1.53\n"
+                        "[[constraints]]\nresponse = 'f'\nupper = 1.6\n";
+  const ParsedJson limits = json_of({"evaluate", own, "--json"}).at("constraints");
+  CHECK_FALSE(limits[0].at("proved").get<bool>());
+  const ParsedJson& left = limits[0].at("undecided");
+  const double place = left.at("from").get<double>();
+  CHECK(left.at("to").get<double>() >= place);
+  const double v = std::acos(-1.0) / 2 * std::sin(std::acos(-1.0) * place);
+  CHECK(v >= 1.53 - 1e-5);  // what is left is where the limit breaks
+  for (const auto& [name, top] : {std::pair{"b", v}, std::pair{"c", v - 0.2}}) {
+    const ParsedJson& part = left.at("ranges").at(name);
+    CHECK(part.at("lower").get<double>() <= top + 1e-5);
+    CHECK(part.at("upper").get<double>() >= top - 1e-5);
+    CHECK(part.at("unit") == "1");
+  }
+  CHECK_THAT(done({"evaluate", own}),
+             Contains(fmt::format("not decided: f at {:.9g}, b from ", place)));
+  CHECK(limits[1].at("proved").get<bool>());
+  CHECK(limits[1].at("undecided").is_null());
 }
 
 TEST_CASE("the objective's case and place are in the JSON as in the text", "[program]") {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "machines/model/law_binding.h"
+#include "machines/model/load_case.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/ranges.h"
+
+namespace camlaw::problems {
+
+namespace {
+
+/// The binding of a design, in which nothing varies.
+Binding whole_binding(const ProblemStatement& design) {
+  Binding binding;
+  binding.constants = design.constants;
+  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
+  return binding;
+}
+
+}  // namespace
+
+std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const ResponseName& of,
+                                          const std::optional<double>& place) {
+  if (of.response == nullptr || design.laws.empty()) return {};
+  if (!of.response->over_cases.empty()) {
+    const auto in = place ? place_in_case(of, *place) : std::nullopt;
+    if (!in) return {};
+    return worst_in_ranges(design, of.response->over_cases.at(in->part), in->place);
+  }
+  if (!of.response->over_ranges || (of.response->curve && !place)) return {};
+  const Binding binding = whole_binding(design);
+  const optim::Place at{place.value_or(0)};
+  const OverRanges& over = *of.response->over_ranges;
+  const std::vector<double> worst = over.worst(binding, {}, &at);
+  std::vector<PlaceInRange> places;
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    if (std::isnan(worst[i])) continue;
+    const MechanismParameter& p = design.mechanism->parameters[over.ranges[i].parameter];
+    places.push_back({p.name, p.unit, worst[i]});
+  }
+  return places;
+}
+
+std::string words_of(const std::vector<PlaceInRange>& places) {
+  std::vector<std::string> parts;
+  for (const PlaceInRange& place : places) {
+    parts.push_back(fmt::format("{} = {}", place.parameter, with_unit(place.value, place.unit)));
+  }
+  return listed(parts);
+}
+
+std::vector<PartOfRange> left_in_ranges(const ProblemStatement& design, const ResponseName& of,
+                                        const std::optional<optim::Bounds>& stretch) {
+  if (of.response == nullptr || design.laws.empty()) return {};
+  if (!of.response->over_cases.empty()) {
+    const auto from = stretch ? place_in_case(of, stretch->lower) : std::nullopt;
+    const auto to = stretch ? place_in_case(of, stretch->upper) : std::nullopt;
+    if (!from || !to) return {};
+    return left_in_ranges(design, of.response->over_cases.at(from->part),
+                          optim::Bounds{from->place, to->place});
+  }
+  if (!of.response->over_ranges || !of.response->over_ranges->left) return {};
+  if (of.response->curve && !stretch) return {};
+  const OverRanges& over = *of.response->over_ranges;
+  const Box left = over.left(whole_binding(design), {}, stretch ? &*stretch : nullptr);
+  std::vector<PartOfRange> parts;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const MechanismParameter& p = design.mechanism->parameters[over.ranges[i].parameter];
+    parts.push_back({p.name, p.unit, left[i].lower, left[i].upper});
+  }
+  return parts;
+}
+
+std::string words_of(const std::vector<PartOfRange>& parts) {
+  std::vector<std::string> words;
+  for (const PartOfRange& part : parts) {
+    if (part.lower == part.upper) {
+      words.push_back(fmt::format("{} = {}", part.parameter, with_unit(part.lower, part.unit)));
+      continue;
+    }
+    words.push_back(fmt::format("{} from {} to {}", part.parameter,
+                                with_unit(part.lower, part.unit),
+                                with_unit(part.upper, part.unit)));
+  }
+  return listed(words);
+}
+
+}  // namespace camlaw::problems
