@@ -88,8 +88,7 @@ std::vector<MechanismResponse> rib_responses() {
                                            : " at the roller's end towards the cam's axis";
     add(C::PressureAngle, place,
         {prefix + "pressure_angle", "deg", "rad",
-         "angle between the normal of the flank and the path of the roller" + at +
-             ", with the sign of the slope"});
+         "angle between the flank normal and the roller's path" + at + ", with the slope's sign"});
     add(C::Undercut, place,
         {prefix + "undercut", "1", "1",
          "undercut ratio of the driving flank" + at + "; at 1 it is undercut"});
