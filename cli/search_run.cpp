@@ -20,6 +20,7 @@
 #include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/cycle_figure.h"
+#include "output/answers/free_limit.h"
 #include "output/answers/next_step.h"
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
@@ -106,28 +107,6 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
   return search;
 }
 
-/// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
-/// that is stopped, or fails. Returns the JSON.
-std::string show(const SearchCommand& command, const Answer& answer,
-                 const optim::OptimiseOptions& rest, int workers, const SearchOptions& options) {
-  const bool json = options.json;
-  Document document = answer_document(answer);
-  if (options.table) document.add(combinations_document(answer));
-  Json result = json_of(document);
-  if (!json) print_text(text_of(document));
-  flush_printed();
-  if (command.measure) {
-    const Document more = command.measure(answer, rest, workers);
-    if (!json) print_text(text_of(more));
-    result.update(json_of(more));
-  }
-  problems::seal(result);
-  std::string text = result.dump(2) + "\n";
-  if (json) print_data(text);
-  flush_printed();
-  return text;
-}
-
 /// Whether one step of a search may take so long that it is not left to itself.
 bool is_large(const problems::ProblemStatement& statement) {
   constexpr std::size_t kLarge = 100;
@@ -188,6 +167,41 @@ optim::OptimiseOptions shown_by(SearchProgress& shown, optim::OptimiseOptions ho
     if (tell) tell(c);
   };
   return how;
+}
+
+/// The free law's search, which shows how far it is.
+FreeLimit shown_free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers,
+                           bool is_shown) {
+  ProgressLine line(is_shown);
+  SearchProgress shown(line, begun_state(answer.bound.statement()));
+  shown.begins("free law");
+  return free_limit(answer, line.is_shown() ? shown_by(shown, rest) : rest, workers);
+}
+
+/// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
+/// that is stopped, or fails. Returns the JSON.
+std::string show(const SearchCommand& command, const Answer& answer,
+                 const optim::OptimiseOptions& rest, int workers, const SearchOptions& options) {
+  const bool json = options.json;
+  const Document document = answer_document(answer);
+  Json result = json_of(document);
+  if (!json) print_text(text_of(document));
+  flush_printed();
+  const auto show_more = [&](const Document& more) {
+    if (!json) print_text(text_of(more));
+    result.update(json_of(more));
+    flush_printed();
+  };
+  if (options.table && !answer.space.choices.empty()) {
+    const FreeLimit free = shown_free_limit(answer, rest, workers, !json);
+    show_more(combinations_document(answer, &free));
+  }
+  if (command.measure) show_more(command.measure(answer, rest, workers));
+  problems::seal(result);
+  std::string text = result.dump(2) + "\n";
+  if (json) print_data(text);
+  flush_printed();
+  return text;
 }
 
 }  // namespace

@@ -174,8 +174,8 @@ std::vector<Family> trigonometric_phases() {
       rest_to_rest(
           {"universal",
            {"universal cam curve", "Makino"},
-           "acceleration: quarter sine d1, constant d2, quarter cosine d3, zero d4, and the same "
-           "below zero d5, d6, d7 = 1 - the others",
+           "acceleration: quarter sine d1, constant d2, quarter cosine d3, zero d4, the same below "
+           "zero d5, d6, d7 = 1 - the others",
            2,
            false,
            "Makino",

@@ -47,7 +47,7 @@ MechanismResponse arm_clearance_response() {
   return arm_clearance(
       detail::described<M>({"arm_clearance", "mm", "mm",
                             "least distance of the profile from the arm's centre line, between "
-                            "roller and pivot; below 0 where the arm cuts into the cam"}),
+                            "roller and pivot; below 0 if the arm cuts into the cam"}),
       std::move(of));
 }
 

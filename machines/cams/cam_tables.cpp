@@ -92,13 +92,14 @@ Parameters wear_parameter() {
 namespace {
 
 Parameters train(const char* unit, const char* stored, const char* what) {
-  return {{"train_stiffness", "c_t", unit, stored,
-           "stiffness of everything between the cam and the follower's end; 0 stands for a rigid "
-           "follower, without the responses of its end",
-           0, 0, 1e9},
-          {"train_damping", "zeta", "1", "1",
-           "damping ratio of the train: its damping over critical damping", 0.05, 0, 0.99},
-          {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
+  return {
+      {"train_stiffness", "c_t", unit, stored,
+       "stiffness between the cam and the follower's end; 0 stands for a rigid follower, without "
+       "the responses of its end",
+       0, 0, 1e9},
+      {"train_damping", "zeta", "1", "1",
+       "damping ratio of the train: its damping over critical damping", 0.05, 0, 0.99},
+      {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
 }
 
 }  // namespace

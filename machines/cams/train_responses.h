@@ -87,9 +87,8 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
                     TrainPartsOf{Q::Deviation}, swing_at_rest()),
       law_number<M>(
           {"elastic_loss_speed", "rpm", "rad/s",
-           "lowest speed at which a spring-loaded follower with the elastic train leaves "
-           "the cam; undefined with almost no damping, if nothing holds it down, or if it stays "
-           "on the cam up to ten turns in a natural period"},
+           "lowest speed at which a spring-loaded follower with the elastic train leaves the cam; "
+           "undefined if none is found"},
           [](const auto& cam) { return loss_parts(cam); }, contact_loss()),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
@@ -100,12 +99,10 @@ std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
                                          "acceleration of the train's end", linear}),
       train_force<M>({slides ? "train_force" : "train_torque", w.force, w.force,
                       std::string(w.load) + " in the train that moves its end", linear}),
-      end_curve<M>(
-          Q::CamForce,
-          {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
-           std::string(w.effort) +
-               " to move the elastic train; below 0 a spring-loaded follower leaves the cam",
-           load})};
+      end_curve<M>(Q::CamForce, {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
+                                 std::string(w.effort) +
+                                     " to move the train; below 0 a spring-loaded follower jumps",
+                                 load})};
 }
 
 inline NamedPeak peak_end_deviation() {

@@ -94,9 +94,8 @@ std::vector<MechanismResponse> parallel_responses() {
   append(all, extent_responses<ParallelIndexCam>(kHolding));
   all.push_back(listed_curve<ParallelIndexCam>(
       {"crossing_ratio", "1", "1",
-       "speed of a roller on the line of centres against the cam's surface: above 1 it runs ahead "
-       "of "
-       "the surface, well above 1 it cuts into the flank that it meets next"},
+       "speed of a roller on the line of centres over that of the cam's surface; well above 1 it "
+       "cuts into the next flank"},
       turn_of_the_cam(), 0, [](const auto& cam, int, const auto& motion) {
         return cam.crossing_ratio(cam.over_angle(motion));
       }));

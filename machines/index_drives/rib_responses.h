@@ -138,8 +138,7 @@ std::vector<MechanismResponse> rib_responses() {
     const std::string prefix = place_prefix(place), at = place_words(place);
     add(C::PressureAngle, place,
         {prefix + "pressure_angle", "deg", "rad",
-         "angle between the normal of the flank and the path of the roller" + at +
-             ", with the sign of the slope"});
+         "angle between the flank normal and the roller's path" + at + ", with the slope's sign"});
     add(C::Undercut, place,
         {prefix + "undercut", "1", "1",
          "undercut ratio of the driving flank" + at + "; at 1 it is undercut"});

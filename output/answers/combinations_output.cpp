@@ -10,6 +10,7 @@
 
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
+#include "output/answers/free_limit.h"
 #include "output/answers/optimum_output.h"
 #include "output/document/formatting.h"
 
@@ -62,10 +63,6 @@ std::string limits_words(optim::Verdict verdict) {
   return verdict == optim::Verdict::Failed ? "not solved" : "met";
 }
 
-bool has_design(const optim::PartFound& part) {
-  return part.verdict == optim::Verdict::Certified || part.verdict == optim::Verdict::Feasible;
-}
-
 /// The combinations that were looked at; that of the answer, which was solved once more and judged,
 /// as the answer has it.
 std::vector<optim::PartFound> judged_parts(const Answer& answer) {
@@ -99,9 +96,40 @@ Json part_margins(const Answer& answer, const optim::PartFound& part) {
   return margins;
 }
 
+/// How far one objective is from another, in percent of this.
+Cell share_from(double objective, double other) {
+  const double share = 100 * (objective - other) / std::abs(other);
+  return std::isfinite(share) ? Cell(fmt::format("{:+.2f} %", share), share)
+                              : Cell("", std::nan(""));
+}
+
+/// What the free law reaches, as a sentence and as facts; or why that is not known.
+Document free_limit_document(const std::string& objective, const std::string& unit,
+                             const FreeLimit& free) {
+  Document document;
+  Json fact = {{"objective", free.objective ? to_json(*free.objective) : Json(nullptr)},
+               {"unit", unit},
+               {"verdict", free.verdict.empty() ? Json(nullptr) : Json(free.verdict)},
+               {"law", free.law.empty() ? Json(nullptr) : Json(free.law)},
+               {"why_none", free.why_none.empty() ? Json(nullptr) : Json(free.why_none)}};
+  document.fact("free_law", fact);
+  if (free.objective) {
+    document.say(fmt::format("\na free law, {}, reaches {} = {}{} ({})\n", free.law, objective,
+                             significant(*free.objective, std::abs(*free.objective)),
+                             unit == "1" ? "" : " " + unit, free.verdict));
+  } else {
+    document.say(fmt::format("\nthe distance from a free law is not known: {}\n", free.why_none));
+  }
+  return document;
+}
+
 }  // namespace
 
-Document combinations_document(const Answer& answer) {
+bool has_design(const optim::PartFound& part) {
+  return part.verdict == optim::Verdict::Certified || part.verdict == optim::Verdict::Feasible;
+}
+
+Document combinations_document(const Answer& answer, const FreeLimit* free) {
   const std::vector<optim::Choice>& choices = answer.space.choices;
   Document document;
   std::vector<optim::PartFound> parts = judged_parts(answer);
@@ -118,8 +146,14 @@ Document combinations_document(const Answer& answer) {
     table.columns.push_back(words(choice.name, choice.name));
   table.columns.insert(table.columns.end(),
                        {numbers(sought_name, "objective"), words("unit", "unit"),
-                        numbers("from the best", "from_best"), words("verdict", "verdict"),
-                        words("limits", "limits"), words("held by", "held_by"), data("margins")});
+                        numbers("from the best", "from_best")});
+  if (free != nullptr) {
+    Column from_free = numbers("from the free law", "from_free_law");
+    from_free.in_text = from_free.on_page = free->objective.has_value();
+    table.columns.push_back(from_free);
+  }
+  table.columns.insert(table.columns.end(), {words("verdict", "verdict"), words("limits", "limits"),
+                                             words("held by", "held_by"), data("margins")});
   std::vector<std::vector<std::string>> names;
   for (const optim::Choice& choice : choices) {
     names.push_back(choice.values.empty() ? told_apart(choice.options) : choice.options);
@@ -134,13 +168,15 @@ Document combinations_document(const Answer& answer) {
                                                      choices[i].values[part.options[i]]));
     }
     const bool found = has_design(part);
-    const double share = 100 * (part.objective - best) / std::abs(best);
     row.push_back(found
                       ? Cell(significant(part.objective, std::abs(part.objective)), part.objective)
                       : Cell("", std::nan("")));
     row.push_back(sought.response.unit);
-    row.push_back(found && std::isfinite(share) ? Cell(fmt::format("{:+.2f} %", share), share)
-                                                : Cell("", std::nan("")));
+    row.push_back(share_from(found ? part.objective : std::nan(""), best));
+    if (free != nullptr) {
+      row.push_back(share_from(found ? part.objective : std::nan(""),
+                               free->objective.value_or(std::nan(""))));
+    }
     row.push_back(std::string(to_string(part.verdict)));
     row.push_back(limits_words(part.verdict));
     row.push_back(fmt::format("{}", fmt::join(part.active, ", ")));
@@ -148,6 +184,7 @@ Document combinations_document(const Answer& answer) {
     table.add(std::move(row));
   }
   document.add(table);
+  if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;
 }
 

@@ -41,10 +41,15 @@ struct Answer {
 /// Of an answer with a design that meets its limits; else no checks.
 problems::Buildability buildability_of(const Answer& answer);
 
+struct FreeLimit;  // free_limit.h
+
+/// Whether a combination has a design that meets its limits.
+bool has_design(const optim::PartFound& part);
+
 /// Every combination of choices that a search looked at, the best first: what was chosen, the
-/// objective, how far it is from the best, the verdict and what holds it. Empty where there is
-/// nothing to choose.
-Document combinations_document(const Answer& answer);
+/// objective, how far it is from the best and, where that was asked for, from what a free law
+/// reaches, the verdict and what holds it. Empty where there is nothing to choose.
+Document combinations_document(const Answer& answer, const FreeLimit* free = nullptr);
 
 Document answer_document(const Answer& answer);
 

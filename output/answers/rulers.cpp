@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/law_conditions.h"
 #include "kinematics/peaks.h"
 #include "kinematics/program/segment_merits.h"
 #include "kinematics/shape.h"
@@ -16,54 +17,14 @@ namespace {
 
 using problems::ProblemStatement;
 
-/// What a law must be like to take the free law's place.
-struct Wanted {
-  int continuity;   ///< inside, at most 2
-  bool rest[2][2];  ///< whether s' and s'' vanish at the beginning and at the end
-};
-
-/// Whether s .. s^(order) do not jump inside.
-bool is_smooth(const Law<double>& law, int order) {
-  constexpr double kRounding = 1e-7;
-  const auto& pieces = law.pieces();
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const auto left = derivatives<3>(pieces[i], pieces[i].end);
-    const auto right = derivatives<3>(pieces[i + 1], pieces[i].end);
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
-      const double size = 1 + std::abs(left[k]) + std::abs(right[k]);
-      if (!(std::abs(left[k] - right[k]) <= kRounding * size)) return false;
-    }
-  }
-  return true;
-}
-
-Wanted wanted_of(const Law<double>& free) {
-  Wanted wanted{2, {}};
-  while (wanted.continuity > 0 && !is_smooth(free, wanted.continuity)) --wanted.continuity;
-  for (const bool end : {false, true}) {
-    for (const std::size_t order : {1U, 2U})
-      wanted.rest[end][order - 1] = vanishes(free, end, order);
-  }
-  return wanted;
-}
-
-bool fits(const Law<double>& law, const Wanted& wanted) {
-  for (const bool end : {false, true}) {
-    for (const std::size_t order : {1U, 2U}) {
-      if (wanted.rest[end][order - 1] && !vanishes(law, end, order)) return false;
-    }
-  }
-  return is_smooth(law, wanted.continuity);
-}
-
 /// The laws of the catalogue that can take the free law's place.
 std::vector<Member> rivals_of(const Law<double>& free) {
-  const Wanted wanted = wanted_of(free);
+  const LawConditions wanted = conditions_of(free);
   std::vector<Member> result;
   for (const Family& family : catalogue()) {
     if (family.name == "b-spline" || family.name == "table") continue;
     const Member member{&family, family.defaults()};
-    if (fits(member.law(), wanted)) result.push_back(member);
+    if (meets(member.law(), wanted)) result.push_back(member);
   }
   return result;
 }
