@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/laws/catalogue.h"
+#include "kinematics/peaks.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "tests/paths.h"
@@ -93,6 +95,27 @@ TEST_CASE("no row of the atlas passes what no law passes", "[atlas]") {
     ++free;
   }
   CHECK(free == 5);
+}
+
+TEST_CASE("the atlas' lambda is the limit index, which no law has above 1", "[atlas]") {
+  std::size_t compared = 0, searched = 0;
+  for (const Row& row : atlas()) {
+    if (row.pair != "lambda over C_j" || !row.value) continue;
+    if (row.law.starts_with('"')) continue;  // a name with commas
+    INFO(row.law << " at " << row.bound);
+    CHECK(*row.value <= 1 + 1e-9);
+    if (row.verdict != "as it is") {
+      ++searched;
+      if (row.law == "trapezoidal-acceleration") CHECK(*row.value == Approx(1));
+      continue;
+    }
+    const auto peak = peaks(find_law(row.law).law());
+    CHECK(*row.value == Approx(limit_index(peak).value()).epsilon(1e-7));
+    CHECK(row.bound == Approx(peak.max_jerk()).epsilon(1e-7));
+    ++compared;
+  }
+  CHECK(searched >= 10);
+  CHECK(compared >= 15);
 }
 
 }  // namespace camlaw::problems::atlas_test
