@@ -39,10 +39,19 @@ bool is_ended(const optim::OptimiseOptions& search, double spent) {
          (search.time_limit && spent >= *search.time_limit);
 }
 
+/// The table waits for the free law: as long as the answer's own search took, and some seconds.
+optim::OptimiseOptions within_patience(optim::OptimiseOptions search, const Answer& answer) {
+  constexpr double kLeast = 20;  // s
+  const double patience = search.spent + std::max(kLeast, answer.optimum.wall_s);
+  search.time_limit = std::min(search.time_limit.value_or(patience), patience);
+  return search;
+}
+
 }  // namespace
 
-FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& search, int workers) {
+FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers) {
   FreeLimit result;
+  const optim::OptimiseOptions search = within_patience(rest, answer);
   try {
     if (is_ended(search, 0)) {  // of its limit what is left after the answer's own search
       result.why_none = "the search ended before a free law was tried";
@@ -59,7 +68,7 @@ FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& search,
       result.objective = a.objective.value;
     } else {
       result.why_none = is_ended(search, search.spent + best.wall_s)
-                            ? "the search ended before one was found that meets the limits"
+                            ? "its search ended before one was found that meets the limits"
                             : "no free law was found that meets the limits";
     }
   } catch (const std::exception& error) {
