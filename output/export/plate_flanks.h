@@ -14,8 +14,9 @@ namespace camlaw::problems {
 /// The flanks of all cams, cam by cam: "cam 1 driving profile", "cam 1 holding profile". A flank is
 /// what one roller runs on from the place where it takes over to that where it hands over, less
 /// 1e-7 deg at either end. `curves` are those of the statement; `option` is "profile" for the
-/// driving ones, "second-profile" for the holding ones, or "all"; nothing of others. Throws
-/// std::invalid_argument where the rollers' angles are no numbers.
+/// driving ones, "second-profile" for the holding ones, or "all"; nothing of others. None
+/// where there is no such drive: the rollers' angles are not numbers over the whole cycle, or the
+/// rollers do not hand over equally often on each cam.
 std::vector<PlaneCurve> plate_flanks(const ProblemStatement& statement,
                                      const std::vector<optim::Response>& curves,
                                      std::string_view option);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/text/dimension.h"
 #include "output/report/scene.h"
 
 // The path that two followers make together: a file's own responses path_x and path_y, in one unit
@@ -35,6 +36,7 @@ std::size_t fastest_step(const std::vector<Point>& path) {
 std::optional<Scene> path_scene(const problems::ProblemStatement& design, int points) {
   const std::string unit = unit_of_curve(design, "path_x");
   if (unit.empty() || unit_of_curve(design, "path_y") != unit) return {};
+  if (!(si_unit(unit).dimension == si_unit("mm").dimension)) return {};
   const std::vector<Point> path = SceneCurves(design, points).points("path");
   const auto is_finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
   if (path.size() < 2 || !std::all_of(path.begin(), path.end(), is_finite)) return {};
