@@ -186,7 +186,7 @@ def panel(pair, rows, x0, width, height):
 def nearest_table(rows):
     """For each pair and bound the free spline's best value, or the limit that is known, and the family
     nearest to it."""
-    lines = ["| pair | bound | free spline | nearest family | its value | more |",
+    lines = ["| pair | bound | free spline, or known limit | nearest family | its value | more |",
              "|---|--:|--:|---|--:|--:|"]
     for pair in PAIRS:
         of_pair = [r for r in rows if r["pair"] == pair and isinstance(r["value"], (int, float))]
@@ -267,7 +267,9 @@ def differences(program, pair, known):
         return row["law"], row["verdict"] == AS_IT_IS, f"{row['bound']:.7g}"
 
     there = {place(r): r for r in known if r["pair"] == pair}
+    searched = set()
     for row in rows_of_pair(program, pair, quick=True):
+        searched.add(row["law"])
         old = there.get(place(row))
         name = f"{pair}, {row['law']} at {row['bound']:g}"
         if old is None:
@@ -277,6 +279,8 @@ def differences(program, pair, known):
         elif (row["value"] is None) != (old["value"] is None) or (
                 row["value"] is not None and abs(row["value"] - old["value"]) > 1e-6 * abs(old["value"])):
             yield f"{name}: {row['value']}, in the atlas {old['value']}"
+    for law in sorted({r["law"] for r in there.values()} - searched):
+        yield f"{pair}, {law}: nothing was computed"
 
 
 def main():

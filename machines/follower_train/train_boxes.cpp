@@ -53,7 +53,7 @@ class TrainOverBoxes final : public OverBoxes {
     std::vector<TrainExpansion> corners;
     for (std::size_t mask = 0; mask < std::size_t{1} << sides.size(); ++mask) {
       const auto here = corner(box, sides, mask, from, to);
-      if (!here) return result;
+      if (!here || !is_bounded(here->range())) return result;
       corners.push_back(*here);
     }
     const std::vector<double>& bends = bends_over(box);
@@ -72,6 +72,11 @@ class TrainOverBoxes final : public OverBoxes {
   }
 
  private:
+  /// An interval that is not a number would be left out of a hull.
+  static bool is_bounded(const Interval& range) {
+    return std::isfinite(range.lower()) && std::isfinite(range.upper());
+  }
+
   static Bounds bounds_about(const Interval& value, double off, double sign) {
     const Interval range = value + Interval(-off, off);
     const Bounds bounds{range.lower(), range.upper()};

@@ -97,7 +97,7 @@ double TurnHarmonics::size(int k) const {
 
 SteadyReach TurnHarmonics::reach(Steady which, const Interval& turns, const Interval& zeta) const {
   constexpr double kFar = 4;
-  constexpr int kMost = 4000;  // harmonics: beyond, the train is as good as rigid
+  constexpr int kMost = 4000;  // harmonics: of a train with more of them nothing is said
   constexpr SteadyReach kNothing{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
   const double slowest = turns.lower();
   if (!(slowest > kFar / kMost && zeta.lower() >= 0 && zeta.upper() < 1)) return kNothing;

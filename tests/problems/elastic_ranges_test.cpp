@@ -208,6 +208,11 @@ TEST_CASE("bounds of a train over boxes of its machine hold, and close as they s
           for (const Point& p : places_of(box)) {
             highest = std::max(highest, at(p).enclose(from, from).upper);
           }
+          if (share == 0.002) {
+            CHECK(std::isfinite(found.value.upper - found.value.lower));
+            for (const optim::Bounds& slope : found.slopes)
+              CHECK(std::isfinite(slope.upper - slope.lower));
+          }
           widths.push_back(still.value.upper - highest);
           size = std::abs(highest);
         }
