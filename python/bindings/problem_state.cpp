@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "problems/law_files/json_text.h"
-#include "problems/law_files/law_file.h"
+#include "problems/statement/held_files.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 
 namespace camlaw::python {
