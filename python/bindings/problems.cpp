@@ -134,6 +134,7 @@ struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   cli::SidedLimits sided;
   std::vector<problems::Json> worst_at;                 ///< of each limit (cli::worst_at_json)
+  std::vector<problems::Json> undecided;                ///< of each limit (cli::undecided_json)
   std::vector<problems::Json> other_side;               ///< of each limit (cli::side_json), or null
   std::vector<std::optional<std::string>> required_by;  ///< of each limit (ConstraintStatement)
   problems::Buildability built;
@@ -152,6 +153,7 @@ nb::dict evaluated(const StatedProblem& problem) {
       const auto& other = all.sided.others[i];
       all.worst_at.push_back(
           cli::worst_at_json(statement, limit.response, all.sided.limits[i].worst_angle));
+      all.undecided.push_back(cli::undecided_json(all.sided.limits[i], statement, i));
       all.other_side.push_back(other ? cli::side_json(*other, statement, i) : nullptr);
       all.required_by.push_back(limit.required_by);
     }
@@ -168,6 +170,7 @@ nb::dict evaluated(const StatedProblem& problem) {
     nb::dict limit = nb::cast<nb::dict>(limits[i]);
     const auto& by = found.required_by[i];
     limit["worst_at"] = python_of(found.worst_at[i]);
+    limit["undecided"] = python_of(found.undecided[i]);
     limit["other_side"] = python_of(found.other_side[i]);
     limit["required_by"] = by ? nb::object(nb::cast(*by)) : nb::none();
   }

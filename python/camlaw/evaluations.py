@@ -61,7 +61,7 @@ class Evaluation(Answer):
 
     @property
     def margins(self) -> Any:
-        """A table of the limits: value, bound, side, margin, unit, at, worst_at, met, proved."""
+        """A table of the limits: value, bound, side, margin, unit, at, worst_at, met, proved, undecided."""
         return tables.of_rows(self._limits, index="name")
 
     @property
