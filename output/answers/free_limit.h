@@ -17,9 +17,9 @@ struct FreeLimit {
 };
 
 /// Searches an answer's problem once more with a free law in place of the laws to choose from
-/// (with_free_law), and every other choice and variable open again. `rest` says how, with what is left
-/// of the time and what may stop it; in up to so many processes. The search may take as long as the
-/// answer's own, and 20 s at least.
+/// (with_free_law), and every other choice and variable open again. `rest` says how, with what is
+/// left of the time and what may stop it; in up to so many processes. The search may take as long
+/// as the answer's own, and 20 s at least.
 FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers);
 
 }  // namespace camlaw::cli
