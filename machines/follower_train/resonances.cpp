@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "kinematics/expansion.h"
+#include "machines/follower_train/law_boxes.h"
 #include "numerics/scalar/extremes.h"
 
 namespace camlaw {
@@ -38,7 +38,6 @@ constexpr double kFar = 4, kDampedFar = 55, kFreeFar = 21;
 }  // namespace
 
 double acceleration_variation(const Law<Interval>& law) {
-  constexpr int kBoxes = 64;
   constexpr int kSecond = 2, kThird = 3;
   Interval sum(0.0);
   std::vector<Interval> begins, ends;
@@ -46,12 +45,10 @@ double acceleration_variation(const Law<Interval>& law) {
     const PieceExpander expander(piece);
     begins.push_back(expander(piece.begin).over[kSecond]);
     ends.push_back(expander(piece.end).over[kSecond]);
-    const Interval step = (piece.end - piece.begin) / Interval(kBoxes);
-    for (int i = 0; i < kBoxes; ++i) {
-      const Interval a = piece.begin + step * Interval(i), b = a + step;
-      sum += step * magnitude(expander(boost::numeric::hull(a, b)).over[kThird]);
-    }
   }
+  visit_boxes(law, [&](const Interval&, const Interval& length, const auto& over) {
+    sum += length * magnitude(over[kThird]);
+  });
   for (std::size_t i = 0; i < begins.size(); ++i) {
     sum += abs(begins[(i + 1) % begins.size()] - ends[i]);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/expansion.h"
+#include "machines/follower_train/law_boxes.h"
 #include "machines/follower_train/parts_at.h"
 #include "machines/model/law_formula.h"
 
@@ -111,20 +111,14 @@ class SpeedTrace final : public optim::Trace {
 
   /// Bounds of the integrals of (1 - x)^k |s''|, k from 0 to 2.
   void bound_moments() {
-    constexpr int kBoxes = 64;
-    for (const auto& piece : enclosing_law_.pieces()) {
-      const PieceExpander expander(piece);
-      const Interval step = (piece.end - piece.begin) / Interval(kBoxes);
-      for (int i = 0; i < kBoxes; ++i) {
-        const Interval a = piece.begin + step * Interval(i), b = a + step;
-        const Interval peak(magnitude(expander(boost::numeric::hull(a, b)).over[2]));
-        Interval share = peak * step;
-        for (Interval& moment : moments_) {
-          moment += Interval(0, share.upper());
-          share = share * (Interval(1.0) - a);
-        }
-      }
-    }
+    visit_boxes(enclosing_law_,
+                [&](const Interval& begin, const Interval& length, const auto& over) {
+                  Interval share = Interval(magnitude(over[2])) * length;
+                  for (Interval& moment : moments_) {
+                    moment += Interval(0, share.upper());
+                    share = share * (Interval(1.0) - begin);
+                  }
+                });
   }
 
   std::vector<double> parts_;

@@ -13,23 +13,25 @@ namespace {
 
 double side_of_box(const Bounds& b) { return step_up(b.upper - b.lower); }
 
-/// What moves in the steady state, as terms of a quantity.
+/// What of the steady state a quantity holds.
+Steady steady_of(TrainQuantity which) {
+  const bool is_displacement =
+      which == TrainQuantity::Deviation || which == TrainQuantity::MassDisplacement;
+  return is_displacement ? Steady::Deviation : Steady::Acceleration;
+}
+
+/// A quantity as terms of what moves in the steady state, of which steady_of() reaches `y`.
 std::vector<SteadyTerm> terms_of(TrainQuantity which, const std::vector<Series<Interval, 3>>& part,
-                                 const TurnHarmonics& law, const FollowerTrain<Interval>& train) {
-  const Interval turns = Interval(1.0) / train.period_ratio;
-  const auto steady = [&](Steady y) { return law.reach(y, turns, train.damping_ratio); };
+                                 const TurnHarmonics& law, const SteadyReach& y) {
   const SteadyReach still{.value = 1};
   const SteadyReach s{.value = law.most_displacement()}, a{.value = law.most_acceleration()};
   switch (which) {
-    case TrainQuantity::Deviation:
-      return {{part[2], steady(Steady::Deviation)}};
     case TrainQuantity::MassDisplacement:
-      return {{part[2], s}, {part[2], steady(Steady::Deviation)}};
+      return {{part[2], s}, {part[2], y}};
     case TrainQuantity::CamForce:
-      return {
-          {part[3], still}, {part[4], s}, {part[5], a}, {part[6], steady(Steady::Acceleration)}};
+      return {{part[3], still}, {part[4], s}, {part[5], a}, {part[6], y}};
     default:
-      return {{part[2], steady(Steady::Acceleration)}};
+      return {{part[2], y}};
   }
 }
 
@@ -113,9 +115,11 @@ class TrainOverBoxes final : public OverBoxes {
     std::vector<double>& known = bends_[ends_of(box)];
     if (!known.empty()) return known;
     const FollowerTrain<Interval> train = parts_.train(box);
+    const SteadyReach y = harmonics_.reach(steady_of(which_), Interval(1.0) / train.period_ratio,
+                                           train.damping_ratio);
     for (std::size_t i = 0; i < box.size(); ++i) {
       const auto along = parts_.along(box, i);
-      const auto terms = terms_of(which_, along, harmonics_, train);
+      const auto terms = terms_of(which_, along, harmonics_, y);
       known.push_back(step_up(std::abs(factor_) * bend_along(terms, along[0], along[1])));
     }
     return known;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics/expansion.h"
 #include "machines/follower_train/follower_train.h"
+#include "machines/follower_train/law_boxes.h"
 #include "machines/follower_train/resonances.h"
 
 namespace camlaw {
@@ -64,18 +64,11 @@ double product(double a, double b) { return a == 0 || b == 0 ? 0 : step_up(a * b
 
 TurnHarmonics::TurnHarmonics(const Law<Interval>& law)
     : law_(law), variation_(acceleration_variation(law)) {
-  constexpr int kBoxes = 64;
-  for (const Piece<Interval>& piece : law.pieces()) {
-    const PieceExpander expander(piece);
-    const Interval step = (piece.end - piece.begin) / Interval(kBoxes);
-    for (int i = 0; i < kBoxes; ++i) {
-      const Interval a = piece.begin + step * Interval(i), b = a + step;
-      const auto over = expander(boost::numeric::hull(a, b)).over;
-      for (std::size_t k = 0; k < most_.size(); ++k) {
-        most_[k] = std::max(most_[k], magnitude(over[k]));
-      }
+  visit_boxes(law, [&](const Interval&, const Interval&, const auto& over) {
+    for (std::size_t k = 0; k < most_.size(); ++k) {
+      most_[k] = std::max(most_[k], magnitude(over[k]));
     }
-  }
+  });
 }
 
 double TurnHarmonics::size(int k) const {

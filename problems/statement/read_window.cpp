@@ -9,6 +9,7 @@
 #include "machines/model/cycle.h"
 #include "machines/model/shaft.h"
 #include "machines/model/windowed.h"
+#include "problems/statement/curve_places.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -59,28 +60,11 @@ CycleWindow read_over(const Entry& over, const ProblemStatement& problem,
   return window;
 }
 
-/// The places that a curve has.
-struct Places {
-  double begin, end;
-  std::string unit;
-};
-
-/// Of a curve over a motion's cycle, or over a turn that no motion makes; none of any other.
-std::optional<Places> places_of(const MechanismResponse& response) {
-  if (response.turn) return Places{0, 360, response.along};
-  if (!response.cycle) return {};
-  const Cycle& cycle = *response.cycle;
-  return Places{cycle.stretches.front().begin, cycle.stretches.back().end, cycle.unit};
-}
-
 /// An end of the window; where it is not stated, that of the cycle.
-double read_end(const Entry* entry, const Places& all, double otherwise) {
+double read_end(const Entry* entry, const CurvePlaces& all, double otherwise) {
   if (entry == nullptr) return otherwise;
   const double value = quantity_of(*entry, all.unit);
-  if (!(value >= all.begin && value <= all.end)) {
-    refuse(*entry, fmt::format("{} is outside the cycle, {}", with_unit(value, all.unit),
-                               range_text(all.begin, all.end, all.unit)));
-  }
+  if (const std::string why = why_outside(value, all); !why.empty()) refuse(*entry, why);
   return value;
 }
 
@@ -95,7 +79,7 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
                              "curves and their peaks",
                              response.name));
   }
-  const std::optional<Places> all = places_of(*response.response);
+  const std::optional<CurvePlaces> all = places_of(*response.response);
   if (!all) refuse(*any, fmt::format("{} takes no windows", response.name));
   if (over != nullptr) {
     if (from != nullptr || to != nullptr) {

@@ -10,6 +10,7 @@
 #include "numerics/text/units.h"
 #include "optim/search/deadline.h"
 #include "problems/published/table/stated_model.h"
+#include "problems/statement/curve_places.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -112,13 +113,11 @@ void check_place(const StatedRow& row, const ResponseName& name, const Entry& wh
 
 /// Refuses a place that the curve does not have.
 void check_within(double place, const MechanismResponse& curve) {
-  if (!curve.turn && !curve.cycle) return;  // what it runs over differs by design
-  const double begin = curve.turn ? 0 : curve.cycle->stretches.front().begin;
-  const double end = curve.turn ? 360 : curve.cycle->stretches.back().end;
-  if (place >= begin && place <= end) return;
-  throw std::invalid_argument(fmt::format("{} is outside the cycle, {}",
-                                          with_unit(place, curve.along),
-                                          range_text(begin, end, curve.along)));
+  const std::optional<CurvePlaces> all = places_of(curve);
+  if (!all) return;  // what it runs over differs by design
+  if (const std::string why = why_outside(place, *all); !why.empty()) {
+    throw std::invalid_argument(why);
+  }
 }
 
 /// From the response's unit into that of the print.
