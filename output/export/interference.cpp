@@ -73,12 +73,17 @@ Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, d
   return result;
 }
 
-Interference interference(const std::vector<CirclePlace>& centre, const PlaneCurve& profile,
-                          double radius) {
+Interference interference(const std::vector<std::vector<CirclePlace>>& centres,
+                          const PlaneCurve& profile, double radius) {
   const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
-  Interference result = deepest(links_between(centre), links_of(cut), radius);
-  result.certain = cut.worst;
-  return result;
+  const std::vector<Link> cuts = links_of(cut);
+  Interference worst;
+  for (const std::vector<CirclePlace>& centre : centres) {
+    const Interference found = deepest(links_between(centre), cuts, radius);
+    if (found.depth > worst.depth) worst = found;
+  }
+  worst.certain = cut.worst;
+  return worst;
 }
 
 double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile) {

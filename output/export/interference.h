@@ -26,9 +26,10 @@ struct CirclePlace {
   double angle;
 };
 
-/// The same of a centre that runs along straight lines between places: nothing is proved.
-Interference interference(const std::vector<CirclePlace>& centre, const PlaneCurve& profile,
-                          double radius);
+/// The same of the circle that cuts deepest among several, each of whose centres runs along
+/// straight lines between places: nothing is proved.
+Interference interference(const std::vector<std::vector<CirclePlace>>& centres,
+                          const PlaneCurve& profile, double radius);
 
 /// How near some points come to a profile, mm, to 5e-4.
 double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile);

@@ -8,7 +8,6 @@
 #include <complex>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 #include "output/export/interference.h"
 #include "problems/statement/bind.h"
@@ -163,12 +162,9 @@ std::vector<std::string> cuts_into_flanks(const ProblemStatement& statement,
   std::vector<std::string> result;
   for (const FlankKind& kind : {kDriving, kHolding}) {
     for (const NumberedFlank& flank : flanks_of(rings, curves, kind)) {
-      Interference worst;
-      for (const auto& way : ways_of(rings, response_called(curves, "displacement"),
-                                     first - flank.plate * rings.step())) {
-        const Interference found = interference(way, flank.curve, rings.roller);
-        if (found.depth > worst.depth) worst = found;
-      }
+      const auto ways = ways_of(rings, response_called(curves, "displacement"),
+                                first - flank.plate * rings.step());
+      const Interference worst = interference(ways, flank.curve, rings.roller);
       if (worst.depth <= worst.certain + kLeast) continue;
       result.push_back(fmt::format(
           "a roller cuts {:.3g} {} into the {} near {:.4g} deg when the cam is at {:.4g} deg: the "
