@@ -30,11 +30,17 @@ double mirrored(std::uint64_t index, std::uint64_t base) {
   return result;
 }
 
+/// The first primes, by sieves of twice the length until there are enough.
 std::vector<std::uint64_t> primes(std::size_t count) {
   std::vector<std::uint64_t> found;
-  for (std::uint64_t n = 2; found.size() < count; ++n) {
-    if (std::none_of(found.begin(), found.end(), [n](std::uint64_t p) { return n % p == 0; })) {
+  for (std::size_t end = 16; found.size() < count; end *= 2) {
+    found.clear();
+    std::vector<bool> is_composite(end);
+    for (std::size_t n = 2; n < end && found.size() < count; ++n) {
+      if (is_composite[n]) continue;
       found.push_back(n);
+      for (std::size_t multiple = n * n; multiple < end; multiple += n)
+        is_composite[multiple] = true;
     }
   }
   return found;

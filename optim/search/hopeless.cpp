@@ -24,9 +24,8 @@ bool is_constant(const Function& f, const Problem& problem) {
 
 /// A response at the start; of a curve, where it is highest or lowest. Not a number where something
 /// that varies moves it there.
-double settled_value(const Response& response, bool highest, const Problem& problem) {
+double settled_value(const Response& response, bool highest, const Problem& problem, Design start) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> start = problem.start();
   if (!response.is_curve()) {
     const Function& f = response.function();
     return is_constant(f, problem) ? f.value(start) : kNone;
@@ -87,11 +86,12 @@ bool is_still(const std::vector<Bounds>& slopes, const Function& f, const std::v
 /// whole box: the pressure angle in a dwell. Of a curve whose stretches move, such as one over a
 /// window, the ends of one design say nothing of another.
 std::optional<Hopeless> violated_where_still(const Constraint& limit, const Problem& problem,
-                                             const Bounds& within, double tolerance) {
+                                             Design start, const Bounds& within, double tolerance) {
   const Response& response = limit.response;
+  if (!response.is_curve() || response.curve().breaks_move()) return {};
   const std::vector<Bounds> box = whole_box(problem);
-  if (!response.is_curve() || box.empty() || response.curve().breaks_move()) return {};
-  const auto trace = response.curve().trace(problem.start());
+  if (box.empty()) return {};
+  const auto trace = response.curve().trace(start);
   const std::vector<double> breaks = trace->breaks();
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     for (const bool from_left : {false, true}) {
@@ -113,10 +113,11 @@ std::optional<Hopeless> violated_where_still(const Constraint& limit, const Prob
 }
 
 /// Of a limit on a number that no variable changes, and that has no value.
-std::optional<Hopeless> undefined_for_all(const Constraint& limit, const Problem& problem) {
+std::optional<Hopeless> undefined_for_all(const Constraint& limit, const Problem& problem,
+                                          Design start) {
   const Response& response = limit.response;
   if (response.is_curve() || !is_constant(response.function(), problem)) return {};
-  if (!std::isnan(response.function().value(problem.start()))) return {};
+  if (!std::isnan(response.function().value(start))) return {};
   return Hopeless{response.name, "it has no value, and " + why_settled(response, problem),
                   fmt::format("{} has no value for any design", response.name)};
 }
@@ -130,18 +131,19 @@ bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
 }  // namespace
 
 std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes) {
+  const std::vector<double> start = problem.start();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
-    if (auto found = undefined_for_all(c, problem)) return found;
+    if (auto found = undefined_for_all(c, problem, start)) return found;
     const double tolerance = sizes.constraints[i].tolerance;
     const Bounds within{c.lower ? *c.lower - tolerance : -kInfinity,
                         c.upper ? *c.upper + tolerance : kInfinity};
-    if ((c.upper && settled_value(c.response, true, problem) > within.upper) ||
-        (c.lower && settled_value(c.response, false, problem) < within.lower)) {
+    if ((c.upper && settled_value(c.response, true, problem, start) > within.upper) ||
+        (c.lower && settled_value(c.response, false, problem, start) < within.lower)) {
       return Hopeless{c.response.name, why_settled(c.response, problem),
                       fmt::format("{} is the same for every design", c.response.name)};
     }
-    if (auto found = violated_where_still(c, problem, within, tolerance)) return found;
+    if (auto found = violated_where_still(c, problem, start, within, tolerance)) return found;
   }
   return {};
 }

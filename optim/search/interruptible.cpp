@@ -9,29 +9,29 @@
 namespace camlaw::optim {
 namespace {
 
-/// A function of all variables up to its last input as a formula in its inputs.
+/// A function of its own inputs, in order.
 class InterruptibleKernel final : public Kernel {
  public:
   InterruptibleKernel(Function function, const Deadline& deadline)
       : function_(std::move(function)), deadline_(deadline) {}
 
   double value(std::span<const double> u) const override {
-    const DeadlineScope scope(deadline_);
-    return function_.value(design(u));
+    return checked([&] { return function_.value(u); });
   }
   double gradient(std::span<const double> u, std::span<double> g) const override {
-    const DeadlineScope scope(deadline_);
-    return function_.gradient(design(u), g);
+    return checked([&] { return function_.gradient(u, g); });
   }
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
-    const DeadlineScope scope(deadline_);
-    return function_.hessian(design(u), g, h);
+    return checked([&] { return function_.hessian(u, g, h); });
   }
-  Bounds enclose(std::span<const double> u) const override { return function_.enclose(design(u)); }
+  Bounds enclose(std::span<const double> u) const override {
+    deadline_.check();
+    return function_.enclose(u);
+  }
   BoxRange range(std::span<const Bounds> box) const override {
     deadline_.check();
-    return function_.range(spread(box));
+    return function_.range(box);
   }
   bool is_searched() const override { return function_.is_searched(); }
   std::shared_ptr<const Kernel> proved() const override {
@@ -40,21 +40,15 @@ class InterruptibleKernel final : public Kernel {
   }
   bool is_enclosed() const override { return function_.is_enclosed(); }
   std::string why_undefined(std::span<const double> u) const override {
-    return function_.why_undefined(spread(u));
+    return function_.why_undefined(u);
   }
 
  private:
-  std::vector<double> design(std::span<const double> u) const {
+  template <class Look>
+  double checked(const Look& look) const {
+    const DeadlineScope scope(deadline_);
     deadline_.check();
-    return spread(u);
-  }
-
-  template <class T>
-  std::vector<std::remove_const_t<T>> spread(std::span<T> of_inputs) const {
-    const auto& inputs = function_.inputs();
-    std::vector<std::remove_const_t<T>> all(inputs.empty() ? 0 : inputs.back() + 1);
-    for (std::size_t k = 0; k < inputs.size(); ++k) all[inputs[k]] = of_inputs[k];
-    return all;
+    return look();
   }
 
   Function function_;
@@ -62,7 +56,8 @@ class InterruptibleKernel final : public Kernel {
 };
 
 Function interruptible(const Function& f, const Deadline& deadline) {
-  return {f.inputs(), std::make_shared<InterruptibleKernel>(f, deadline), f.shape()};
+  const auto& inputs = f.inputs();
+  return {inputs, std::make_shared<InterruptibleKernel>(f.within(inputs), deadline), f.shape()};
 }
 
 class InterruptibleTrace final : public Trace {
