@@ -83,7 +83,7 @@ std::optional<ProgramStep> Quadratics::step(const VectorXd& y, const VectorXd& r
     set_rows(near, rows, goal);
     const InteriorSolution found = solve_by_interior_point(quadratic_, start(rows), options);
     if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
-    ProgramStep step = read(found, near, radius);
+    ProgramStep step = read(found, radius);
     const VectorXd after = rows + model_.jacobian * step.d;
     step.passed = largest_violation_of(program_, after);
     step.is_exact = found.end == InteriorEnd::Optimal || found.end == InteriorEnd::Acceptable;
@@ -159,21 +159,32 @@ void Quadratics::set_region(const VectorXd& y, double radius, StepGoal goal) {
 
 void Quadratics::set_rows(const std::vector<RowSide>& near, const VectorXd& rows, StepGoal goal) {
   const auto n = static_cast<Eigen::Index>(program_.variables());
-  const auto count = static_cast<Eigen::Index>(near.size());
+  // Both sides of a row are one row with two bounds, unless each has an allowance of its own.
+  std::vector<std::size_t> place;
+  near_rows_.clear();
+  for (const RowSide& side : near) {
+    const bool joins =
+        goal == StepGoal::Objective && !near_rows_.empty() && near_rows_.back() == side.row;
+    if (!joins) near_rows_.push_back(side.row);
+    place.push_back(near_rows_.size() - 1);
+  }
+  const auto count = static_cast<Eigen::Index>(near_rows_.size());
   quadratic_.rows.resize(count, quadratic_.cost.size());
   quadratic_.rows.reserve(2 * model_.jacobian.nonZeros() + count);
   quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
   quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const RowSide& side = near[static_cast<std::size_t>(k)];
+  for (std::size_t side = 0; side < near.size(); ++side) {
+    const auto k = static_cast<Eigen::Index>(place[side]);
+    const auto [row, sign] = near[side];
+    const double level = bound(near[side]) - rows[row];
+    if (sign >= 0) quadratic_.row_upper[k] = level;
+    if (sign <= 0) quadratic_.row_lower[k] = level;
+    if (side > 0 && place[side] == place[side - 1]) continue;
     quadratic_.rows.startVec(k);
     using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-    for (Entry entry(model_.jacobian, side.row); entry; ++entry)
+    for (Entry entry(model_.jacobian, row); entry; ++entry)
       quadratic_.rows.insertBack(k, entry.col()) = entry.value();
-    if (goal == StepGoal::Rows) quadratic_.rows.insertBack(k, n) = -side.sign;
-    const double level = bound(side) - rows[side.row];
-    if (side.sign >= 0) quadratic_.row_upper[k] = level;
-    if (side.sign <= 0) quadratic_.row_lower[k] = level;
+    if (goal == StepGoal::Rows) quadratic_.rows.insertBack(k, n) = -sign;
   }
   quadratic_.rows.finalize();
 }
@@ -185,8 +196,7 @@ VectorXd Quadratics::start(const VectorXd& rows) const {
   return start;
 }
 
-ProgramStep Quadratics::read(const InteriorSolution& found, const std::vector<RowSide>& near,
-                             double radius) const {
+ProgramStep Quadratics::read(const InteriorSolution& found, double radius) const {
   const auto n = static_cast<Eigen::Index>(program_.variables());
   ProgramStep step{found.y.head(n), 0, {}};
   const auto largest = [](const VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
@@ -194,9 +204,9 @@ ProgramStep Quadratics::read(const InteriorSolution& found, const std::vector<Ro
       kIdle * std::max({largest(found.row_multipliers), largest(found.lower_multipliers),
                         largest(found.upper_multipliers)});
   step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
-  for (std::size_t k = 0; k < near.size(); ++k) {
+  for (std::size_t k = 0; k < near_rows_.size(); ++k) {
     const double multiplier = found.row_multipliers[static_cast<Eigen::Index>(k)];
-    if (std::abs(multiplier) > idle) step.multipliers.rows[near[k].row] += multiplier;
+    if (std::abs(multiplier) > idle) step.multipliers.rows[near_rows_[k]] += multiplier;
   }
   step.multipliers.lower = found.lower_multipliers.head(n);
   step.multipliers.upper = found.upper_multipliers.head(n);

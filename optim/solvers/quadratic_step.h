@@ -96,14 +96,14 @@ class Quadratics {
   void set_rows(const std::vector<RowSide>& near, const Eigen::VectorXd& rows, StepGoal goal);
   /// No step, and what the rows are passed by.
   Eigen::VectorXd start(const Eigen::VectorXd& rows) const;
-  ProgramStep read(const InteriorSolution& found, const std::vector<RowSide>& near,
-                   double radius) const;
+  ProgramStep read(const InteriorSolution& found, double radius) const;
 
   const Program& program_;
   const LocalModel& model_;
   double reach_;
   std::vector<RowSide> sides_;
   QuadraticProgram quadratic_;
+  std::vector<Eigen::Index> near_rows_;  ///< the program's, by those of the quadratic one
 };
 
 }  // namespace camlaw::optim

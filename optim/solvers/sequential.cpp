@@ -213,13 +213,15 @@ class Sequence {
   /// another one: the model whose program gave them is not quite that of the place.
   bool needs_balance() {
     constexpr int kMost = 4;
-    constexpr double kBalanced = 1e-9;
+    constexpr double kBalanced = 1e-9, kOfTerms = 4e-15;
     if (++balances_ > kMost) return false;
     VectorXd left(place_.y.size());
     program_.gradient(entries_of(place_.y), {left.data(), program_.variables()});
-    left += jacobian_matrix(program_, entries_of(place_.y)).transpose() * multipliers_.rows +
-            multipliers_.upper - multipliers_.lower;
-    if (!(left.lpNorm<Eigen::Infinity>() > kBalanced)) return false;
+    const auto jacobian = jacobian_matrix(program_, entries_of(place_.y));
+    left += jacobian.transpose() * multipliers_.rows + multipliers_.upper - multipliers_.lower;
+    const VectorXd terms = jacobian.cwiseAbs().transpose() * multipliers_.rows.cwiseAbs();
+    const double rounding = kOfTerms * terms.lpNorm<Eigen::Infinity>();
+    if (!(left.lpNorm<Eigen::Infinity>() > std::max(kBalanced, rounding))) return false;
     settled_ = {place_, multipliers_};
     return true;
   }

@@ -4,7 +4,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
+
+#include "numerics/linear/banded_lu.h"
+#include "numerics/linear/newton_system.h"
 
 namespace camlaw::optim::quadratic_program_test {
 namespace {
@@ -65,6 +69,106 @@ TEST_CASE("a convex quadratic program of many variables meets the conditions of 
   CHECK(found.y[static_cast<Eigen::Index>(reach) + 2] == Approx(-1).margin(1e-6));
   CHECK(found.y[static_cast<Eigen::Index>(reach) - 4] > -1 + 1e-3);
   CHECK(found.lower_multipliers[kCount / 2] == Approx(0.01).epsilon(1e-6));
+}
+
+TEST_CASE("a banded matrix with zeros on its diagonal is solved as a full one",
+          "[quadratic-program]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  constexpr Eigen::Index kSize = 60, kHalf = 4;
+  BandedLu banded(kSize, kHalf);
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(kSize, kSize);
+  std::vector<double> entries(static_cast<std::size_t>(banded.places()), 0.0);
+  for (Eigen::Index i = 0; i < kSize; ++i) {
+    for (Eigen::Index j = std::max<Eigen::Index>(0, i - kHalf); j <= std::min(kSize - 1, i + kHalf);
+         ++j) {
+      if (i == j && i % 3 != 0) continue;
+      entries[static_cast<std::size_t>(banded.place(i, j))] = full(i, j) = entry(random);
+    }
+  }
+  const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(kSize, -1, 2);
+  REQUIRE(banded.factor(entries));
+  CHECK((banded.solve(full * wanted) - wanted).cwiseAbs().maxCoeff() < 1e-10);
+  std::fill(entries.begin(), entries.end(), 0.0);
+  CHECK_FALSE(banded.factor(entries));
+}
+
+TEST_CASE("variables and rows together give the step of the normal equations",
+          "[quadratic-program]") {
+  // A chain whose second differences are bounded on both sides, with two equations.
+  constexpr Eigen::Index kCount = 50;
+  QuadraticProgram program;
+  program.cost = Eigen::VectorXd::LinSpaced(kCount, -1, 1);
+  program.curvature = lower_triangle(Eigen::MatrixXd::Identity(kCount, kCount));
+  program.rows.resize(kCount - 2, kCount);
+  for (Eigen::Index r = 0; r < kCount - 2; ++r) {
+    program.rows.insert(r, r) = 1;
+    program.rows.insert(r, r + 1) = -2;
+    program.rows.insert(r, r + 2) = 1.5;
+  }
+  program.row_lower = Eigen::VectorXd::Constant(kCount - 2, -0.1);
+  program.row_upper = Eigen::VectorXd::Constant(kCount - 2, 0.2);
+  program.row_lower[9] = program.row_upper[9] = 0.05;
+  program.row_lower[30] = program.row_upper[30] = 0;
+  program.row_lower[20] = -kInfinite;
+  program.row_upper[20] = kInfinite;  // says nothing
+  program.lower = Eigen::VectorXd::Constant(kCount, -1);
+  program.upper = Eigen::VectorXd::Constant(kCount, kInfinite);
+  const ProgramSides sides(program);
+  const Eigen::Index rows = sides.rows.rows() + kCount;
+  CHECK(sides.rows.rows() == kCount - 5);
+  const auto normal = normal_equations(sides), augmented = augmented_system(sides);
+  REQUIRE(augmented != nullptr);
+  const Eigen::VectorXd weights =
+      Eigen::VectorXd::LinSpaced(rows, -2, 2).unaryExpr([](double e) { return std::pow(10, e); });
+  REQUIRE(normal->factor(weights));
+  REQUIRE(augmented->factor(weights));
+  const Eigen::VectorXd slope = Eigen::VectorXd::LinSpaced(kCount, 0, 3),
+                        push = Eigen::VectorXd::LinSpaced(rows, 1, -1);
+  const Eigen::Vector2d demand(0.3, -0.2);
+  const NewtonStep one = normal->solve(slope, push, demand),
+                   other = augmented->solve(slope, push, demand);
+  CHECK((one.y - other.y).cwiseAbs().maxCoeff() < 1e-10);
+  CHECK((one.changes - other.changes).cwiseAbs().maxCoeff() < 1e-10);
+  CHECK((one.w - other.w).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((sides.equations * other.y - demand).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("rows that are not local have no augmented system", "[quadratic-program]") {
+  constexpr Eigen::Index kCount = 200;
+  QuadraticProgram program;
+  program.cost = Eigen::VectorXd::Ones(kCount);
+  program.rows = Eigen::MatrixXd(Eigen::MatrixXd::Ones(1, kCount)).sparseView();
+  program.row_lower = Eigen::VectorXd::Constant(1, -1);
+  program.row_upper = Eigen::VectorXd::Constant(1, 1);
+  program.lower = Eigen::VectorXd::Constant(kCount, -1);
+  program.upper = Eigen::VectorXd::Constant(kCount, 1);
+  CHECK(augmented_system(ProgramSides(program)) == nullptr);
+}
+
+TEST_CASE("a string with a bounded curvature of many pieces is solved to the last digits",
+          "[quadratic-program]") {
+  // y'' >= -1 on n points from 0 to 0, as high as may be: the parabola x (1 - x) / 2, whose
+  // integral is 1/12. The normal equations of such rows have a condition number of n^4, and fail.
+  constexpr Eigen::Index kCount = 60000;
+  const double h = 1.0 / (kCount + 1);
+  QuadraticProgram program;
+  program.cost = Eigen::VectorXd::Constant(kCount, -h);
+  program.curvature.resize(kCount, kCount);
+  for (Eigen::Index i = 0; i < kCount; ++i) program.curvature.insert(i, i) = 1e-9;
+  program.rows.resize(kCount, kCount);
+  for (Eigen::Index i = 0; i < kCount; ++i) {
+    if (i > 0) program.rows.insert(i, i - 1) = 1e-3 / (h * h);
+    program.rows.insert(i, i) = -2e-3 / (h * h);
+    if (i + 1 < kCount) program.rows.insert(i, i + 1) = 1e-3 / (h * h);
+  }
+  program.row_lower = Eigen::VectorXd::Constant(kCount, -1e-3);
+  program.row_upper = Eigen::VectorXd::Constant(kCount, kInfinite);
+  program.lower = Eigen::VectorXd::Constant(kCount, -1);
+  program.upper = Eigen::VectorXd::Constant(kCount, 1);
+  const InteriorSolution found = solve_by_interior_point(program, Eigen::VectorXd::Zero(kCount));
+  CHECK(found.end == InteriorEnd::Optimal);
+  CHECK(h * found.y.sum() == Approx(1.0 / 12).epsilon(1e-8));
 }
 
 }  // namespace camlaw::optim::quadratic_program_test

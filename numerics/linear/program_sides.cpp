@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/linear/program_sides.h"
+
+#include <cmath>
+
+namespace camlaw::optim {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+ProgramSides::Rows chosen(const ProgramSides::Rows& rows, const std::vector<Index>& which) {
+  ProgramSides::Rows result(static_cast<Index>(which.size()), rows.cols());
+  result.reserve(rows.nonZeros());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    result.startVec(static_cast<Index>(k));
+    for (ProgramSides::Rows::InnerIterator entry(rows, which[k]); entry; ++entry)
+      result.insertBack(static_cast<Index>(k), entry.col()) = entry.value();
+  }
+  result.finalize();
+  return result;
+}
+
+}  // namespace
+
+ProgramSides::ProgramSides(const QuadraticProgram& program)
+    : cost(program.cost), curvature(program.curvature) {
+  curvature.makeCompressed();
+  const auto is_bounded = [](double lower, double upper) {
+    return std::isfinite(lower) || std::isfinite(upper);
+  };
+  for (Index r = 0; r < program.rows.rows(); ++r) {
+    if (program.row_lower[r] == program.row_upper[r]) {
+      equation_rows.push_back(r);
+    } else if (is_bounded(program.row_lower[r], program.row_upper[r])) {
+      program_rows.push_back(r);
+    }
+  }
+  rows = chosen(program.rows, program_rows);
+  equations = chosen(program.rows, equation_rows);
+  values.resize(equations.rows());
+  for (Index k = 0; k < values.size(); ++k)
+    values[k] = program.row_upper[equation_rows[static_cast<std::size_t>(k)]];
+  std::vector<double> levels;
+  const auto add = [&](Index row, double lower, double upper) {
+    if (std::isfinite(upper)) rows_.push_back(row), signs_.push_back(1), levels.push_back(upper);
+    if (std::isfinite(lower)) rows_.push_back(row), signs_.push_back(-1), levels.push_back(-lower);
+  };
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const Index r = program_rows[static_cast<std::size_t>(k)];
+    add(k, program.row_lower[r], program.row_upper[r]);
+  }
+  for (Index i = 0; i < variables(); ++i) add(rows.rows() + i, program.lower[i], program.upper[i]);
+  level = Eigen::Map<const VectorXd>(levels.data(), static_cast<Index>(levels.size()));
+}
+
+VectorXd ProgramSides::times(const VectorXd& y) const {
+  const VectorXd at = rows * y;
+  VectorXd result(count());
+  for (Index i = 0; i < count(); ++i)
+    result[i] = sign(i) * (row(i) < at.size() ? at[row(i)] : y[row(i) - at.size()]);
+  return result;
+}
+
+VectorXd ProgramSides::by_row(const VectorXd& z) const {
+  VectorXd result = VectorXd::Zero(rows.rows() + variables());
+  for (Index i = 0; i < count(); ++i) result[row(i)] += sign(i) * z[i];
+  return result;
+}
+
+VectorXd ProgramSides::weights_by_row(const VectorXd& weights) const {
+  VectorXd result = VectorXd::Zero(rows.rows() + variables());
+  for (Index i = 0; i < count(); ++i) result[row(i)] += weights[i];
+  return result;
+}
+
+VectorXd ProgramSides::transposed(const VectorXd& z) const {
+  const VectorXd of_rows = by_row(z);
+  return rows.transpose() * of_rows.head(rows.rows()) + of_rows.tail(variables());
+}
+
+double ProgramSides::largest_row_terms(const VectorXd& y) const {
+  double largest = 0;
+  for (Index r = 0; r < rows.rows(); ++r) {
+    double terms = 0;
+    for (Rows::InnerIterator entry(rows, r); entry; ++entry)
+      terms += std::abs(entry.value() * y[entry.col()]);
+    largest = std::max(largest, terms);
+  }
+  return largest;
+}
+
+double ProgramSides::largest_column_terms(const VectorXd& z) const {
+  const VectorXd of_rows = weights_by_row(z);
+  VectorXd terms = of_rows.tail(variables());
+  for (Index r = 0; r < rows.rows(); ++r) {
+    for (Rows::InnerIterator entry(rows, r); entry; ++entry)
+      terms[entry.col()] += std::abs(entry.value()) * of_rows[r];
+  }
+  return terms.size() == 0 ? 0 : terms.maxCoeff();
+}
+
+VectorXd ProgramSides::slope(const VectorXd& y) const {
+  return is_linear() ? cost : cost + curvature.selfadjointView<Eigen::Lower>() * y;
+}
+
+double ProgramSides::objective(const VectorXd& y) const { return 0.5 * (cost + slope(y)).dot(y); }
+
+}  // namespace camlaw::optim
