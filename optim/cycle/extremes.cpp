@@ -47,10 +47,10 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
 }
 
 /// The summit above a place: steps that double go uphill until the slope turns. The first are so
-/// short that no peak with the place on its flank is stepped over. Stays between left and right,
-/// which lie in one smooth stretch.
+/// short that no peak with the place on its flank is stepped over; what a value falls by along them
+/// is rounding. Stays between left and right, which lie in one smooth stretch.
 Sample climbed(const Turned& curve, const Sample& from, double left, double right) {
-  constexpr double kFirst = 1e-9;
+  constexpr double kFirst = 1e-9, kRounding = 1e-9;
   if (!(from.f[1] != 0)) return from;
   const double uphill = from.f[1] > 0 ? 1 : -1;
   const double end = uphill > 0 ? right : left;
@@ -59,7 +59,7 @@ Sample climbed(const Turned& curve, const Sample& from, double left, double righ
     const double next = below.place.angle + uphill * step;
     if (!(uphill * (end - next) > 0)) break;
     const Sample here{{next}, curve({next})};
-    if (!(uphill * here.f[1] > 0) || here.f[0] < below.f[0]) {
+    if (!(uphill * here.f[1] > 0) || here.f[0] < below.f[0] - kRounding * std::abs(below.f[0])) {
       return polished(curve, std::min(below.place.angle, next), std::max(below.place.angle, next),
                       below);
     }

@@ -29,6 +29,9 @@ SideOfLimit side_of(const Response& response, MaximaAt& maxima, Design x, double
   return {worst.value, sign * (bound - worst.value), worst.place};
 }
 
+/// With less room than this share of its bound a limit's value is as good as the limit.
+constexpr double kToldMargin = 1e-6;
+
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
@@ -45,11 +48,20 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
     if (!proved && f.is_enclosed()) side.left = Bounds{};
     return proved;
   }
-  const CycleProof proof =
-      prove_below(maxima.trace(response.curve()), sign, sign * bound + tolerance);
-  if (sign * (bound - proof.worst.value) < side.margin) {
-    side = {proof.worst.value, sign * (bound - proof.worst.value), proof.worst.place};
+  const Trace& trace = maxima.trace(response.curve());
+  const auto take = [&](const Extreme& worst) {
+    if (sign * (bound - worst.value) < side.margin)
+      side = {worst.value, sign * (bound - worst.value), worst.place};
+  };
+  // A number that is told is proved as well, where that is not the same question.
+  const double highest = sign * bound + tolerance;
+  if (side.margin > kToldMargin * std::abs(bound)) {
+    const ProvedExtreme found = proved_highest(trace, sign, std::abs(bound));
+    take(found.peak);
+    if (found.proved && sign * found.peak.value + found.slack <= highest) return true;
   }
+  const CycleProof proof = prove_below(trace, sign, highest);
+  take(proof.worst);
   side.left = proof.left;
   return proof.proved;
 }

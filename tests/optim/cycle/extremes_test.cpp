@@ -93,6 +93,18 @@ Stretches sawtooth() {
 
 }  // namespace
 
+TEST_CASE("a summit beside a break is climbed through the rounding of values", "[extremes]") {
+  // The summit lies nearer to the break than the next sample; the values waver by 1e-11.
+  constexpr double kSummit = 4e-4;
+  const auto hill = [](double x) {
+    const double wavering = 1e-11 * std::sin(1e12 * x + 2);
+    return Values{1 - (x - kSummit) * (x - kSummit) + wavering, 2 * (kSummit - x), -2};
+  };
+  const Extreme found = highest(one_stretch(0, 1, hill), 1);
+  CHECK(found.place.angle == Approx(kSummit).margin(1e-5));
+  CHECK(found.value == Approx(1).margin(1e-10));
+}
+
 TEST_CASE("a sine has its peak inside and, where it rises to it, its end", "[cycle]") {
   const auto up = local_maxima(full_sine(), 1);
   REQUIRE(up.size() == 2);

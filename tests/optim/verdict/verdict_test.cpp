@@ -289,10 +289,10 @@ TEST_CASE("a number that hangs on a peak is certified only where the peak is pro
   }
 }
 
-TEST_CASE("a proof finds a limit broken where the search sees none, and reports the place",
-          "[verdict]") {
-  // 0.2 a / 360 and a spike of height 1, 0.002 wide, between the samples: limit 1.
-  constexpr double kPlace = 100.123;
+/// x a / 360 and a spike of height 1, 0.002 wide, at kSpike, between the samples; with an upper
+/// limit.
+constexpr double kSpike = 100.123;
+Problem with_a_spike(double limit) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.2}};
   problem.objectives = {most(function(
@@ -303,17 +303,31 @@ TEST_CASE("a proof finds a limit broken where the search sees none, and reports 
                                     [](const auto& u, const auto& angle) {
                                       using T = std::remove_cvref_t<decltype(angle)>;
                                       const T one = constant<T>(1);
-                                      const T t = (angle - constant<T>(kPlace)) / constant<T>(1e-3);
+                                      const T t = (angle - constant<T>(kSpike)) / constant<T>(1e-3);
                                       return u[0] * angle / constant<T>(360) + one / (one + t * t);
                                     })},
-       .upper = 1}};
+       .upper = limit}};
+  return problem;
+}
+
+TEST_CASE("a proof finds a limit broken where the search sees none, and reports the place",
+          "[verdict]") {
+  const Problem problem = with_a_spike(1);
   CHECK(judge(problem, {0.2}, false).limits[0].met);
   const Assessment a = judge(problem, {0.2}, true);
   CHECK(a.verdict == Verdict::Failed);
   CHECK_FALSE(a.limits[0].met);
   CHECK_FALSE(a.limits[0].proved);
   CHECK(a.limits[0].value > 1);
-  CHECK(*a.limits[0].worst_angle == Approx(kPlace).margin(0.01));
+  CHECK(*a.limits[0].worst_angle == Approx(kSpike).margin(0.01));
+}
+
+TEST_CASE("the highest value of a limit that is met is proved too", "[verdict]") {
+  const Assessment a = judge(with_a_spike(10), {0.2}, true);
+  CHECK(a.limits[0].met);
+  CHECK(a.limits[0].proved);
+  CHECK(a.limits[0].value == Approx(1 + 0.2 * kSpike / 360).epsilon(1e-7));
+  CHECK(*a.limits[0].worst_angle == Approx(kSpike).margin(1e-5));
 }
 
 TEST_CASE("an objective over the cycle comes with its angle and proved bounds", "[verdict]") {
