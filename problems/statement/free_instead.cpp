@@ -68,7 +68,7 @@ int rests(const LawConditions& wanted, bool at_end) {
 
 /// The table [free] of a law that comes as near as its knots allow to every law that meets these
 /// conditions.
-void put_free_table(Entry& owner, const LawConditions& wanted) {
+void put_free_table(Entry& owner, const LawConditions& wanted, int knots) {
   const bool jumps = wanted.continuity < 2;  // the acceleration, inside
   const int continuity = jumps ? 1 : 2;
   Entry& table = entry_or_made(owner, "free", Entry::Kind::Table, kPlace);
@@ -77,7 +77,7 @@ void put_free_table(Entry& owner, const LawConditions& wanted) {
   };
   put("degree", continuity + 1);
   put("continuity", continuity);
-  put("knots", kKnotsInstead);
+  put("knots", knots);
   put("begin", std::min(rests(wanted, false), continuity));
   put("end", std::min(rests(wanted, true), continuity));
 }
@@ -125,7 +125,8 @@ std::vector<std::string> put_settings(Entry& file, const ProblemStatement& probl
 }
 
 /// Puts the free law in the places of laws that are chosen.
-void put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const Member> designs) {
+void put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const Member> designs,
+                   int knots) {
   const LawsByPlace stated = places_of(problem.laws);
   const LawsByPlace wanted = places_of(designs.empty() ? std::span(problem.laws) : designs);
   struct Owned {
@@ -144,16 +145,17 @@ void put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const
   }
   if (owners.empty()) throw std::invalid_argument("no law is chosen among several");
   for (const auto& [owner, owned] : owners) {
-    if (!owned.is_stated) put_free_table(*owner, owned.conditions);
+    if (!owned.is_stated) put_free_table(*owner, owned.conditions, knots);
   }
 }
 
 }  // namespace
 
-ProblemStatement with_free_law(const ProblemStatement& problem, std::span<const Member> designs) {
+ProblemStatement with_free_law(const ProblemStatement& problem, std::span<const Member> designs,
+                               int knots) {
   Entry file = parse_toml(problem.text, problem.source);
   std::vector<std::string> settings = put_settings(file, problem);
-  put_free_laws(file, problem, designs);
+  put_free_laws(file, problem, designs, knots);
   const auto read = [&](const Entry& entries) {
     return read_entries(entries, problem.text, problem.source, problem.files);
   };
