@@ -80,25 +80,22 @@ VectorXd ProgramSides::transposed(const VectorXd& z) const {
   return rows.transpose() * of_rows.head(rows.rows()) + of_rows.tail(variables());
 }
 
-double ProgramSides::largest_row_terms(const VectorXd& y) const {
-  double largest = 0;
-  for (Index r = 0; r < rows.rows(); ++r) {
-    double terms = 0;
-    for (Rows::InnerIterator entry(rows, r); entry; ++entry)
-      terms += std::abs(entry.value() * y[entry.col()]);
-    largest = std::max(largest, terms);
-  }
-  return largest;
+VectorXd ProgramSides::side_terms(const VectorXd& y) const {
+  const VectorXd sizes = y.cwiseAbs(), at = rows.cwiseAbs() * sizes;
+  VectorXd result(count());
+  for (Index i = 0; i < count(); ++i)
+    result[i] = row(i) < at.size() ? at[row(i)] : sizes[row(i) - at.size()];
+  return result;
 }
 
-double ProgramSides::largest_column_terms(const VectorXd& z) const {
-  const VectorXd of_rows = weights_by_row(z);
-  VectorXd terms = of_rows.tail(variables());
-  for (Index r = 0; r < rows.rows(); ++r) {
-    for (Rows::InnerIterator entry(rows, r); entry; ++entry)
-      terms[entry.col()] += std::abs(entry.value()) * of_rows[r];
-  }
-  return terms.size() == 0 ? 0 : terms.maxCoeff();
+VectorXd ProgramSides::equation_terms(const VectorXd& y) const {
+  return equations.cwiseAbs() * y.cwiseAbs();
+}
+
+VectorXd ProgramSides::column_terms(const VectorXd& z, const VectorXd& w) const {
+  const VectorXd of_rows = weights_by_row(z.cwiseAbs());
+  return rows.cwiseAbs().transpose() * of_rows.head(rows.rows()) + of_rows.tail(variables()) +
+         equations.cwiseAbs().transpose() * w.cwiseAbs();
 }
 
 VectorXd ProgramSides::slope(const VectorXd& y) const {

@@ -29,11 +29,13 @@ class ProgramSides {
   Eigen::VectorXd by_row(const Eigen::VectorXd& z) const;
   /// The same of weights, which have no sign: the diagonal of S^T W S.
   Eigen::VectorXd weights_by_row(const Eigen::VectorXd& weights) const;
-  /// The largest sum of the magnitudes that make up a row of R y; a column of R^T S^T z.
-  double largest_row_terms(const Eigen::VectorXd& y) const;
-  double largest_column_terms(const Eigen::VectorXd& z) const;
   /// G^T z.
   Eigen::VectorXd transposed(const Eigen::VectorXd& z) const;
+  /// Sums of the magnitudes that make up each side of G y; each equation; each column of G^T z and
+  /// E^T w.
+  Eigen::VectorXd side_terms(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd equation_terms(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd column_terms(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
 
   /// The gradient of the cost.
   Eigen::VectorXd slope(const Eigen::VectorXd& y) const;

@@ -14,6 +14,9 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// What may be left of the conditions at an optimum.
+constexpr double kLeft = 1e-9;
+
 /// Point, slacks and multipliers on the way.
 class Interior {
  public:
@@ -48,18 +51,15 @@ class Interior {
   const Step& now() const { return now_; }
   double objective() const { return sides_.objective(now_.y); }
   double gap() const { return now_.s.dot(now_.z); }
-  /// The largest residual of a row; of a column. Each is taken over a millionth of the sum of its
-  /// terms where that is more than 1: terms of any size cancel to as many digits.
+  /// The largest residual of a row; of a column (relative()).
   double primal() const {
-    const double rows = primal_.cwiseAbs().maxCoeff();
-    const double all =
-        equation_.size() == 0 ? rows : std::max(rows, equation_.cwiseAbs().maxCoeff());
-    return all / std::max(1.0, kTerms * row_terms_);
+    return std::max(relative(primal_, side_terms_), relative(equation_, equation_terms_));
   }
-  double dual() const { return largest_dual() / std::max(1.0, kTerms * column_terms_); }
+  double dual() const { return relative(dual_, column_terms_); }
 
   bool step() {
-    if (!system_->factor(sides_.weights_by_row(weights()))) return false;
+    if (!system_->factor(sides_.weights_by_row(weights())))
+      return takes_augmented() && this->step();
     const Step foresight = solve_once({dual_, primal_, equation_, products()});
     const double mean = gap() / static_cast<double>(now_.s.size());
     const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
@@ -111,6 +111,18 @@ class Interior {
     return count == 0 ? kMost : std::max(kLeast, kShare * sum / count);
   }
 
+  /// The largest of these residuals, each over a millionth of its terms' sum where that is more
+  /// than 1: terms of any size cancel to as many digits.
+  static double relative(const VectorXd& left, const VectorXd& terms) {
+    constexpr double kTerms = 1e-6;
+    double largest = 0;
+    for (Eigen::Index i = 0; i < left.size(); ++i) {
+      const double share = std::abs(left[i]) / std::max(1.0, kTerms * terms[i]);
+      if (!(share <= largest)) largest = share;  // also what is not a number
+    }
+    return largest;
+  }
+
   static double reach(const VectorXd& x, const VectorXd& step) {
     double result = 1;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -135,8 +147,9 @@ class Interior {
         sides_.slope(now_.y) + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
     primal_ = sides_.times(now_.y) + now_.s - sides_.level;
     equation_ = sides_.equations * now_.y - sides_.values;
-    row_terms_ = sides_.largest_row_terms(now_.y);
-    column_terms_ = sides_.largest_column_terms(now_.z);
+    side_terms_ = sides_.side_terms(now_.y);
+    equation_terms_ = sides_.equation_terms(now_.y);
+    column_terms_ = sides_.column_terms(now_.z, now_.w);
   }
 
   bool go(const Step& step) {
@@ -185,30 +198,30 @@ class Interior {
     return result;
   }
 
-  /// Whether rounding has left of the columns' residual more than a step is to take away.
+  /// Whether rounding has left of the residuals of columns or equations more than a step is to take
+  /// away.
   bool is_lost(const Step& step) const {
-    constexpr double kMuch = 1e-3, kRounding = 1e-14;
-    const double left = (dual_ + change_of_dual(step)).cwiseAbs().maxCoeff();
-    return !(left <= std::max(kMuch * largest_dual(), kRounding * column_terms_));
+    constexpr double kMuch = 1e-3;
+    const double columns = relative(dual_ + change_of_dual(step), column_terms_);
+    const double equations = relative(equation_ + sides_.equations * step.y, equation_terms_);
+    return !(columns <= std::max(kMuch * dual(), kLeft / 2)) ||
+           !(equations <= std::max(kMuch * relative(equation_, equation_terms_), kLeft / 2));
   }
-  /// Whether steps go on by the augmented system and have not so far.
+  /// Whether steps go on by the augmented system, and did not so far.
   bool takes_augmented() {
-    if (std::exchange(is_augmented_, true)) return false;
+    if (std::exchange(was_augmented_tried_, true)) return false;
     auto system = augmented_system(sides_);
     if (system == nullptr) return false;
     system_ = std::move(system);
     return true;
   }
 
-  static constexpr double kTerms = 1e-6;
-
   const ProgramSides& sides_;
   std::unique_ptr<NewtonSystem> system_;
-  bool is_augmented_ = false;
+  bool was_augmented_tried_ = false;
   Step now_;
   VectorXd dual_, primal_, equation_;  ///< residuals
-  /// The largest sums of the terms of a row, and of a column.
-  double row_terms_ = 0, column_terms_ = 0;
+  VectorXd side_terms_, equation_terms_, column_terms_;
 };
 
 InteriorSolution with_multipliers(const ProgramSides& sides, const Interior::Step& now,
@@ -233,7 +246,7 @@ InteriorSolution with_multipliers(const ProgramSides& sides, const Interior::Ste
 
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
-  constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
+  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9;
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
   for (int idle = 0;;) {

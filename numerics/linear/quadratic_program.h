@@ -40,15 +40,16 @@ struct InteriorOptions {
   int most_iterations = 200;
   /// The gap counts over the objective's magnitude, but over no less than this.
   double least_objective = 1e-2;
-  /// Asked after each iteration with its number, the objective and the largest residual of a row:
-  /// whether to go on.
+  /// Asked after each iteration with its number, the objective and the largest residual of a row,
+  /// over a millionth of its terms' sum where that is more than 1: whether to go on.
   std::function<bool(int, double, double)> goes_on = {};
 };
 
-/// Mehrotra's predictor and corrector (1992) on sparse normal equations. Rows and costs are to be
-/// scaled so that changes of order one count. Rows whose bounds are equal are equations, which are
-/// to be few; no variable may have equal bounds, and each is to be in an inequality. Stalls at once
-/// where there is no inequality at all.
+/// Mehrotra's predictor and corrector (1992) on sparse normal equations, and where these lose too
+/// many digits on variables and rows together (docs/optimisation.md, (XM3), (XM5)). Rows and costs
+/// are to be scaled so that changes of order one count. Rows whose bounds are equal are equations,
+/// which are to be few; no variable may have equal bounds, and each is to be in an inequality.
+/// Stalls at once where there is no inequality at all.
 InteriorSolution solve_by_interior_point(const QuadraticProgram& program,
                                          const Eigen::VectorXd& start,
                                          const InteriorOptions& options = {});

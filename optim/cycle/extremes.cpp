@@ -48,27 +48,31 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
 
 /// The summit above a place: steps that double go uphill until the slope turns. The first are so
 /// short that no peak with the place on its flank is stepped over; what a value falls by along them
-/// is rounding. Stays between left and right, which lie in one smooth stretch.
+/// is rounding. Stays between left and right, which lie in one smooth stretch, and is no lower than
+/// the place.
 Sample climbed(const Turned& curve, const Sample& from, double left, double right) {
   constexpr double kFirst = 1e-9, kRounding = 1e-9;
   if (!(from.f[1] != 0)) return from;
+  const auto better = [&](const Sample& top) { return top.f[0] >= from.f[0] ? top : from; };
   const double uphill = from.f[1] > 0 ? 1 : -1;
   const double end = uphill > 0 ? right : left;
+  const auto between = [&](const Sample& below, double next) {
+    return better(polished(curve, std::min(below.place.angle, next),
+                           std::max(below.place.angle, next), below));
+  };
   Sample below = from;
   for (double step = kFirst * (right - left);; step *= 2) {
     const double next = below.place.angle + uphill * step;
     if (!(uphill * (end - next) > 0)) break;
     const Sample here{{next}, curve({next})};
-    if (!(uphill * here.f[1] > 0) || here.f[0] < below.f[0] - kRounding * std::abs(below.f[0])) {
-      return polished(curve, std::min(below.place.angle, next), std::max(below.place.angle, next),
-                      below);
-    }
+    const bool falls = here.f[0] < below.f[0] - kRounding * std::abs(below.f[0]);
+    if (!(uphill * here.f[1] > 0) || falls) return between(below, next);
     below = here;
   }
   const Place last{end, uphill > 0};
   const Sample top{last, curve(last)};
-  if (top.f[0] >= below.f[0] && uphill * top.f[1] >= 0) return top;
-  return polished(curve, std::min(below.place.angle, end), std::max(below.place.angle, end), below);
+  if (top.f[0] >= below.f[0] && uphill * top.f[1] >= 0) return better(top);
+  return between(below, end);
 }
 
 /// Even samples of one smooth stretch, from its right and left ends.

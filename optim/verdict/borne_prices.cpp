@@ -11,7 +11,7 @@ constexpr double kTrialStep = 1e-6;  // of a limit's size
 constexpr double kPriced = 1e-4;     // multipliers over the sizes: less is as good as nothing
 
 /// Steps along one limit's gradient after the other. What a step moves is looked up, so that each
-/// costs what its own variables touch and not what the whole problem holds.
+/// costs what its own variables touch, and the gradient of an objective that is not linear.
 class PriceTrial {
  public:
   PriceTrial(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
@@ -124,7 +124,8 @@ class PriceTrial {
   double objective_slope(Design at) const {
     if (objective_slopes_.empty()) return 0;
     const double sign = problem_.objective().sense == Sense::Minimize ? 1 : -1;
-    const bool is_known = at.data() == x_.data() || objective_.shape() == Shape::Linear;
+    const bool is_known = at.data() == x_.data() ||  // at x itself
+                          objective_.shape() == Shape::Linear;
     double slope = 0;
     if (is_known) {
       for (const std::size_t variable : moved_)

@@ -59,6 +59,16 @@ std::vector<double> reaches(const Problem& problem, const Sizes& sizes, Design x
   return result;
 }
 
+/// A limit's margin beyond what rounding leaves of it: its value is a difference of terms of the
+/// size of the slopes times the variables.
+double margin_beyond_rounding(const ActiveLimit& limit, const Sizes& sizes, Design x) {
+  constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
+  double terms = 0;
+  for (const auto& [variable, slope] : limit.gradient)
+    terms += std::abs(slope * x[variable] / sizes.variables[variable]);
+  return std::max(0.0, std::abs(limit.margin) - kRounding * terms);
+}
+
 /// How far the conditions are from holding with the multipliers; `left` is what these leave of the
 /// objective's gradient.
 double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
@@ -66,7 +76,7 @@ double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimal
                    const std::vector<double>& multipliers, const Eigen::VectorXd& left) {
   double open = 0;
   for (std::size_t j = 0; j < limits.size(); ++j)
-    open += std::abs(multipliers[j] * limits[j].margin);
+    open += std::abs(multipliers[j]) * margin_beyond_rounding(limits[j], sizes, x);
   const auto reach = reaches(problem, sizes, x, layout, optimality);
   double largest = 0, sum = 0;
   for (std::size_t i = 0; i < reach.size(); ++i) {

@@ -35,7 +35,8 @@ constexpr double kToldMargin = 1e-6;
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
-                double tolerance, SideOfLimit& side) {
+                const ConstraintSize& size, SideOfLimit& side) {
+  const double tolerance = size.tolerance;
   if (!response.is_curve()) {
     const Function& f = response.function();
     if (f.is_searched()) {
@@ -55,8 +56,8 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
   };
   // A number that is told is proved as well, where that is not the same question.
   const double highest = sign * bound + tolerance;
-  if (side.margin > kToldMargin * std::abs(bound)) {
-    const ProvedExtreme found = proved_highest(trace, sign, std::abs(bound));
+  if (side.margin > std::max(kToldMargin * std::abs(bound), tolerance)) {
+    const ProvedExtreme found = proved_highest(trace, sign, std::max(std::abs(bound), size.size));
     take(found.peak);
     if (found.proved && sign * found.peak.value + found.slack <= highest) return true;
   }
@@ -88,8 +89,7 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
   const auto look = [&](double sign, double bound) {
     SideOfLimit side = side_of(c.response, maxima, x, sign, bound);
     if (prove) {
-      result.proved =
-          prove_side(c.response, maxima, x, sign, bound, size.tolerance, side) && result.proved;
+      result.proved = prove_side(c.response, maxima, x, sign, bound, size, side) && result.proved;
       if (side.left) result.left = side.left;
     }
     // A value at minus infinity is as far from its bound as can be, but no value of a design.

@@ -52,7 +52,7 @@ optim::OptimiseOptions within_patience(optim::OptimiseOptions search, const Answ
 /// Whether one objective is better than another by more than rounding.
 bool is_better(const Answer& answer, double objective, double than) {
   constexpr double kRounding = 1e-9;
-  const bool least = answer.bound.space().problem.objective().sense == optim::Sense::Minimize;
+  const bool least = answer.optimum.problem.objective().sense == optim::Sense::Minimize;
   return (least ? than - objective : objective - than) > kRounding * std::abs(than);
 }
 
@@ -66,12 +66,10 @@ std::optional<double> best_of_table(const Answer& answer) {
   return best;
 }
 
-/// What a search with a free law of so many knots finds; adds its time to what `search` has spent.
-FreeLimit free_limit_of(const Answer& answer, int knots, optim::OptimiseOptions& search,
-                        int workers) {
+/// What a search with a free law finds; adds its time to what `search` has spent.
+FreeLimit searched(const problems::BoundProblem& bound, optim::OptimiseOptions& search,
+                   int workers) {
   FreeLimit result;
-  const problems::BoundProblem bound(
-      problems::with_free_law(answer.bound.statement(), laws_of_designs(answer), knots));
   result.law = free_law_words(bound.statement());
   optim::Crew crew({.workers = workers});
   const optim::Optimum best = optim::optimise(bound.space(), search, crew);
@@ -88,37 +86,48 @@ FreeLimit free_limit_of(const Answer& answer, int knots, optim::OptimiseOptions&
   return result;
 }
 
-}  // namespace
-
-FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers) {
+/// The best that searches with ever more knots find in their time.
+FreeLimit best_searched(const Answer& answer, optim::OptimiseOptions search, int workers) {
   // The last is what is wanted; where it takes too long the ones before say nearly as much.
   constexpr std::array kKnots{10, 30, 100};
   FreeLimit result;
-  optim::OptimiseOptions search = within_patience(rest, answer);
-  try {
-    if (is_ended(search)) {  // of its limit what is left after the answer's own search
-      result.why_none = "the search ended before a free law was tried";
-      return result;
-    }
-    for (const int knots : kKnots) {
-      const FreeLimit next = free_limit_of(answer, knots, search, workers);
-      if (next.law == result.law) break;  // the file's own [free], which says its knots
-      if (!result.objective ||
-          (next.objective && !is_better(answer, *result.objective, *next.objective))) {
-        result = next;
-      }
-      if (is_ended(search)) break;
-    }
-  } catch (const std::exception& error) {
-    result.why_none = error.what();  // the table stands without it
-  }
-  const std::optional<double> best = best_of_table(answer);
-  if (result.objective && best && is_better(answer, *best, *result.objective) &&
-      result.verdict != optim::to_string(optim::Verdict::Certified)) {
-    result.objective.reset();
-    result.why_none = "its search has not come as far as the best law of the table";
+  for (const int knots : kKnots) {
+    const problems::FreeInstead instead =
+        problems::with_free_law(answer.bound.statement(), laws_of_designs(answer), knots);
+    const FreeLimit next = searched(problems::BoundProblem(instead.problem), search, workers);
+    const bool is_worse =
+        result.objective &&
+        (!next.objective || is_better(answer, *result.objective, *next.objective));
+    if (!is_worse) result = next;
+    if (!instead.has_these_knots || is_ended(search)) break;
   }
   return result;
+}
+
+FreeLimit none_because(const std::string& why) {
+  FreeLimit result;
+  result.why_none = why;
+  return result;
+}
+
+}  // namespace
+
+FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers) {
+  const optim::OptimiseOptions search = within_patience(rest, answer);
+  // Of its limit what is left after the answer's own search.
+  if (is_ended(search)) return none_because("the search ended before a free law was tried");
+  try {
+    FreeLimit result = best_searched(answer, search, workers);
+    const std::optional<double> best = best_of_table(answer);
+    const bool is_behind = result.objective && best &&
+                           result.verdict != optim::to_string(optim::Verdict::Certified) &&
+                           is_better(answer, *best, *result.objective);
+    if (is_behind)
+      return none_because("its search has not come as far as the best law of the table");
+    return result;
+  } catch (const std::exception& error) {
+    return none_because(error.what());  // the table stands without it
+  }
 }
 
 }  // namespace camlaw::cli

@@ -17,7 +17,8 @@ struct FreeLimit {
 };
 
 /// Searches an answer's problem once more with a free law in place of the laws to choose from
-/// (with_free_law), and every other choice and variable open again. `rest` says how, with what is
+/// (with_free_law) of ever more knots, and every other choice and variable open again. None is told
+/// that is worse than a law of the table, unless it is certified. `rest` says how, with what is
 /// left of the time and what may stop it; in up to so many processes. The search may take as long
 /// as the answer's own, and 20 s at least.
 FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, int workers);

@@ -124,8 +124,8 @@ std::vector<std::string> put_settings(Entry& file, const ProblemStatement& probl
   return left;
 }
 
-/// Puts the free law in the places of laws that are chosen.
-void put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const Member> designs,
+/// Puts the free law in the places of laws that are chosen. Whether one of them has these knots.
+bool put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const Member> designs,
                    int knots) {
   const LawsByPlace stated = places_of(problem.laws);
   const LawsByPlace wanted = places_of(designs.empty() ? std::span(problem.laws) : designs);
@@ -144,18 +144,22 @@ void put_free_laws(Entry& file, const ProblemStatement& problem, std::span<const
     restate(file, problem, place, "free", kPlace);
   }
   if (owners.empty()) throw std::invalid_argument("no law is chosen among several");
+  bool has_these_knots = false;
   for (const auto& [owner, owned] : owners) {
-    if (!owned.is_stated) put_free_table(*owner, owned.conditions, knots);
+    if (owned.is_stated) continue;
+    put_free_table(*owner, owned.conditions, knots);
+    has_these_knots = true;
   }
+  return has_these_knots;
 }
 
 }  // namespace
 
-ProblemStatement with_free_law(const ProblemStatement& problem, std::span<const Member> designs,
-                               int knots) {
+FreeInstead with_free_law(const ProblemStatement& problem, std::span<const Member> designs,
+                          int knots) {
   Entry file = parse_toml(problem.text, problem.source);
   std::vector<std::string> settings = put_settings(file, problem);
-  put_free_laws(file, problem, designs, knots);
+  const bool has_these_knots = put_free_laws(file, problem, designs, knots);
   const auto read = [&](const Entry& entries) {
     return read_entries(entries, problem.text, problem.source, problem.files);
   };
@@ -171,7 +175,7 @@ ProblemStatement with_free_law(const ProblemStatement& problem, std::span<const 
   });
   result.stop = problem.stop;
   set_values(result, settings);
-  return result;
+  return {std::move(result), has_these_knots};
 }
 
 }  // namespace camlaw::problems
