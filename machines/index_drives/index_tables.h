@@ -21,6 +21,9 @@ Parameters roller_contact();
 /// Speed of the cam, and what the turret asks for.
 Parameters index_load();
 
+/// The elastic train from the turret to the table that it turns.
+Parameters table_train();
+
 NamedPeak peak_turret_torque();
 NamedPeak shaft_clearance();
 /// Of a cam whose ribs run between the rollers.

@@ -16,15 +16,17 @@ template <>
 struct MachineTraits<ParallelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 16> fields{
-      &ParallelIndexCam<T>::stations,      &ParallelIndexCam<T>::rollers,
-      &ParallelIndexCam<T>::plates,        &ParallelIndexCam<T>::axis_distance,
-      &ParallelIndexCam<T>::turret_radius, &ParallelIndexCam<T>::roller_radius,
-      &ParallelIndexCam<T>::angular_speed, &ParallelIndexCam<T>::inertia,
-      &ParallelIndexCam<T>::friction,      &ParallelIndexCam<T>::load,
-      &ParallelIndexCam<T>::face_width,    &ParallelIndexCam<T>::youngs_modulus,
-      &ParallelIndexCam<T>::poisson_ratio, &ParallelIndexCam<T>::cutter_radius,
-      &ParallelIndexCam<T>::bore_radius,   &ParallelIndexCam<T>::shaft_radius};
+  static constexpr std::array<T ParallelIndexCam<T>::*, 19> fields{
+      &ParallelIndexCam<T>::stations,        &ParallelIndexCam<T>::rollers,
+      &ParallelIndexCam<T>::plates,          &ParallelIndexCam<T>::axis_distance,
+      &ParallelIndexCam<T>::turret_radius,   &ParallelIndexCam<T>::roller_radius,
+      &ParallelIndexCam<T>::angular_speed,   &ParallelIndexCam<T>::inertia,
+      &ParallelIndexCam<T>::friction,        &ParallelIndexCam<T>::load,
+      &ParallelIndexCam<T>::face_width,      &ParallelIndexCam<T>::youngs_modulus,
+      &ParallelIndexCam<T>::poisson_ratio,   &ParallelIndexCam<T>::cutter_radius,
+      &ParallelIndexCam<T>::bore_radius,     &ParallelIndexCam<T>::shaft_radius,
+      &ParallelIndexCam<T>::train_stiffness, &ParallelIndexCam<T>::train_damping,
+      &ParallelIndexCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
@@ -39,7 +41,8 @@ const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::paramete
               cutter_parameter(),
               bore_parameter(),
               {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
-                10, 0, 1e5}}});
+                10, 0, 1e5}},
+              table_train()});
   return all;
 }
 
@@ -126,7 +129,8 @@ Mechanism parallel_index_cam_mechanism() {
                  of_second(peak_undercut(), kHolding), peak_turret_torque(), peak_torque(),
                  peak_stress(), outer_radius(), of_second(outer_radius(), kHolding), least_wall(),
                  of_second(least_wall(), kHolding), shaft_clearance(),
-                 of_second(shaft_clearance(), kHolding)},
+                 of_second(shaft_clearance(), kHolding), peak_end_deviation(),
+                 least_elastic(table_words())},
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,

@@ -78,6 +78,9 @@ struct ParallelIndexCam {
   T cutter_radius = number<T>(0.008);            ///< r_c, m
   T bore_radius = number<T>(0.012);              ///< r_0, m, of the cams
   T shaft_radius = number<T>(0.010);             ///< r_S, m, of the turret's shaft beside them
+  T train_stiffness = number<T>(0);              ///< c_t, N m/rad, from turret to table
+  T train_damping = number<T>(0.05);             ///< zeta
+  T end_share = number<T>(1);                    ///< kappa, of the inertia
 
   bool is_possible() const { return value_of(axis_distance) > value_of(turret_radius); }
   /// (IX4) delta, rad: what the turret turns by while a roller drives.

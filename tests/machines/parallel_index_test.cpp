@@ -260,7 +260,7 @@ TEST_CASE("about a hand-over an enclosure holds the two rollers' values and not 
 
 TEST_CASE("curves of a parallel index drive have exact derivatives and close enclosures",
           "[index-drives]") {
-  const Mechanism& mechanism = find_mechanism("parallel-index-cam");
+  const Mechanism mechanism = testing::rigid_drive("parallel-index-cam");
   const auto design =
       testing::design_of(mechanism, "poly-3-4-5", {},
                          {"axis_distance", "turret_radius", "roller_radius", "inertia", "speed"});

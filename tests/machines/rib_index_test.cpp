@@ -343,7 +343,7 @@ TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angl
 TEST_CASE("curves of cams with ribs have exact derivatives and close enclosures",
           "[index-drives]") {
   for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
-    const Mechanism& mechanism = find_mechanism(name);
+    const Mechanism mechanism = testing::rigid_drive(name);
     const auto design =
         testing::design_of(mechanism, "poly-3-4-5", {},
                            {"axis_distance", "turret_radius", "roller_radius", "face_width"});
