@@ -12,7 +12,7 @@ template <>
 struct MachineTraits<BarrelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T BarrelIndexCam<T>::*, 17> fields{
+  static constexpr std::array<T BarrelIndexCam<T>::*, 18> fields{
       &BarrelIndexCam<T>::stations,        &BarrelIndexCam<T>::rollers,
       &BarrelIndexCam<T>::axis_distance,   &BarrelIndexCam<T>::turret_radius,
       &BarrelIndexCam<T>::cam_radius,      &BarrelIndexCam<T>::roller_radius,
@@ -21,7 +21,7 @@ struct MachineTraits<BarrelIndexCam> {
       &BarrelIndexCam<T>::face_width,      &BarrelIndexCam<T>::youngs_modulus,
       &BarrelIndexCam<T>::poisson_ratio,   &BarrelIndexCam<T>::bore_radius,
       &BarrelIndexCam<T>::train_stiffness, &BarrelIndexCam<T>::train_damping,
-      &BarrelIndexCam<T>::end_share};
+      &BarrelIndexCam<T>::end_share,       &BarrelIndexCam<T>::crown_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<BarrelIndexCam>::parameters() {
@@ -35,7 +35,8 @@ const std::vector<MechanismParameter>& MachineTraits<BarrelIndexCam>::parameters
               index_load(),
               roller_contact(),
               bore_parameter(),
-              table_train()});
+              table_train(),
+              turret_crown()});
   return all;
 }
 

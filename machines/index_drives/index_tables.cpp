@@ -46,6 +46,12 @@ Parameters index_load() {
            "constant torque on the turret that opposes its motion", 0, -1e9, 1e9}};
 }
 
+Parameters turret_crown() {
+  Parameters all = crown_parameter();
+  all.front().symbol = "R_k";  // R_c is a barrel's radius
+  return all;
+}
+
 Parameters table_train() {
   Parameters all = oscillating_train();
   all.front().meaning =

@@ -21,6 +21,8 @@ Parameters roller_contact();
 /// Speed of the cam, and what the turret asks for.
 Parameters index_load();
 
+/// Of the rollers' faces along their axes.
+Parameters turret_crown();
 /// The elastic train from the turret to the table that it turns.
 Parameters table_train();
 

@@ -16,7 +16,7 @@ template <>
 struct MachineTraits<ParallelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 19> fields{
+  static constexpr std::array<T ParallelIndexCam<T>::*, 20> fields{
       &ParallelIndexCam<T>::stations,        &ParallelIndexCam<T>::rollers,
       &ParallelIndexCam<T>::plates,          &ParallelIndexCam<T>::axis_distance,
       &ParallelIndexCam<T>::turret_radius,   &ParallelIndexCam<T>::roller_radius,
@@ -26,7 +26,7 @@ struct MachineTraits<ParallelIndexCam> {
       &ParallelIndexCam<T>::poisson_ratio,   &ParallelIndexCam<T>::cutter_radius,
       &ParallelIndexCam<T>::bore_radius,     &ParallelIndexCam<T>::shaft_radius,
       &ParallelIndexCam<T>::train_stiffness, &ParallelIndexCam<T>::train_damping,
-      &ParallelIndexCam<T>::end_share};
+      &ParallelIndexCam<T>::end_share,       &ParallelIndexCam<T>::crown_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
@@ -42,7 +42,8 @@ const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::paramete
               bore_parameter(),
               {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
                 10, 0, 1e5}},
-              table_train()});
+              table_train(),
+              turret_crown()});
   return all;
 }
 
@@ -93,6 +94,7 @@ std::vector<MechanismResponse> parallel_responses() {
   all.push_back(roller_angle(OfPair::Main));
   all.push_back(roller_angle(OfPair::Second));
   append(all, pair_responses<ParallelIndexCam>(kDriving, kHolding));
+  append(all, pair_crown_responses<ParallelIndexCam>());
   append(all, flanks());
   append(all, extent_responses<ParallelIndexCam>(kHolding));
   all.push_back(listed_curve<ParallelIndexCam>(
