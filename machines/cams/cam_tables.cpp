@@ -126,17 +126,22 @@ Parameters bearing_parameters() {
            1e-3, 1e6}};
 }
 
+Parameters crown_parameter() {
+  return {{"crown_radius", "R_c", "mm", "m", "radius of the roller's crown along its axis", 500, 1,
+           1e6}};
+}
+
+Parameters lubricant_parameters() {
+  return {{"viscosity", "eta", "mPa s", "Pa s", "viscosity of the lubricant at the contact's inlet",
+           50, 1e-3, 1e6},
+          {"pressure_viscosity", "alpha", "1/GPa", "1/Pa",
+           "pressure-viscosity coefficient of the lubricant", 20, 1e-3, 1e3},
+          {"roughness", "R_q", "um", "m",
+           "root mean square roughness of both surfaces, sqrt(R_q1^2 + R_q2^2)", 0.4, 1e-4, 1e3}};
+}
+
 Parameters duty_parameters() {
-  return joined(
-      {{{"crown_radius", "R_c", "mm", "m", "radius of the roller's crown along its axis", 500, 1,
-         1e6}},
-       bearing_parameters(),
-       {{"viscosity", "eta", "mPa s", "Pa s", "viscosity of the lubricant at the contact's inlet",
-         50, 1e-3, 1e6},
-        {"pressure_viscosity", "alpha", "1/GPa", "1/Pa",
-         "pressure-viscosity coefficient of the lubricant", 20, 1e-3, 1e3},
-        {"roughness", "R_q", "um", "m",
-         "root mean square roughness of both surfaces, sqrt(R_q1^2 + R_q2^2)", 0.4, 1e-4, 1e3}}});
+  return joined({crown_parameter(), bearing_parameters(), lubricant_parameters()});
 }
 
 Parameters joined(const std::vector<Parameters>& lists) {

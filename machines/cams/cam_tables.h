@@ -34,6 +34,10 @@ Parameters friction_parameters();
 Parameters guide_parameters();
 /// What the bearing of a roller, or of each of a pair, is made for.
 Parameters bearing_parameters();
+/// Of a roller's face along its axis.
+Parameters crown_parameter();
+/// What lubricates a contact: viscosity, pressure_viscosity, roughness.
+Parameters lubricant_parameters();
 /// What a roller bears, and what lubricates it, in the order of RollerDuty's fields.
 Parameters duty_parameters();
 

@@ -39,7 +39,8 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::end_share,
                                      &ConjugateCam<T>::dynamic_rating,
                                      &ConjugateCam<T>::static_rating,
-                                     &ConjugateCam<T>::speed_limit};
+                                     &ConjugateCam<T>::speed_limit,
+                                     &ConjugateCam<T>::crown_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -57,7 +58,8 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               bore_parameter(),
               guide_parameters(),
               sliding_train(),
-              bearing_parameters()});
+              bearing_parameters(),
+              crown_parameter()});
   return all;
 }
 
@@ -68,6 +70,7 @@ constexpr const char *kMain = "main cam", *kSecond = "second cam";
 std::vector<MechanismResponse> conjugate_responses() {
   std::vector<MechanismResponse> all = follower_responses<ConjugateCam>(kSliding);
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
+  append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(

@@ -3,6 +3,7 @@
 
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_cam.h"
+#include "machines/contact/crowned_roller.h"
 #include "numerics/scalar/extremes.h"
 
 namespace camlaw {
@@ -42,6 +43,7 @@ struct ConjugateCam {
   T dynamic_rating = number<T>(1e4);              ///< C, N, of either roller
   T static_rating = number<T>(1e4);               ///< C_0, N
   T speed_limit = number<T>(628.3185307179587);   ///< n_G, rad/s, of a roller on its pin
+  T crown_radius = number<T>(0.5);                ///< R_c, m, of either roller along its axis
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
@@ -61,9 +63,10 @@ struct ConjugateCam {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
   RollerContact<T> roller() const { return main().roller(); }
-  /// What either roller bears; the pair has neither crowns nor a lubricant.
+  /// What either roller bears; the pair has no lubricant.
   RollerDuty<T> duty() const {
     RollerDuty<T> result;
+    result.crown_radius = crown_radius;
     result.dynamic_rating = dynamic_rating;
     result.static_rating = static_rating;
     result.speed_limit = speed_limit;
@@ -120,14 +123,29 @@ struct ConjugateCam {
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
     const X force = contact_force(f);
-    const X of_main = main().pitch_curve(f).curvature();
-    const X of_second = second().pitch_curve(second_motion(f)).curvature();
-    const X k = by_side(follower().force(f), of_main, of_second);
-    return unless_zero(force, roller().stress(absolute(force), k));
+    return unless_zero(force, roller().stress(absolute(force), loaded_curvature(f)));
+  }
+  /// Of the roller on the cam that bears, crowned or not.
+  template <class X>
+  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
+    const X force = contact_force(f);
+    const RollerContact<T> contact = roller();
+    return unless_zero(
+        force,
+        crown_curve(which,
+                    pressed_roller(X(absolute(force)), contact.curvature_sum(loaded_curvature(f)),
+                                   duty().crown_curvature(), face_width, contact.material)));
   }
 
  private:
   SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+  /// Of the pitch curve of the cam that bears, 1/m.
+  template <class X>
+  X loaded_curvature(const FollowerMotion<X>& f) const {
+    const X of_main = main().pitch_curve(f).curvature();
+    const X of_second = second().pitch_curve(second_motion(f)).curvature();
+    return by_side(follower().force(f), of_main, of_second);
+  }
   /// N cos alpha.
   template <class X>
   X driving_force(const FollowerMotion<X>& f) const {

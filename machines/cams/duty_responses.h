@@ -2,8 +2,8 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/crown_responses.h"
 #include "machines/cams/roller_duty.h"
-#include "machines/contact/elliptic_contact.h"
 #include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
@@ -12,18 +12,7 @@
 /// duty: the life of its bearing, the shear below the surface, the film that carries it.
 namespace camlaw::problems {
 
-enum class DutyCurve {
-  MaxShear,
-  ShearDepth,
-  CrownStress,
-  CrownHalfLength,
-  CrownFraction,
-  RollerSpeed,
-  SpeedFraction,
-  StaticFraction,
-  FilmThickness,
-  LambdaRatio
-};
+enum class DutyCurve { RollerSpeed, SpeedFraction, StaticFraction, FilmThickness, LambdaRatio };
 
 /// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
 /// cam's own.
@@ -52,28 +41,19 @@ X film_of(const Cam& cam, const FollowerMotion<X>& f) {
                                    roller.curvature_sum(k), speed, roller.material.plane_modulus());
 }
 
-/// (RB10) The ellipse that a crowned roller touches the cam's own flank over.
+/// On the cam's own flank.
 template <class Cam, class X>
-ContactEllipse<X> ellipse_of(const Cam& cam, const FollowerMotion<X>& f) {
+X own_flank_crown(const Cam& cam, CrownCurve which, const FollowerMotion<X>& f) {
   const auto roller = cam.roller();
-  return contact_ellipse(cam.contact_force(f), roller.curvature_sum(cam.pitch_curve(f).curvature()),
-                         cam.duty.crown_curvature(), roller.material.plane_modulus());
+  return crown_curve(
+      which, pressed_roller(X(cam.contact_force(f)),
+                            X(roller.curvature_sum(cam.pitch_curve(f).curvature())),
+                            cam.duty.crown_curvature(), roller.face_width, roller.material));
 }
 
 template <class Cam, class X>
 X duty_curve(const Cam& cam, DutyCurve which, const FollowerMotion<X>& f) {
-  const auto curvature = [&] { return cam.pitch_curve(f).curvature(); };
   switch (which) {
-    case DutyCurve::MaxShear:
-      return max_shear(X(cam.roller().stress(cam.contact_force(f), curvature())));
-    case DutyCurve::ShearDepth:
-      return shear_depth(X(cam.roller().half_width(cam.contact_force(f), curvature())));
-    case DutyCurve::CrownStress:
-      return ellipse_of(cam, f).pressure;
-    case DutyCurve::CrownHalfLength:
-      return ellipse_of(cam, f).half_length;
-    case DutyCurve::CrownFraction:
-      return ellipse_of(cam, f).half_length / (number<X>(0.5) * cam.roller().face_width);
     case DutyCurve::RollerSpeed:
       return cam.angular_speed * own_flank_turns(cam, f);
     case DutyCurve::SpeedFraction:
@@ -121,7 +101,10 @@ std::vector<MechanismResponse> life_responses() {
 
 template <template <class> class M>
 std::vector<MechanismResponse> duty_responses() {
-  std::vector<MechanismResponse> all;
+  std::vector<MechanismResponse> all =
+      crown_responses<M>({"undercut"}, [](const auto& cam, CrownCurve which, const auto& f) {
+        return own_flank_crown(cam, which, f);
+      });
   const auto add = [&](DutyCurve which, ResponseAbout about) {
     all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
                                   [](const auto& cam, DutyCurve curve, const auto& motion) {
@@ -129,17 +112,6 @@ std::vector<MechanismResponse> duty_responses() {
                                   }));
   };
   using C = DutyCurve;
-  add(C::MaxShear, {"max_shear", "MPa", "Pa",
-                    "greatest shear stress below the surface, of roller and cam in line contact"});
-  add(C::ShearDepth,
-      {"shear_depth", "mm", "m", "depth of the greatest shear stress below the surface"});
-  add(C::CrownStress, {"crown_stress", "MPa", "Pa",
-                       "greatest Hertz pressure between a crowned roller and the cam"});
-  add(C::CrownHalfLength, {"crown_half_length", "mm", "m",
-                           "half the length of a crowned roller's contact, along the axis"});
-  add(C::CrownFraction, {"crown_fraction", "1", "1",
-                         "length of a crowned roller's contact over the face width; above 1 the "
-                         "roller's edges carry load"});
   add(C::RollerSpeed,
       {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
   add(C::SpeedFraction, {"speed_fraction", "1", "1",
@@ -151,9 +123,11 @@ std::vector<MechanismResponse> duty_responses() {
                          "least thickness of the lubricant film between roller and cam"});
   add(C::LambdaRatio, {"lambda_ratio", "1", "1",
                        "film thickness over the roughness of both surfaces; below 1 they touch"});
+  for (const char* of_film : {"film_thickness", "lambda_ratio"}) {
+    set_defined_while(all, {of_film}, {.response = "undercut", .upper = 1});
+  }
   for (const char* of_contact : {"max_shear", "shear_depth", "crown_stress", "crown_half_length",
                                  "crown_fraction", "film_thickness", "lambda_ratio"}) {
-    set_defined_while(all, {of_contact}, {.response = "undercut", .upper = 1});
     set_defined_while(all, {of_contact}, {.response = "contact_force", .lower = 0});
   }
   append(all, life_responses<M>());

@@ -29,15 +29,30 @@ struct ElasticEnd {
   T period_ratio() const { return number<T>(2) * pi<T>() * natural_frequency() / angular_speed; }
 };
 
-/// That of a cam with follower(), train_stiffness, train_damping and end_share.
+/// What moves with a rigid follower, and what bears on it besides: standing + rate s.
+template <class T>
+struct TrainLoads {
+  T mass;      ///< m, kg
+  T standing;  ///< N, at displacement 0
+  T rate;      ///< N/m
+};
+
+/// (M2)
+template <class T>
+TrainLoads<T> train_loads(const FollowerLoad<T>& load) {
+  return {load.mass, load.spring_preload + load.load, load.spring_rate};
+}
+
+/// That of a machine with train_stiffness, train_damping and end_share, whose follower() has
+/// train_loads().
 template <class Cam>
 auto elastic_end(const Cam& cam) {
-  const auto mass = cam.follower().mass;
+  const auto mass = train_loads(cam.follower()).mass;
   return ElasticEnd<std::decay_t<decltype(mass)>>{cam.end_share * mass, cam.train_stiffness,
                                                   cam.train_damping, cam.angular_speed};
 }
 
-/// Displacement of a follower at 1.
+/// Displacement of a follower, or of a turret, at 1.
 template <class Cam>
 auto stroke_of(const Cam& cam) {
   using T = std::decay_t<decltype(cam.angular_speed)>;

@@ -33,14 +33,17 @@ struct MachineTraits<FlatCam> {
                                      &FlatCam<T>::guide_length,
                                      &FlatCam<T>::train_stiffness,
                                      &FlatCam<T>::train_damping,
-                                     &FlatCam<T>::end_share};
+                                     &FlatCam<T>::end_share,
+                                     &FlatCam<T>::viscosity,
+                                     &FlatCam<T>::pressure_viscosity,
+                                     &FlatCam<T>::roughness};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
               contact_parameters(), blank_parameters(), wear_parameter(), friction_parameters(),
-              sliding_train()});
+              sliding_train(), lubricant_parameters()});
   return all;
 }
 

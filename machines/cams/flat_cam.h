@@ -4,6 +4,7 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/sliding_guide.h"
 #include "machines/contact/hertz.h"
+#include "machines/contact/lubricant.h"
 
 namespace camlaw {
 
@@ -30,6 +31,9 @@ struct FlatCam {
   T train_stiffness = number<T>(0);               ///< c_t, N/m
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
+  T viscosity = number<T>(0.05);                  ///< eta, Pa s
+  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
+  T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
 
   bool is_possible() const { return value_of(base_radius) > 0; }
   FollowerLoad<T> follower() const {
@@ -37,6 +41,7 @@ struct FlatCam {
   }
   LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
   SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+  Lubricant<T> lubricant() const { return {viscosity, pressure_viscosity, roughness}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -77,6 +82,12 @@ struct FlatCam {
   template <class X>
   X sliding_speed(const FollowerMotion<X>& f) const {
     return angular_speed * (f.s + base_radius);
+  }
+  /// (RB13) Mean speed of face and cam towards the contact, m/s: omega (r_b + s + 2 s'') / 2. It
+  /// is 0 where the contact runs over the face as fast as over the cam, the other way.
+  template <class X>
+  X entrainment_speed(const FollowerMotion<X>& f) const {
+    return number<T>(0.5) * angular_speed * (profile_radius(f) + f.dds);
   }
   /// (RB12) What the profile loses there by turn, m.
   template <class X>

@@ -144,7 +144,7 @@ template <template <class> class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
   std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
   append(all, follower_numbers<M>());
-  append(all, train_responses<M>(words));
+  append(all, train_responses<M>(train_words(words)));
   return all;
 }
 

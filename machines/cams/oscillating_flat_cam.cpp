@@ -7,6 +7,7 @@
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
 
 namespace camlaw::problems {
@@ -31,7 +32,11 @@ struct MachineTraits<OscillatingFlatCam> {
                                      &OscillatingFlatCam<T>::bore_radius,
                                      &OscillatingFlatCam<T>::train_stiffness,
                                      &OscillatingFlatCam<T>::train_damping,
-                                     &OscillatingFlatCam<T>::end_share};
+                                     &OscillatingFlatCam<T>::end_share,
+                                     &OscillatingFlatCam<T>::wear_coefficient,
+                                     &OscillatingFlatCam<T>::viscosity,
+                                     &OscillatingFlatCam<T>::pressure_viscosity,
+                                     &OscillatingFlatCam<T>::roughness};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parameters() {
@@ -46,7 +51,9 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parame
               oscillating_load(0.2, 3),
               contact_parameters(),
               blank_parameters(),
-              oscillating_train()});
+              oscillating_train(),
+              wear_parameter(),
+              lubricant_parameters()});
   return all;
 }
 
@@ -77,6 +84,7 @@ Mechanism oscillating_flat_cam_mechanism() {
   responses.push_back(lever_curve(LeverCurve::ContactForce,
                                   {"contact_force", "N", "N", "force between face and cam"}));
   append(responses, face_contact_responses<OscillatingFlatCam>());
+  append(responses, sliding_responses<OscillatingFlatCam>({"contact_force", "profile_radius"}));
   append(responses, drawn_responses<OscillatingFlatCam>(false));
   append(responses, blank_responses<OscillatingFlatCam>());
   append(responses, extent_responses<OscillatingFlatCam>());

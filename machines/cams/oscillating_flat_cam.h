@@ -5,6 +5,8 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/contact/hertz.h"
+#include "machines/contact/lubricant.h"
+#include "numerics/scalar/absolute.h"
 
 namespace camlaw {
 
@@ -35,6 +37,10 @@ struct OscillatingFlatCam {
   T train_stiffness = number<T>(0);               ///< c_t, N m/rad
   T train_damping = number<T>(0.05);              ///< zeta
   T end_share = number<T>(1);                     ///< kappa, of what moves
+  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
+  T viscosity = number<T>(0.05);                  ///< eta, Pa s
+  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
+  T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
 
   /// (M19) sin psi_0 = (r_b + f) / d.
   T sin_lowest() const { return (base_radius + face_offset) / pivot_distance; }
@@ -52,6 +58,7 @@ struct OscillatingFlatCam {
     return {inertia, spring_rate, spring_preload, load, angular_speed};
   }
   LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+  Lubricant<T> lubricant() const { return {viscosity, pressure_viscosity, roughness}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -94,6 +101,22 @@ struct OscillatingFlatCam {
   X contact_force(const FollowerMotion<X>& f) const {
     return follower().force(f) / contact_lever(f);
   }
+  /// (RB14) How fast the face slides on the cam, m/s.
+  template <class X>
+  X sliding_speed(const FollowerMotion<X>& f) const {
+    return angular_speed * absolute(slip(f));
+  }
+  /// (RB13) Mean speed of face and cam towards the contact, m/s.
+  template <class X>
+  X entrainment_speed(const FollowerMotion<X>& f) const {
+    return angular_speed * (profile_radius(f) * rate(f) - number<T>(0.5) * slip(f));
+  }
+  /// (RB12) What the profile loses there by turn, m.
+  template <class X>
+  X wear(const FollowerMotion<X>& f) const {
+    return wear_coefficient / face_width *
+           (contact_force(f) * (absolute(slip(f)) / (profile_radius(f) * rate(f))));
+  }
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
     return contact().pressure(contact_force(f) / face_width, number<X>(1) / profile_radius(f));
@@ -104,6 +127,12 @@ struct OscillatingFlatCam {
   }
 
  private:
+  /// (RB14) d sin psi - f (1 + psi'), m: what the face slides by, over the cam.
+  template <class X>
+  X slip(const FollowerMotion<X>& f) const {
+    using std::sin;
+    return pivot_distance * sin(f.s + lowest_angle()) - face_offset * rate(f);
+  }
   /// 1 + psi': how fast the face turns over the cam; NaN below 0, where no cam gives the motion.
   template <class X>
   X rate(const FollowerMotion<X>& f) const {

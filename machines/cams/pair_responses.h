@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "machines/cams/crown_responses.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/roller_responses.h"
 
@@ -88,6 +89,14 @@ std::vector<MechanismResponse> pair_responses(const std::string& main, const std
     set_defined_while(all, {"contact_stress"}, {.response = undercut, .upper = 1});
   }
   return all;
+}
+
+/// Of a machine M with crown(): of the roller on the flank that bears.
+template <template <class> class M>
+std::vector<MechanismResponse> pair_crown_responses() {
+  return crown_responses<M>(
+      {"undercut", "second_undercut"},
+      [](const auto& cam, CrownCurve which, const auto& f) { return cam.crown(which, f); });
 }
 
 template <template <class> class M>

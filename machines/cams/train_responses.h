@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
+#include <string>
+#include <vector>
 
 #include "machines/cams/elastic_end.h"
 #include "machines/cams/follower_words.h"
@@ -18,7 +19,7 @@ struct TrainPartsOf {
   template <class Cam>
   auto operator()(const Cam& cam) const {
     const auto end = elastic_end(cam);
-    const auto load = cam.follower();
+    const auto load = train_loads(cam.follower());
     const auto stroke = stroke_of(cam);
     using T = std::decay_t<decltype(stroke)>;
     const T none = number<T>(0), one = number<T>(1);
@@ -29,8 +30,8 @@ struct TrainPartsOf {
     if (which == TrainQuantity::MassAcceleration) parts[2] = square * stroke;
     if (which == TrainQuantity::CamForce) {
       parts[2] = one;
-      parts[3] = load.spring_preload + load.load;
-      parts[4] = load.spring_rate * stroke;
+      parts[3] = load.standing;
+      parts[4] = load.rate * stroke;
       parts[5] = (load.mass - end.mass) * square * stroke;
       parts[6] = end.mass * square * stroke;
     }
@@ -42,11 +43,11 @@ struct TrainPartsOf {
 template <class Cam>
 auto loss_parts(const Cam& cam) {
   const auto end = elastic_end(cam);
-  const auto load = cam.follower();
+  const auto load = train_loads(cam.follower());
   const auto stroke = stroke_of(cam);
-  return std::array{end.natural_frequency(),         end.damping_ratio,
-                    load.spring_preload + load.load, load.spring_rate * stroke,
-                    (load.mass - end.mass) * stroke, end.mass * stroke};
+  return std::array{
+      end.natural_frequency(),         end.damping_ratio, load.standing, load.rate * stroke,
+      (load.mass - end.mass) * stroke, end.mass * stroke};
 }
 
 template <template <class> class M>
@@ -65,44 +66,71 @@ MechanismResponse train_force(ResponseAbout about) {
                         });
 }
 
+/// What the responses of a train are called, and which parameters they are linear in.
+struct TrainWords {
+  const char *place, *place_stored, *acceleration, *force;  ///< units
+  std::string load;                                         ///< "force" or "torque", also in names
+  std::string elastic, lost, least;                         ///< meanings
+  std::string rigid;                            ///< response that tells where a rigid train fails
+  std::vector<std::string> of_motion, of_load;  ///< parameters: stroke; spring and load
+
+  std::string elastic_name() const { return "elastic_" + load; }
+};
+
+/// Of a follower that its spring holds on the cam.
+inline TrainWords train_words(const FollowerWords& w) {
+  return {.place = w.place,
+          .place_stored = w.place_stored,
+          .acceleration = w.acceleration,
+          .force = w.force,
+          .load = w.load,
+          .elastic =
+              std::string(w.effort) + " to move the train; below 0 a spring-loaded follower jumps",
+          .lost =
+              "lowest speed at which a spring-loaded follower with the elastic train leaves "
+              "the cam; undefined if none is found",
+          .least = std::string("least ") + w.load +
+                   " that the cam must exert with the elastic train; above 0 the spring keeps "
+                   "contact",
+          .rigid = "contact_loss_speed",
+          .of_motion = {w.stroke},
+          .of_load = {"spring_rate", "spring_preload", "load"}};
+}
+
 /// Of a machine M whose fields elastic_end() takes.
 template <template <class> class M>
-std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
+std::vector<MechanismResponse> train_responses(const TrainWords& w) {
   using S = optim::Shape;
   using Q = TrainQuantity;
-  const bool slides = std::string_view(w.force_name) == kSliding.force_name;
-  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear, "DS14"},
-                                           {{w.stroke}, S::Linear, "DS14"}};
-  const std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS14"},
-                                           {{w.stroke}, S::Linear, "DS14"}};
+  std::vector<ShapeStatement> linear{{{"law"}, S::Linear, "DS14"}};
+  std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS14"}};
+  if (!w.of_motion.empty()) {
+    linear.push_back({w.of_motion, S::Linear, "DS14"});
+    convex.push_back({w.of_motion, S::Linear, "DS14"});
+  }
   std::vector<ShapeStatement> load = linear;
-  load.push_back({{"spring_rate", "spring_preload", "load"}, S::Linear, "DS14"});
+  load.push_back({w.of_load, S::Linear, "DS14"});
   return {
-      number_response<M>(
-          {"train_frequency", "Hz", "Hz",
-           "natural frequency of the train's end, without damping; undefined for a rigid follower"},
-          [](const auto& cam) { return elastic_end(cam).natural_frequency(); }),
+      number_response<M>({"train_frequency", "Hz", "Hz",
+                          "natural frequency of the train's end, without damping; undefined "
+                          "without train_stiffness"},
+                         [](const auto& cam) { return elastic_end(cam).natural_frequency(); }),
       law_number<M>({"residual_amplitude", w.place, w.place_stored,
                      "greatest amplitude of the vibration of the train's end in a dwell", convex},
                     TrainPartsOf{Q::Deviation}, swing_at_rest()),
       law_number<M>(
-          {"elastic_loss_speed", "rpm", "rad/s",
-           "lowest speed at which a spring-loaded follower with the elastic train leaves the cam; "
-           "undefined if none is found"},
-          [](const auto& cam) { return loss_parts(cam); }, contact_loss()),
+          {"elastic_loss_speed", "rpm", "rad/s", w.lost},
+          [](const auto& cam) { return loss_parts(cam); }, contact_loss(w.rigid)),
       end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
                                          "displacement of the train's end", linear}),
       end_curve<M>(Q::Deviation,
                    {"end_deviation", w.place, w.place_stored,
-                    "deviation of the train's end from the cam's displacement", linear}),
+                    "deviation of the train's end from that of a rigid train", linear}),
       end_curve<M>(Q::MassAcceleration, {"end_acceleration", w.acceleration, w.acceleration,
                                          "acceleration of the train's end", linear}),
-      train_force<M>({slides ? "train_force" : "train_torque", w.force, w.force,
-                      std::string(w.load) + " in the train that moves its end", linear}),
-      end_curve<M>(Q::CamForce, {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
-                                 std::string(w.effort) +
-                                     " to move the train; below 0 a spring-loaded follower jumps",
-                                 load})};
+      train_force<M>({"train_" + w.load, w.force, w.force,
+                      w.load + " in the train that moves its end", linear}),
+      end_curve<M>(Q::CamForce, {w.elastic_name(), w.force, w.force, w.elastic, load})};
 }
 
 inline NamedPeak peak_end_deviation() {
@@ -110,12 +138,10 @@ inline NamedPeak peak_end_deviation() {
           "greatest deviation of the train's end"};
 }
 
-inline NamedPeak least_elastic(const FollowerWords& w) {
-  const bool slides = std::string_view(w.force_name) == kSliding.force_name;
-  return {slides ? "least_elastic_force" : "least_elastic_torque",
-          slides ? "elastic_force" : "elastic_torque", optim::Part::Lowest,
-          std::string("least ") + w.load +
-              " that the cam must exert with the elastic train; above 0 the spring keeps contact"};
+inline NamedPeak least_elastic(const TrainWords& w) {
+  return {"least_" + w.elastic_name(), w.elastic_name(), optim::Part::Lowest, w.least};
 }
+
+inline NamedPeak least_elastic(const FollowerWords& w) { return least_elastic(train_words(w)); }
 
 }  // namespace camlaw::problems

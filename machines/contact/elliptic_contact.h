@@ -47,21 +47,22 @@ struct ContactEllipse {
 
 /// (RB10) From the force, N, the sums of the curvatures across and along the ellipse, 1/m, the
 /// first the greater, and (K1) E', Pa: a^3 = 6 k^2 E F / (pi E' (kappa_x + kappa_y)), b = a / k, p
-/// = 3 F / (2 pi a b). (RB9) Length by width k is one step from Hamrock and Brewe's alpha^(2 / pi),
-/// alpha = kappa_x / kappa_y, towards the root of alpha = (k^2 E - K) / (K - E), with the integrals
-/// where the step begins. The pressure is within 0.25 % of that of the root for alpha from 1 to
-/// 150.
-template <class T, class X>
-ContactEllipse<X> contact_ellipse(const X& force, const X& across, const T& along,
+/// = 3 F / (2 pi a b) = E' (kappa_x + kappa_y) a / (4 k E), which is 0 without a force. (RB9)
+/// Length by width k is one step from Hamrock and Brewe's alpha^(2 / pi), alpha = kappa_x /
+/// kappa_y, towards the root of alpha = (k^2 E - K) / (K - E), with the integrals where the step
+/// begins. The pressure is within 0.25 % of that of the root for alpha from 1 to 150.
+template <class T, class K, class X>
+ContactEllipse<X> contact_ellipse(const X& force, const X& across, const K& along,
                                   const T& modulus) {
-  const X ratio = number<T>(1) / along * across;
+  const X ratio = number<K>(1) / along * across;
   const auto [first, second] = elliptic_integrals(X(power(ratio, -2 / std::numbers::pi)));
   const X square = (ratio * (first - second) + first) / second;  // k^2
   const T stiff = number<T>(6) / (pi<T>() * modulus);
   const X length = power(X(stiff * (square * second * force / (across + along))), 1.0 / 3);
   using std::sqrt;
-  const X width = length / sqrt(square);
-  return {length, width, number<X>(1.5) * force / (pi<X>() * length * width)};
+  const X longer = sqrt(square);  // k
+  const X pressure = number<T>(0.25) * modulus * ((across + along) * length / (longer * second));
+  return {length, length / longer, pressure};
 }
 
 }  // namespace camlaw

@@ -186,7 +186,7 @@ Possible<Crossing> first_crossing(const LossTrain& train, const Rule<double>& ru
         root_between([&](double at) { return at * at * train.lowest(at, at).value; }, slow, fast);
     return Crossing{speed, train.lowest(speed, speed).place};
   }
-  return none("the follower stays on the cam up to ten turns in a natural period of the train");
+  return none("it holds up to ten turns in a natural period of the train");
 }
 
 /// Everything that is worked out of one design.
@@ -195,9 +195,9 @@ struct Found {
   Possible<Crossing> crossing;
 };
 
-Possible<Crossing> crossing_of(const LossTrain& train) {
+Possible<Crossing> crossing_of(const LossTrain& train, const std::string& rigid) {
   if (!(train[Natural] > 0)) {
-    return none("train_stiffness is not stated, a rigid follower has contact_loss_speed");
+    return none("train_stiffness is not stated; of a rigid train see " + rigid);
   }
   if (!(train[LossDamping] >= kLeastDamping)) {
     return none("train_damping must be at least 0.002, else there are too many sharp resonances");
@@ -209,16 +209,14 @@ Possible<Crossing> crossing_of(const LossTrain& train) {
     return why.empty() ? none("the motion has no steady state") : Impossible{why};
   }
   if (!(least.value > 0)) {
-    return none(
-        fmt::format("nothing holds the follower on the cam at {:.6g} deg", least.place.angle));
+    return none(fmt::format("neither spring nor load holds it at {:.6g} deg", least.place.angle));
   }
   const double bent = std::abs(optim::extreme_of(*train.bend(), optim::Part::Magnitude).value);
   if (!(bent > 0)) return none("the follower does not move");
   const Rule<double> rule = rule_of<double>(train.plain(), least.value, {bent, train.variation()});
   if (train.periods(rule.slowest) > kMostPeriods) {
-    return none(
-        "it is as good as rigid, a turn lasts thousands of its natural periods: see "
-        "contact_loss_speed");
+    return none("it is as good as rigid, a turn lasts thousands of its natural periods: see " +
+                rigid);
   }
   const double top = kTopTurns * 2 * pi<double>() * train[Natural];
   return first_crossing(train, rule, top);
@@ -247,8 +245,9 @@ optim::Place tied_to(const Law<double>& law, optim::Place place) {
 
 class LossKernel final : public optim::Kernel {
  public:
-  LossKernel(const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor)
-      : binding_(binding), parts_(std::move(parts)), factor_(factor) {}
+  LossKernel(const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
+             std::string rigid)
+      : binding_(binding), parts_(std::move(parts)), factor_(factor), rigid_(std::move(rigid)) {}
 
  private:
   std::shared_ptr<const Found> find(std::span<const double> u) const {
@@ -270,7 +269,7 @@ class LossKernel final : public optim::Kernel {
       auto enclosing = binding_.law->possible_law_of<Interval>(exact_law);
       if (!enclosing) return {{}, enclosing.reason()};
       LossTrain train(std::move(at), *law, *std::move(enclosing));
-      Possible<Crossing> crossing = crossing_of(train);
+      Possible<Crossing> crossing = crossing_of(train, rigid_);
       return {std::move(train), std::move(crossing)};
     });
   }
@@ -375,15 +374,16 @@ class LossKernel final : public optim::Kernel {
   Binding binding_;
   std::vector<Recorded> parts_;
   UnitFactor factor_;
+  std::string rigid_;
   mutable Recent<Found> recent_;
 };
 
 }  // namespace
 
-LawKernel contact_loss() {
-  return [](const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
-            optim::Shape) -> std::shared_ptr<const optim::Kernel> {
-    return std::make_shared<LossKernel>(binding, std::move(parts), factor);
+LawKernel contact_loss(const std::string& rigid) {
+  return [rigid](const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
+                 optim::Shape) -> std::shared_ptr<const optim::Kernel> {
+    return std::make_shared<LossKernel>(binding, std::move(parts), factor, rigid);
   };
 }
 

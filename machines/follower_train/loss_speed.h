@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "machines/follower_train/follower_train.h"
 #include "machines/model/law_number.h"
 
@@ -13,7 +15,8 @@ inline constexpr std::size_t kLossParts = 6;
 
 /// (U10) The lowest speed of the cam, in rad/s, at which the least force of the steady state is 0.
 /// NaN, with the reason, where nothing holds the follower, where the train has no damping or no
-/// steady state, and where the follower stays on the cam up to ten turns in a natural period.
-LawKernel contact_loss();
+/// steady state, and where the follower stays on the cam up to ten turns in a natural period. Of a
+/// rigid train the reason names the response `rigid`.
+LawKernel contact_loss(const std::string& rigid);
 
 }  // namespace camlaw::problems

@@ -12,14 +12,16 @@ template <>
 struct MachineTraits<BarrelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T BarrelIndexCam<T>::*, 14> fields{
-      &BarrelIndexCam<T>::stations,      &BarrelIndexCam<T>::rollers,
-      &BarrelIndexCam<T>::axis_distance, &BarrelIndexCam<T>::turret_radius,
-      &BarrelIndexCam<T>::cam_radius,    &BarrelIndexCam<T>::roller_radius,
-      &BarrelIndexCam<T>::angular_speed, &BarrelIndexCam<T>::inertia,
-      &BarrelIndexCam<T>::friction,      &BarrelIndexCam<T>::load,
-      &BarrelIndexCam<T>::face_width,    &BarrelIndexCam<T>::youngs_modulus,
-      &BarrelIndexCam<T>::poisson_ratio, &BarrelIndexCam<T>::bore_radius};
+  static constexpr std::array<T BarrelIndexCam<T>::*, 18> fields{
+      &BarrelIndexCam<T>::stations,        &BarrelIndexCam<T>::rollers,
+      &BarrelIndexCam<T>::axis_distance,   &BarrelIndexCam<T>::turret_radius,
+      &BarrelIndexCam<T>::cam_radius,      &BarrelIndexCam<T>::roller_radius,
+      &BarrelIndexCam<T>::angular_speed,   &BarrelIndexCam<T>::inertia,
+      &BarrelIndexCam<T>::friction,        &BarrelIndexCam<T>::load,
+      &BarrelIndexCam<T>::face_width,      &BarrelIndexCam<T>::youngs_modulus,
+      &BarrelIndexCam<T>::poisson_ratio,   &BarrelIndexCam<T>::bore_radius,
+      &BarrelIndexCam<T>::train_stiffness, &BarrelIndexCam<T>::train_damping,
+      &BarrelIndexCam<T>::end_share,       &BarrelIndexCam<T>::crown_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<BarrelIndexCam>::parameters() {
@@ -32,7 +34,9 @@ const std::vector<MechanismParameter>& MachineTraits<BarrelIndexCam>::parameters
               roller_radius_parameter(12),
               index_load(),
               roller_contact(),
-              bore_parameter()});
+              bore_parameter(),
+              table_train(),
+              turret_crown()});
   return all;
 }
 

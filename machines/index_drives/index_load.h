@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/cam_motion.h"
+#include "machines/cams/elastic_end.h"
 #include "numerics/scalar/by_side.h"
 
 /// What all index drives have in common: a turret whose rollers a cam moves on, one after the
@@ -33,6 +33,12 @@ struct IndexLoad {
     return torque(f) * f.ds;
   }
 };
+
+/// (IX19) Friction is not among them.
+template <class T>
+TrainLoads<T> train_loads(const IndexLoad<T>& load) {
+  return {load.inertia, load.load, number<T>(0)};
+}
 
 /// (IX1) What a turret turns by where its motion has the displacement 1, rad: 2 pi / S.
 template <class T>

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "machines/index_drives/index_load.h"
+#include "machines/index_drives/turret_responses.h"
 
 namespace camlaw::problems {
 
@@ -46,6 +46,20 @@ Parameters index_load() {
            "constant torque on the turret that opposes its motion", 0, -1e9, 1e9}};
 }
 
+Parameters turret_crown() {
+  Parameters all = crown_parameter();
+  all.front().symbol = "R_k";  // R_c is a barrel's radius
+  return all;
+}
+
+Parameters table_train() {
+  Parameters all = oscillating_train();
+  all.front().meaning =
+      "stiffness between the turret and the table at the end of the train; 0 stands for a rigid "
+      "one, without the responses of its end";
+  return all;
+}
+
 NamedPeak peak_turret_torque() {
   return {"peak_turret_torque", "turret_torque", Part::Magnitude,
           "greatest torque that turret, table and load require"};
@@ -66,7 +80,8 @@ std::vector<NamedPeak> rib_peaks() {
   const char* const tip = " at the rollers' ends towards the cam's axis";
   return {peak_pressure_angle(), at_end(peak_pressure_angle(), "tip", tip),
           peak_turret_torque(),  peak_torque(),
-          peak_stress(),         at_end(peak_stress(), "tip", tip)};
+          peak_stress(),         at_end(peak_stress(), "tip", tip),
+          peak_end_deviation(),  least_elastic(table_words())};
 }
 
 std::string why_rollers_differ(double stations, double rollers, double advance, double handovers) {

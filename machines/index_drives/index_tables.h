@@ -21,6 +21,11 @@ Parameters roller_contact();
 /// Speed of the cam, and what the turret asks for.
 Parameters index_load();
 
+/// Of the rollers' faces along their axes.
+Parameters turret_crown();
+/// The elastic train from the turret to the table that it turns.
+Parameters table_train();
+
 NamedPeak peak_turret_torque();
 NamedPeak shaft_clearance();
 /// Of a cam whose ribs run between the rollers.

@@ -16,15 +16,17 @@ template <>
 struct MachineTraits<ParallelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 16> fields{
-      &ParallelIndexCam<T>::stations,      &ParallelIndexCam<T>::rollers,
-      &ParallelIndexCam<T>::plates,        &ParallelIndexCam<T>::axis_distance,
-      &ParallelIndexCam<T>::turret_radius, &ParallelIndexCam<T>::roller_radius,
-      &ParallelIndexCam<T>::angular_speed, &ParallelIndexCam<T>::inertia,
-      &ParallelIndexCam<T>::friction,      &ParallelIndexCam<T>::load,
-      &ParallelIndexCam<T>::face_width,    &ParallelIndexCam<T>::youngs_modulus,
-      &ParallelIndexCam<T>::poisson_ratio, &ParallelIndexCam<T>::cutter_radius,
-      &ParallelIndexCam<T>::bore_radius,   &ParallelIndexCam<T>::shaft_radius};
+  static constexpr std::array<T ParallelIndexCam<T>::*, 20> fields{
+      &ParallelIndexCam<T>::stations,        &ParallelIndexCam<T>::rollers,
+      &ParallelIndexCam<T>::plates,          &ParallelIndexCam<T>::axis_distance,
+      &ParallelIndexCam<T>::turret_radius,   &ParallelIndexCam<T>::roller_radius,
+      &ParallelIndexCam<T>::angular_speed,   &ParallelIndexCam<T>::inertia,
+      &ParallelIndexCam<T>::friction,        &ParallelIndexCam<T>::load,
+      &ParallelIndexCam<T>::face_width,      &ParallelIndexCam<T>::youngs_modulus,
+      &ParallelIndexCam<T>::poisson_ratio,   &ParallelIndexCam<T>::cutter_radius,
+      &ParallelIndexCam<T>::bore_radius,     &ParallelIndexCam<T>::shaft_radius,
+      &ParallelIndexCam<T>::train_stiffness, &ParallelIndexCam<T>::train_damping,
+      &ParallelIndexCam<T>::end_share,       &ParallelIndexCam<T>::crown_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
@@ -39,7 +41,9 @@ const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::paramete
               cutter_parameter(),
               bore_parameter(),
               {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
-                10, 0, 1e5}}});
+                10, 0, 1e5}},
+              table_train(),
+              turret_crown()});
   return all;
 }
 
@@ -90,6 +94,7 @@ std::vector<MechanismResponse> parallel_responses() {
   all.push_back(roller_angle(OfPair::Main));
   all.push_back(roller_angle(OfPair::Second));
   append(all, pair_responses<ParallelIndexCam>(kDriving, kHolding));
+  append(all, pair_crown_responses<ParallelIndexCam>());
   append(all, flanks());
   append(all, extent_responses<ParallelIndexCam>(kHolding));
   all.push_back(listed_curve<ParallelIndexCam>(
@@ -126,7 +131,8 @@ Mechanism parallel_index_cam_mechanism() {
                  of_second(peak_undercut(), kHolding), peak_turret_torque(), peak_torque(),
                  peak_stress(), outer_radius(), of_second(outer_radius(), kHolding), least_wall(),
                  of_second(least_wall(), kHolding), shaft_clearance(),
-                 of_second(shaft_clearance(), kHolding)},
+                 of_second(shaft_clearance(), kHolding), peak_end_deviation(),
+                 least_elastic(table_words())},
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,

@@ -3,6 +3,7 @@
 
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_arm.h"
+#include "machines/contact/crowned_roller.h"
 #include "machines/index_drives/index_load.h"
 
 namespace camlaw {
@@ -78,6 +79,10 @@ struct ParallelIndexCam {
   T cutter_radius = number<T>(0.008);            ///< r_c, m
   T bore_radius = number<T>(0.012);              ///< r_0, m, of the cams
   T shaft_radius = number<T>(0.010);             ///< r_S, m, of the turret's shaft beside them
+  T train_stiffness = number<T>(0);              ///< c_t, N m/rad, from turret to table
+  T train_damping = number<T>(0.05);             ///< zeta
+  T end_share = number<T>(1);                    ///< kappa, of the inertia
+  T crown_radius = number<T>(0.5);               ///< R_c, m, of a roller along its axis
 
   bool is_possible() const { return value_of(axis_distance) > value_of(turret_radius); }
   /// (IX4) delta, rad: what the turret turns by while a roller drives.
@@ -130,14 +135,18 @@ struct ParallelIndexCam {
   /// Greatest pressure, Pa, on the flank that bears. NaN where that one is undercut.
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
-    const X force = follower().torque(f) / turret_radius, size = absolute(force);
-    const auto stress = [&](const IndexFlank<T>& flank, int side) {
-      return flank.of_roller(f, [&](const auto& roller) {
-        const X inclined = number<T>(side) * roller.inclination(f);
-        return roller.contact.stress(X(size * inclined), roller.pitch_curve(f).curvature());
-      });
-    };
-    return unless_zero(force, by_side(force, stress(main(), 1), stress(second(), -1)));
+    return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
+      return contact.stress(force, curvature);
+    });
+  }
+  /// Of the roller on the flank that bears, crowned or not.
+  template <class X>
+  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
+    const T crown_curvature = number<T>(1) / crown_radius;
+    return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
+      return crown_curve(which, pressed_roller(force, contact.curvature_sum(curvature),
+                                               crown_curvature, face_width, contact.material));
+    });
   }
   /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the
   /// cam's surface. Well above 1 it cuts into the flank that it is to meet next.
@@ -152,6 +161,19 @@ struct ParallelIndexCam {
   }
 
  private:
+  /// formula(contact, force on the roller, N, curvature of its pitch curve, 1/m) of the flank that
+  /// bears, 0 where none does.
+  template <class X, class F>
+  X on_loaded(const FollowerMotion<X>& f, F formula) const {
+    const X force = follower().torque(f) / turret_radius, size = absolute(force);
+    const auto of_flank = [&](const IndexFlank<T>& flank, int side) {
+      return flank.of_roller(f, [&](const auto& roller) {
+        const X inclined = number<T>(side) * roller.inclination(f);
+        return formula(roller.contact, X(size * inclined), roller.pitch_curve(f).curvature());
+      });
+    };
+    return unless_zero(force, by_side(force, of_flank(main(), 1), of_flank(second(), -1)));
+  }
   /// epsilon, rad.
   T lead() const { return number<T>(kTakeover) * step(); }
   template <class X>

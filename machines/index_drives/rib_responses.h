@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/bearing_side.h"
+#include "machines/cams/crown_responses.h"
 #include "machines/index_drives/ruled_contact.h"
 #include "machines/index_drives/turret_responses.h"
 #include "machines/model/append.h"
@@ -68,6 +69,23 @@ X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
   const X sum =
       by_side(force, contact.curvature_sum(radius, kDrives), contact.curvature_sum(radius, kHolds));
   return unless_zero(force, material.pressure(X(absolute(force) / drive.face_width), sum));
+}
+
+/// (RB15) Of a driving roller at the angle psi, crowned about its middle or not.
+template <class Drive, class X>
+X rib_crown(const Drive& drive, CrownCurve which, const X& psi, const FollowerMotion<X>& f) {
+  const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
+  const X force = rib_force(drive, middle, f);
+  using T = std::decay_t<decltype(drive.face_width)>;
+  const T& radius = drive.roller_radius;
+  const T crown = number<T>(1) / drive.crown_radius;
+  const X sum =
+      by_side(force, middle.curvature_sum(radius, kDrives), middle.curvature_sum(radius, kHolds));
+  return unless_zero(
+      force,
+      crown_curve(which, pressed_askew(X(absolute(force)), sum, middle.slant(radius), crown,
+                                       drive.face_width,
+                                       LineContact<T>{drive.youngs_modulus, drive.poisson_ratio})));
 }
 
 /// A coordinate of a line of contact: 0 for x, 1 for y, 2 for z.
@@ -160,6 +178,13 @@ std::vector<MechanismResponse> rib_responses() {
       {"contact_force", "N", "N",
        "force between the loaded flank and its roller, positive where that is the "
        "driving one"});
+  append(all, crown_responses<M>({"undercut", "second_undercut"},
+                                 [](const auto& drive, CrownCurve which, const auto& f) {
+                                   using X = std::decay_t<decltype(f.s)>;
+                                   return handed_over(f.s, drive.step(), [&](const X& gain) {
+                                     return rib_crown(drive, which, drive.angle(gain), f);
+                                   });
+                                 }));
   append(all, contact_lines<M>());
   const auto number_of = [&](const char* name, const char* meaning, auto formula) {
     all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));

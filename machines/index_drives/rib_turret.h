@@ -21,6 +21,10 @@ struct RibTurret {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
   T bore_radius = number<T>(0.015);               ///< r_0, m, of the cam
+  T train_stiffness = number<T>(0);               ///< c_t, N m/rad, from turret to table
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of the inertia
+  T crown_radius = number<T>(0.5);                ///< R_c, m, of a roller along its axis
 
   /// delta, rad: what the turret turns by while a roller drives.
   T step() const { return number<T>(2) * pi<T>() / rollers; }

@@ -65,8 +65,13 @@ struct RuledContact {
   /// (IX12) Sum of the curvatures of roller and flank across the line of contact, 1/m.
   template <class T>
   X curvature_sum(const T& radius, double side) const {
-    const X l = length(), g = tilt() * radius / l;
+    const X g = slant(radius);
     return (g * g + number<T>(1)) / (radius * (number<X>(1) - undercut(radius, side)));
+  }
+  /// Tangent of the angle between the line of contact and the roller's axis: r_r G / L.
+  template <class T>
+  X slant(const T& radius) const {
+    return tilt() * radius / length();
   }
 
  private:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/train_responses.h"
 #include "machines/index_drives/index_load.h"
+#include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
 #include "numerics/scalar/by_side.h"
@@ -44,7 +46,30 @@ X turret_curve(const Drive& drive, TurretCurve which, const FollowerMotion<X>& f
   return omega * drive.follower().drive_torque(f);
 }
 
-/// The responses of a machine M with over_angle(), follower() and angular_speed.
+/// (IX19) Rollers between two flanks are held without a spring: where the torque changes its sign
+/// the other flank takes over.
+inline TrainWords table_words() {
+  return {.place = "deg",
+          .place_stored = "rad",
+          .acceleration = "rad/s2",
+          .force = "N m",
+          .load = "torque",
+          .elastic =
+              "torque that turret, elastic train and load require, without friction; below "
+              "0 the holding flank bears",
+          .lost =
+              "lowest speed at which the elastic train presses the turret against the holding "
+              "flank, without friction; undefined if none is found",
+          .least =
+              "least torque with the elastic train, without friction; above 0 the driving "
+              "flank bears all round",
+          .rigid = "turret_torque",
+          .of_motion = {},
+          .of_load = {"load_torque"}};
+}
+
+/// The responses of a machine M with over_angle(), follower(), angular_speed and what elastic_end()
+/// takes.
 template <template <class> class M>
 std::vector<MechanismResponse> turret_responses() {
   using C = TurretCurve;
@@ -76,6 +101,7 @@ std::vector<MechanismResponse> turret_responses() {
   all.push_back(number_response<M>(
       {"station_angle", "deg", "rad", "angle of the turret between two stations"},
       [](const auto& drive) { return station_angle(drive.stations); }));
+  append(all, train_responses<M>(table_words()));
   return all;
 }
 

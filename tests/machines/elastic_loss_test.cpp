@@ -308,9 +308,9 @@ TEST_CASE("where there is no speed of contact loss it is said why", "[elastic-lo
   none(held_by({.frequency = 0}, motion), "train_stiffness is not stated");
   none(held_by({.damping = 0}, motion), "train_damping must be at least 0.002");
   none(held_by({.damping = 0.0019}, motion), "train_damping must be at least 0.002");
-  none(held_by({.preload = 0}, motion), "nothing holds the follower on the cam at");
+  none(held_by({.preload = 0}, motion), "neither spring nor load holds it at");
   none(held_by({.frequency = 1, .damping = 0.05, .preload = 2000}, motion),
-       "stays on the cam up to ten turns in a natural period");
+       "it holds up to ten turns in a natural period");
   none(held_by({.frequency = 1e5}, motion), "as good as rigid");
   none(
       held_by({},

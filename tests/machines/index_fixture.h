@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "machines/registry.h"
 #include "optim/problem/curve.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/statement.h"
@@ -28,6 +29,16 @@ class Curves {
  private:
   std::map<std::string, std::vector<double>> all_;
 };
+
+/// A drive without the responses of the table's train, of which elastic_index_test.cpp takes care.
+inline Mechanism rigid_drive(const char* name) {
+  Mechanism drive = find_mechanism(name);
+  std::erase_if(drive.responses, [](const MechanismResponse& response) {
+    return response.name == "residual_amplitude" || response.name.starts_with("end_") ||
+           response.name.starts_with("train_") || response.name.starts_with("elastic_");
+  });
+  return drive;
+}
 
 /// What a statement is refused with; empty where it is read.
 inline std::string refusal_of(const std::string& text) {

@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "machines/contact/elliptic_contact.h"
 #include "machines/index_drives/parallel_index_cam.h"
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"
@@ -260,7 +261,7 @@ TEST_CASE("about a hand-over an enclosure holds the two rollers' values and not 
 
 TEST_CASE("curves of a parallel index drive have exact derivatives and close enclosures",
           "[index-drives]") {
-  const Mechanism& mechanism = find_mechanism("parallel-index-cam");
+  const Mechanism mechanism = testing::rigid_drive("parallel-index-cam");
   const auto design =
       testing::design_of(mechanism, "poly-3-4-5", {},
                          {"axis_distance", "turret_radius", "roller_radius", "inertia", "speed"});
@@ -295,6 +296,28 @@ TEST_CASE("a limit's worst value is that of either roller where one hands over t
   CHECK(highest < worst.value);
   CHECK(highest > worst.value - 1e-4);
   CHECK(optim::prove_below(*trace, 1, worst.value + 1e-9).proved);
+}
+
+TEST_CASE("the loaded roller of a parallel drive is pressed as one on a disc cam",
+          "[index-drives]") {
+  const Curves curves(read_problem(drive("crown_radius = 300\nload_torque = 8\n"), "drive.toml"),
+                      720);
+  const double modulus = 2.1e5 / 0.91;  // MPa
+  int holds = 0;
+  for (std::size_t i = 0; i <= 720; i += 7) {
+    INFO(i);
+    const double force = curves["contact_force"][i];
+    if (force < 0) ++holds;
+    const double k = curves[force < 0 ? "second_pitch_curvature" : "pitch_curvature"][i];
+    const double across = 1 / (8 * (1 - 8 * k));
+    const auto ellipse = contact_ellipse(std::abs(force), across, 1.0 / 300, modulus);
+    CHECK(curves["crown_stress"][i] == Approx(ellipse.pressure).epsilon(1e-9));
+    CHECK(curves["crown_half_length"][i] == Approx(ellipse.half_length).epsilon(1e-9));
+    CHECK(curves["max_shear"][i] == Approx(0.300283 * curves["contact_stress"][i]).epsilon(1e-5));
+    const double width = std::sqrt(8 * std::abs(force) / (15 * kPi * modulus * across));
+    CHECK(curves["shear_depth"][i] == Approx(0.786151 * width).epsilon(1e-5));
+  }
+  CHECK(holds > 10);
 }
 
 TEST_CASE("a dwell at a hand-over belongs to the roller that takes over", "[index-drives]") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "machines/index_drives/barrel_index_cam.h"
 #include "machines/index_drives/globoidal_cam.h"
+#include "machines/index_drives/rib_responses.h"
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"
 #include "problems/statement/bind.h"
@@ -187,6 +189,113 @@ TEST_CASE("lines of contact and curvatures along a roller are those of a numeric
 
 namespace {
 
+/// Principal curvatures of the gap between a crowned roller and the flank that a roller without a
+/// crown has cut, the smaller one first: a polynomial through places of the flank about the middle.
+template <class Drive>
+std::array<double, 2> crowned_gap(const Mover<Drive>& mover, double u, double theta, double crown) {
+  const Vector middle = mover.surface(0, u, theta);
+  const Line roller = mover.axis(0, u);
+  const Vector spoke = middle - roller.at;
+  const Vector round = cross(unit(spoke), roller.along);
+  constexpr int kSide = 4, kTerms = 12;
+  Eigen::MatrixXd terms((2 * kSide + 1) * (2 * kSide + 1), kTerms);
+  Eigen::VectorXd gaps(terms.rows());
+  int row = 0;
+  for (int i = -kSide; i <= kSide; ++i) {
+    for (int k = -kSide; k <= kSide; ++k) {
+      const double phi = 0.004 * i / kSide, along_axis = 0.02 * u * k / kSide;
+      const double turned_to = mover.touching(phi, u + along_axis, theta);
+      const Vector at = mover.surface(phi, u + along_axis, turned_to);
+      const double p = dot(at - middle, roller.along), q = dot(at - middle, round);
+      const double own = mover.drive.roller_radius - 0.5 * p * p / crown;
+      gaps[row] = 2 * (mover.distance(at, 0) - own);
+      int term = 0;
+      for (int degree = 2; degree <= 4; ++degree) {
+        for (int n = 0; n <= degree; ++n) {
+          terms(row, term++) = std::pow(p, degree - n) * std::pow(q, n);
+        }
+      }
+      ++row;
+    }
+  }
+  const Eigen::VectorXd fitted = terms.colPivHouseholderQr().solve(gaps);
+  Eigen::Matrix2d bend;
+  bend << fitted[0], fitted[1] / 2, fitted[1] / 2, fitted[2];
+  const Eigen::Vector2d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(bend).eigenvalues();
+  return {principal[0], principal[1]};
+}
+
+/// The same by (RB15), in units of length of the drive.
+template <class Drive>
+void check_crown(Drive drive, const TurretMotion& motion, double crown) {
+  const Mover<Drive> mover{drive, motion};
+  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
+  const RuledContact<double> contact = drive.contact(RollerPlace::Middle, motion.psi, f);
+  const double u = drive.distance_at(RollerPlace::Middle);
+  for (const double side : {-1.0, 1.0}) {
+    if (contact.undercut(drive.roller_radius, side) > 0.8) continue;
+    const double theta = mover.touching(0, u, -contact.pressure_angle() + (side < 0 ? kPi : 0));
+    const auto found = crowned_gap(mover, u, theta, crown);
+    const auto stated =
+        pressed_askew(1.0, contact.curvature_sum(drive.roller_radius, side),
+                      contact.slant(drive.roller_radius), 1 / crown, drive.face_width, {});
+    CHECK(stated.greater == Approx(found[1]).epsilon(2e-3));
+    CHECK(stated.smaller == Approx(found[0]).epsilon(1e-2));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a crowned roller touches a cam with ribs by the curvatures of the gap between them",
+          "[index-drives]") {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> even(-1, 1);
+  for (int trial = 0; trial < 12; ++trial) {
+    const TurretMotion motion{0.35 * even(random), 0.6 + 0.5 * even(random), 0.8 * even(random)};
+    const double crown = 300 + 250 * even(random);
+    GloboidalCam<double> gear;
+    gear.axis_distance = 120 + 20 * even(random);
+    gear.turret_radius = 70;
+    gear.roller_radius = 13;
+    gear.face_width = 14;
+    check_crown(gear, motion, crown);
+    BarrelIndexCam<double> drum;
+    drum.axis_distance = 80 + 10 * even(random);
+    drum.turret_radius = 80;
+    drum.cam_radius = 60;
+    drum.roller_radius = 12;
+    drum.face_width = 14;
+    check_crown(drum, motion, crown);
+  }
+}
+
+TEST_CASE("a crowned roller of a cam with ribs is pressed over Hertz's ellipse", "[index-drives]") {
+  for (const std::string& text : {globoidal("crown_radius = 250\nload_torque = 10\n"),
+                                  barrel("crown_radius = 250\nload_torque = 10\n")}) {
+    const Curves curves(read_problem(text, "drive.toml"), 720);
+    const double modulus = 2.1e5 / 0.91;  // MPa
+    for (std::size_t i = 3; i <= 720; i += 17) {
+      CHECK(curves["max_shear"][i] == Approx(0.300283 * curves["contact_stress"][i]).epsilon(1e-5));
+      // Where no turn of the turret tilts the line of contact the crown lies along it.
+      const bool drives = curves["contact_force"][i] > 0;
+      const double across = curves[drives ? "curvature_sum" : "second_curvature_sum"][i];
+      const auto ellipse =
+          contact_ellipse(std::abs(curves["contact_force"][i]), across, 1.0 / 250, modulus);
+      if (i < 230) CHECK(curves["crown_stress"][i] == Approx(ellipse.pressure).epsilon(2e-2));
+      CHECK(curves["crown_stress"][i] > 0);
+      CHECK(curves["crown_fraction"][i] == Approx(curves["crown_half_length"][i] / 7.5));
+    }
+  }
+  const Curves idle(read_problem(globoidal(), "drive.toml"), 720);
+  for (const char* name : {"crown_stress", "max_shear", "shear_depth", "crown_half_length"}) {
+    CHECK(idle[name][20] == 0);
+    CHECK(idle[name][300] > 0);
+  }
+}
+
+namespace {
+
 /// The lines of contact that a drive states, against those that a roller which moves over the cam
 /// touches; lengths in mm.
 template <class Drive>
@@ -343,7 +452,7 @@ TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angl
 TEST_CASE("curves of cams with ribs have exact derivatives and close enclosures",
           "[index-drives]") {
   for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
-    const Mechanism& mechanism = find_mechanism(name);
+    const Mechanism mechanism = testing::rigid_drive(name);
     const auto design =
         testing::design_of(mechanism, "poly-3-4-5", {},
                            {"axis_distance", "turret_radius", "roller_radius", "face_width"});

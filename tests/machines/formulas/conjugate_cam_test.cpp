@@ -79,6 +79,33 @@ TEST_CASE("of a pair the cam bears that pushes the carriage, and gives its power
   CHECK((of_main > 10 && of_second > 10));
 }
 
+TEST_CASE("a crowned roller of a pair is pressed as the disc cam's that bears", "[cams]") {
+  ConjugateCam<double> cam;
+  cam.crown_radius = 0.2;
+  for (double angle = 0.1; angle < 6.2; angle += 0.1) {
+    const auto f = motion_at(cam, angle);
+    const bool is_main = cam.follower().force(f) > 0;
+    RollerCam<double> alone = is_main ? cam.main() : cam.second();
+    alone.duty.crown_radius = 0.2;
+    // What presses it is the carriage's force.
+    const double force = std::abs(cam.contact_force(f));
+    const auto own = is_main ? f : cam.second_motion(f);
+    const double across = alone.roller().curvature_sum(alone.pitch_curve(own).curvature());
+    const auto ellipse =
+        contact_ellipse(force, across, 5.0, alone.roller().material.plane_modulus());
+    if (force == 0) {
+      CHECK(cam.crown(CrownCurve::Stress, f) == 0);
+      continue;
+    }
+    CHECK(cam.crown(CrownCurve::Stress, f) == Approx(ellipse.pressure).epsilon(1e-12));
+    CHECK(cam.crown(CrownCurve::HalfLength, f) == Approx(ellipse.half_length).epsilon(1e-12));
+    CHECK(cam.crown(CrownCurve::Fraction, f) ==
+          Approx(ellipse.half_length / (0.5 * cam.face_width)).epsilon(1e-12));
+    CHECK(cam.crown(CrownCurve::MaxShear, f) ==
+          Approx(0.300283 * cam.contact_stress(f)).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("the second cam of a pair stands on its base circle when the carriage is up", "[cams]") {
   ConjugateCam<double> cam;
   cam.stroke = 0.018;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How followers slide on their cams and what they wear, by what a place of the profile meets.
+// How followers slide on their cams, what they wear and which film carries flat faces, by the
+// places of both bodies that meet.
 #include <functional>
 
+#include "machines/cams/face_responses.h"
 #include "machines/cams/flat_cam.h"
 #include "machines/cams/knife_edge_cam.h"
+#include "machines/cams/oscillating_flat_cam.h"
 #include "tests/machines/formulas/drawn_cam.h"
 
 namespace camlaw::sliding_test {
@@ -31,7 +34,125 @@ double worn(const std::function<Point(double)>& on_profile, double angle, double
   return loss;
 }
 
+/// A face and what it touches, each drawn by itself: where the contact lies on the face, m along
+/// it, and on the cam, and how the face lies on the cam.
+struct TouchedFace {
+  std::function<double(double)> on_face;
+  std::function<Point(double)> on_cam, along;
+};
+
+/// How fast the contact runs over the face and over the cam, both along the face, by radian.
+struct ContactRun {
+  double over_face, over_cam;
+};
+ContactRun run_at(const TouchedFace& face, double angle) {
+  const double h = 1e-4;
+  const auto slope = [&](const auto& f) {
+    return (8.0 * (f(angle + h) - f(angle - h)) - (f(angle + 2 * h) - f(angle - 2 * h))) / (12 * h);
+  };
+  return {slope(face.on_face), std::real(std::conj(face.along(angle)) * slope(face.on_cam))};
+}
+
+TouchedFace touched(const FlatCam<double>& cam) {
+  const auto offset = [&cam](double a) {
+    // The foot of the support's derivative, of displacements alone.
+    const double h = 1e-5;
+    return (motion_at(cam, a + h).s - motion_at(cam, a - h).s) / (2 * h);
+  };
+  return {offset,
+          [&cam, offset](double a) {
+            return on_cam({offset(a), cam.base_radius + motion_at(cam, a).s}, a);
+          },
+          [](double a) { return std::polar(1.0, -a); }};
+}
+
+/// Of an arm: the cam's own profile, which another test draws as the envelope of the faces.
+TouchedFace touched(const OscillatingFlatCam<double>& cam) {
+  const auto along = [&cam](double a) {
+    return on_cam(-std::polar(1.0, -(cam.lowest_angle() + motion_at(cam, a).s)), a);
+  };
+  const auto place = [&cam](double a) {
+    const auto [x, y] = cam.profile(motion_at(cam, a)).place();
+    return on_cam({x, y}, a);
+  };
+  const auto on_face = [&cam, along, place](double a) {
+    return std::real(std::conj(along(a)) * (place(a) - on_cam(cam.pivot_distance, a)));
+  };
+  return {on_face, place, along};
+}
+
+/// Sliding and entrainment of a face, and its film, by those runs;
+/// and at how many places both surfaces run away from the contact.
+template <class Cam>
+int check_face(const Cam& cam) {
+  const TouchedFace face = touched(cam);
+  int reversed = 0;
+  for (double angle = 0.2; angle < 6.2; angle += 0.13) {
+    INFO(angle);
+    const auto f = motion_at(cam, angle);
+    const ContactRun run = run_at(face, angle);
+    const double omega = cam.angular_speed;
+    const double size = omega * std::abs(run.over_cam);
+    CHECK(cam.sliding_speed(f) ==
+          Approx(omega * std::abs(run.over_cam - run.over_face)).margin(2e-6 * size));
+    // Both surfaces run towards the contact as it runs over them, which it does over the cam.
+    const double mean = std::copysign(omega / 2, run.over_cam) * (run.over_cam + run.over_face);
+    CHECK(cam.entrainment_speed(f) == Approx(mean).margin(2e-6 * size));
+    if (cam.entrainment_speed(f) < 0) ++reversed;
+    const double w = cam.contact_force(f) / cam.face_width, modulus = 2.1e11 / 0.91;
+    const double film = 2.65 * std::pow(2e-8, 0.54) * std::pow(0.05 * std::abs(mean), 0.7) *
+                        std::pow(cam.profile_radius(f), 0.43) * std::pow(modulus, -0.03) *
+                        std::pow(w, -0.13);
+    if (w > 0 && std::abs(mean) > 1e-3 * size) {
+      CHECK(problems::film_of_face(cam, f) == Approx(film).epsilon(2e-3));
+    }
+  }
+  return reversed;
+}
+
 }  // namespace
+
+TEST_CASE("a flat face slides and draws oil in as its contact runs over both bodies", "[cams]") {
+  FlatCam<double> flat;
+  CHECK(check_face(flat) == 0);
+  flat.base_radius = 0.02;
+  CHECK(check_face(flat) > 2);
+  for (const double offset : {0.0, 0.012, -0.015}) {
+    OscillatingFlatCam<double> arm;
+    arm.swing = 0.15;
+    arm.face_offset = offset;
+    INFO(offset);
+    check_face(arm);
+  }
+}
+
+TEST_CASE("the film below a flat face breaks where the contact stands between both surfaces",
+          "[cams]") {
+  // r_b + s + 2 s'' = 0: cam and face run at the same speed away from the contact.
+  const FlatCam<double> cam;
+  const double height = 0.01, bend = -(cam.base_radius + height) / 2;
+  const FollowerMotion<double> f{height, 0, bend, 0};
+  CHECK(cam.entrainment_speed(f) == Approx(0).margin(1e-15));
+  CHECK(problems::film_of_face(cam, FollowerMotion<double>{height, 0, -0.025, 0}) ==
+        Approx(0).margin(1e-15));
+  CHECK(cam.sliding_speed(f) > 0);
+}
+
+TEST_CASE("a face on an arm wears its profile by what it slides", "[cams]") {
+  OscillatingFlatCam<double> cam;
+  cam.swing = 0.15;
+  cam.face_offset = 0.012;
+  const TouchedFace face = touched(cam);
+  for (double angle = 0.2; angle < 6; angle += 0.37) {
+    const auto f = motion_at(cam, angle);
+    const double by_force = worn(face.on_cam, angle, 4e-5, [&](double a) {
+      return cam.sliding_speed(motion_at(cam, a)) / cam.angular_speed;
+    });
+    CHECK(cam.wear(f) ==
+          Approx(cam.wear_coefficient * cam.contact_force(f) / cam.face_width * by_force)
+              .epsilon(0.001));
+  }
+}
 
 TEST_CASE("a flat face slides as its cam runs under it", "[cams]") {
   const FlatCam<double> cam;

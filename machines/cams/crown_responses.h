@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/contact/crowned_roller.h"
+#include "machines/model/listed_responses.h"
+
+/// Shear below the surface of a roller's contact, and the contact of a crowned roller.
+namespace camlaw::problems {
+
+/// Of a machine M with over_angle(), from formula(machine, CrownCurve, motion of the follower).
+/// They count while these undercuts are at most 1.
+template <template <class> class M, class F>
+std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& undercuts,
+                                               F formula) {
+  std::vector<MechanismResponse> all;
+  const auto add = [&](CrownCurve which, ResponseAbout about) {
+    all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                                  [formula](const auto& cam, CrownCurve curve, const auto& motion) {
+                                    return formula(cam, curve, cam.over_angle(motion));
+                                  }));
+    for (const std::string& undercut : undercuts) {
+      all.back().defined_while.push_back({.response = undercut, .upper = 1});
+    }
+  };
+  using C = CrownCurve;
+  add(C::MaxShear, {"max_shear", "MPa", "Pa",
+                    "greatest shear stress below the surface, of roller and "
+                    "cam in line contact"});
+  add(C::ShearDepth,
+      {"shear_depth", "mm", "m", "depth of the greatest shear stress below the surface"});
+  add(C::Stress, {"crown_stress", "MPa", "Pa",
+                  "greatest Hertz pressure between a crowned roller and the cam"});
+  add(C::HalfLength, {"crown_half_length", "mm", "m",
+                      "half the length of a crowned roller's contact, along the axis"});
+  add(C::Fraction, {"crown_fraction", "1", "1",
+                    "length of a crowned roller's contact over the face width; above 1 the "
+                    "roller's edges carry load"});
+  return all;
+}
+
+}  // namespace camlaw::problems
