@@ -37,9 +37,10 @@ template <class T, class X>
 PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& tilt, const T& crown,
                                      const T& face_width, const LineContact<T>& material) {
   using std::sqrt;
-  const X half = number<X>(0.5) * (across + crown);
+  const X half = number<X>(0.5) * (across + crown), apart = number<X>(0.5) * (across - crown);
   const X product = crown * (across / (number<X>(1) + tilt * tilt));
-  const X greater = half + sqrt(half * half - product);
+  // half^2 - product, of which nothing cancels.
+  const X greater = half + sqrt(apart * apart + product * (tilt * tilt));
   return {force, across, greater, product / greater, face_width, material};
 }
 

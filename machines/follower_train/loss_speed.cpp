@@ -212,7 +212,7 @@ Possible<Crossing> crossing_of(const LossTrain& train, const std::string& rigid)
     return none(fmt::format("neither spring nor load holds it at {:.6g} deg", least.place.angle));
   }
   const double bent = std::abs(optim::extreme_of(*train.bend(), optim::Part::Magnitude).value);
-  if (!(bent > 0)) return none("the follower does not move");
+  if (!(bent > 0)) return none("the follower or table does not move");
   const Rule<double> rule = rule_of<double>(train.plain(), least.value, {bent, train.variation()});
   if (train.periods(rule.slowest) > kMostPeriods) {
     return none("it is as good as rigid, a turn lasts thousands of its natural periods: see " +

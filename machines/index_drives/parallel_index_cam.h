@@ -82,7 +82,7 @@ struct ParallelIndexCam {
   T train_stiffness = number<T>(0);              ///< c_t, N m/rad, from turret to table
   T train_damping = number<T>(0.05);             ///< zeta
   T end_share = number<T>(1);                    ///< kappa, of the inertia
-  T crown_radius = number<T>(0.5);               ///< R_c, m, of a roller along its axis
+  T crown_radius = number<T>(0.5);               ///< R_k, m, of a roller along its axis
 
   bool is_possible() const { return value_of(axis_distance) > value_of(turret_radius); }
   /// (IX4) delta, rad: what the turret turns by while a roller drives.

@@ -54,22 +54,22 @@ class AugmentedSystem final : public NewtonSystem {
   AugmentedSystem(const ProgramSides& sides, const Eigen::SparseMatrix<double>& matrix,
                   std::vector<Index> places, Index half)
       : sides_(sides), places_(std::move(places)), lu_(matrix.rows(), half) {
-    plain_.assign(static_cast<std::size_t>(lu_.places()), 0.0);
+    entries_.assign(static_cast<std::size_t>(lu_.places()), 0.0);
     each_entry(matrix, [&](Index i, Index j, double value) {
-      plain_[static_cast<std::size_t>(lu_.place(at(i), at(j)))] = value;
+      entries_[static_cast<std::size_t>(lu_.place(at(i), at(j)))] = value;
     });
+    curvature_ = matrix.diagonal().head(sides.variables());
   }
 
   bool factor(const VectorXd& weights) override {
     weights_ = weights;
     const Index n = sides_.variables(), m = sides_.rows.rows();
-    std::vector<double> entries = plain_;
     const auto diagonal = [&](Index i) -> double& {
-      return entries[static_cast<std::size_t>(lu_.place(at(i), at(i)))];
+      return entries_[static_cast<std::size_t>(lu_.place(at(i), at(i)))];
     };
-    for (Index i = 0; i < n; ++i) diagonal(i) += weights[m + i];
+    for (Index i = 0; i < n; ++i) diagonal(i) = curvature_[i] + weights[m + i];
     for (Index r = 0; r < m; ++r) diagonal(n + r) = -1 / weights[r];
-    return lu_.factor(std::move(entries));
+    return lu_.factor(entries_);
   }
 
   NewtonStep solve(const VectorXd& slope, const VectorXd& push,
@@ -107,7 +107,8 @@ class AugmentedSystem final : public NewtonSystem {
   VectorXd weights_;
   std::vector<Index> places_;  ///< of the unknowns in the band
   BandedLu lu_;
-  std::vector<double> plain_;  ///< the matrix without weights
+  std::vector<double> entries_;  ///< of the matrix
+  VectorXd curvature_;           ///< its diagonal, without weights
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ BandedLu::BandedLu(Index size, Index half)
       multipliers_(static_cast<std::size_t>(size * half)),
       pivots_(static_cast<std::size_t>(size)) {}
 
-bool BandedLu::factor(std::vector<double> entries) {
-  entries_ = std::move(entries);
+bool BandedLu::factor(const std::vector<double>& entries) {
+  entries_ = entries;
   for (Index k = 0; k < size_; ++k) {
     const Index below = std::min(half_, size_ - 1 - k), right = std::min(2 * half_, size_ - 1 - k);
     const auto in_column = [&](Index i) { return std::abs(row(i)[k - i]); };

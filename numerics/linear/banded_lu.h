@@ -22,7 +22,7 @@ class BandedLu {
   Eigen::Index places() const { return size_ * width_; }
 
   /// Replaces A. False where a pivot vanishes or is not a number.
-  bool factor(std::vector<double> entries);
+  bool factor(const std::vector<double>& entries);
 
   /// A^-1 b.
   Eigen::VectorXd solve(Eigen::VectorXd b) const;

@@ -275,6 +275,7 @@ TEST_CASE("a crowned roller of a cam with ribs is pressed over Hertz's ellipse",
                                   barrel("crown_radius = 250\nload_torque = 10\n")}) {
     const Curves curves(read_problem(text, "drive.toml"), 720);
     const double modulus = 2.1e5 / 0.91;  // MPa
+    double askew = 0;
     for (std::size_t i = 3; i <= 720; i += 17) {
       CHECK(curves["max_shear"][i] == Approx(0.300283 * curves["contact_stress"][i]).epsilon(1e-5));
       // Where no turn of the turret tilts the line of contact the crown lies along it.
@@ -282,10 +283,13 @@ TEST_CASE("a crowned roller of a cam with ribs is pressed over Hertz's ellipse",
       const double across = curves[drives ? "curvature_sum" : "second_curvature_sum"][i];
       const auto ellipse =
           contact_ellipse(std::abs(curves["contact_force"][i]), across, 1.0 / 250, modulus);
-      if (i < 230) CHECK(curves["crown_stress"][i] == Approx(ellipse.pressure).epsilon(2e-2));
+      const double off = curves["crown_stress"][i] / ellipse.pressure - 1;
+      if (i < 230) CHECK(off == Approx(0).margin(1e-6));
+      askew = std::max(askew, std::abs(off));
       CHECK(curves["crown_stress"][i] > 0);
       CHECK(curves["crown_fraction"][i] == Approx(curves["crown_half_length"][i] / 7.5));
     }
+    CHECK(askew > 1e-3);  // while the turret turns
   }
   const Curves idle(read_problem(globoidal(), "drive.toml"), 720);
   for (const char* name : {"crown_stress", "max_shear", "shear_depth", "crown_half_length"}) {
