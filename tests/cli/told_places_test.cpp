@@ -209,4 +209,28 @@ TEST_CASE("a table names parts and laws as --set takes them", "[program]") {
   }
 }
 
+TEST_CASE("a limit that the nominal design violates is said before what varies", "[program]") {
+  const auto answer = [](const std::string& bound, bool json) {
+    Words words{"tolerance", cam_file("tolerances.toml"), "--samples", "64", "--set", bound};
+    if (json) words.push_back("--json");
+    return done(words);
+  };
+  const auto violated = [&](const std::string& bound) {
+    return ParsedJson::parse(answer(bound, true)).at("violated_as_meant");
+  };
+  // As meant the pressure angle is 29.98913 deg.
+  const std::string met = "pressure_angle.upper=30 deg", broken = "pressure_angle.upper=29.9 deg";
+  CHECK(violated(met).empty());
+  CHECK_THAT(answer(met, false),
+             !Contains("the nominal design") &&
+                 Contains("the first limit to be violated is pressure_angle, at 0.5452 times"));
+  CHECK(violated(broken) == ParsedJson{"pressure_angle"});
+  CHECK_THAT(answer(broken, false),
+             Contains("the nominal design itself violates pressure_angle by 0.0891341 deg: 'alone "
+                      "violates' leaves it out\n") &&
+                 Contains("the first other limit to be violated is follower_force, at 13.33 times "
+                          "these variations\n") &&
+                 !Contains("at 0 times"));
+}
+
 }  // namespace camlaw::cli::told_places_test
