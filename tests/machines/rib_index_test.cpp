@@ -469,6 +469,28 @@ TEST_CASE("at rest an axial roller's pressure angle is its angle to the line of 
   CHECK(curves["displacement"].back() == Approx(45));
 }
 
+TEST_CASE("in a dwell at a hand-over curves are of the roller that takes over, and say so",
+          "[index-drives]") {
+  for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
+    int told = 0;
+    for (const MechanismResponse& response : find_mechanism(name).responses) {
+      const bool is_place = response.name.find("contact_y") != std::string::npos;
+      if (!is_place && response.name != "roller_angle") continue;
+      CHECK_THAT(response.meaning, Contains("in a dwell at a hand-over") && Contains("takes over"));
+      ++told;
+    }
+    CHECK(told == 7);
+  }
+  // It stands half a pitch before the line of centres, in the second dwell as in the first.
+  const Curves curves(read_problem(globoidal(), "drive.toml"), 720);
+  for (const std::size_t dwell : {20, 700}) {
+    CHECK(curves["roller_angle"][dwell] == Approx(-22.5));
+    const double axis = -70 * std::sin(kPi / 8), side = 11 * std::cos(kPi / 8);
+    CHECK(curves["contact_y"][dwell] == Approx(axis - side));
+    CHECK(curves["second_contact_y"][dwell] == Approx(axis + side));
+  }
+}
+
 TEST_CASE("a motion that ends at a hand-over ends with the roller that leaves", "[index-drives]") {
   // The motion comes to rest there so gently that rounding hides where the taking roller begins.
   const auto lowest = [](const std::string& segments) {
