@@ -11,8 +11,8 @@
 
 #include "machines/registry.h"
 #include "numerics/text/names.h"
-#include "tests/temporary_folder.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::problems::documented_defaults_test {
 namespace {
