@@ -21,6 +21,7 @@
 #include "output/answers/front_output.h"
 #include "output/answers/front_words.h"
 #include "output/answers/next_step.h"
+#include "output/answers/warnings.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
 #include "problems/fronts/study_worker.h"
@@ -143,7 +144,10 @@ int run_pareto(const ParetoCommand& options) {
     const problems::StoredFront found = look(study, record, options, workers, ranks.get());
     const optim::Front& front = found.front;
     if (teller != nullptr) teller->answers();
-    const FrontAnswer answer{study, found};
+    FrontAnswer answer{study, found};
+    for (std::string& note : begins_with_parts(study.bound().statement(), options.settings)) {
+      answer.warnings.push_back(std::move(note));
+    }
     const Document document = front_document(answer);
     print(document, options.json);
     if (path && !options.json && !is_quiet()) say("study {}\n", *path);

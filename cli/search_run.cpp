@@ -254,6 +254,9 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
       answer.warnings = warnings_of(answer);
       answer.built = buildability_of(answer);
     }
+    for (std::string& note : begins_with_parts(bound.statement(), options.settings)) {
+      answer.warnings.push_back(std::move(note));
+    }
     // Printed first: the search is not lost where a file cannot be written after all.
     const std::string json = show(command, answer, rest_of(search, optimum), workers, options);
     if (options.out) {

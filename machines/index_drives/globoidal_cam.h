@@ -50,11 +50,13 @@ struct GloboidalCam : RibTurret<T> {
     const X c = cos(psi), s = sin(psi), along = theta.first * roller_radius;
     return {-(u * c) + axis_distance + along * s, u * s + along * c, theta.second * roller_radius};
   }
-  /// What is left between two neighbouring rollers where they are nearest, m: the rib's top.
+  /// (IX19) What is left between two neighbouring rollers, m, which diverge: between the edges of
+  /// their ends towards the turret's axis, the rib's top. Below 0 where they overlap.
   T roller_gap() const {
+    using std::cos;
     using std::sin;
-    return number<T>(2) *
-           (distance_at(RollerPlace::Root) * sin(step() / number<T>(2)) - roller_radius);
+    const T half = step() / number<T>(2);
+    return number<T>(2) * (distance_at(RollerPlace::Root) * sin(half) - roller_radius * cos(half));
   }
   /// (IX15) Least distance of the edge of a roller's end from the cam's axis, m.
   T throat_radius() const {

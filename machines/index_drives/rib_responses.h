@@ -115,7 +115,9 @@ std::vector<MechanismResponse> contact_lines() {
                                  place_prefix(place) + "contact_" + "xyz"[coordinate];
         const std::string meaning = std::string("line of contact on the ") +
                                     (side == kDrives ? "driving" : "holding") + " flank" +
-                                    place_words(place) + ", in the cam's own coordinates";
+                                    place_words(place) +
+                                    ", in the cam's own coordinates; in a dwell at a "
+                                    "hand-over it is of the roller that takes over";
         all.push_back(listed_curve<M>(
             {name, "mm", "m", meaning}, turn_of_the_cam(), ContactPlace{coordinate, place, side},
             [](const auto& drive, const ContactPlace& which, const auto& motion, const auto& x) {
@@ -151,7 +153,9 @@ std::vector<MechanismResponse> rib_responses() {
   using C = RibCurve;
   const auto middle = RollerPlace::Middle;
   add(C::RollerAngle, middle,
-      {"roller_angle", "deg", "rad", "angle between the line of centres and the driving roller"});
+      {"roller_angle", "deg", "rad",
+       "angle between the line of centres and the driving roller, in a dwell at a hand-over the "
+       "one that takes over"});
   for (const RollerPlace place : {middle, RollerPlace::Root, RollerPlace::Tip}) {
     const std::string prefix = place_prefix(place), at = place_words(place);
     add(C::PressureAngle, place,

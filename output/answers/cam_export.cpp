@@ -163,8 +163,27 @@ std::string beside_others(const std::string& asked,
   return asked == "all" ? "" : fmt::format(", and here are {}", curves.size());
 }
 
+/// Refuses what is of one curve over the whole cycle, for cams that consist of separate flanks.
+void refuse_of_flanks(const ExportOptions& o, const FormatRow& format,
+                      const problems::Mechanism& mechanism) {
+  if (mechanism.form != problems::Form::ParallelIndex) return;
+  const auto refuse = [&](const std::string& option, const char* why, const char* instead) {
+    throw std::invalid_argument(
+        fmt::format("{} does not apply to {}: its cams consist of separate flanks, and {}; {}",
+                    option, mechanism.name, why, instead));
+  };
+  constexpr const char* kOthers = "csv, dxf, svg and json have all flanks";
+  if (format.format == ExportFormat::Gcode)
+    refuse("--format gcode", "a gcode program follows one curve", kOthers);
+  if (format.format == ExportFormat::Inspection)
+    refuse("--format inspection", "an inspection table is of one curve", kOthers);
+  if (o.step)
+    refuse("--step", "a step divides a whole cycle", "--tolerance says how fine they are");
+}
+
 std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
                                                const problems::ProblemStatement& statement) {
+  refuse_of_flanks(o, format, *statement.mechanism);
   const bool gcode = format.format == ExportFormat::Gcode;
   const bool inspection = format.format == ExportFormat::Inspection;
   const std::string asked = o.curve.value_or(gcode ? "cutter" : inspection ? "profile" : "all");

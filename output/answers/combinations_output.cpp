@@ -58,6 +58,17 @@ std::vector<std::string> told_apart(const std::vector<std::string>& options) {
   return different.size() == options.size() ? result : options;
 }
 
+/// What a table calls the options of a choice: names that --set takes are whole, while of a
+/// program, the first choice if there are several, each option is named by the laws of its
+/// segments.
+std::vector<std::string> option_names(const Answer& answer, std::size_t choice) {
+  const std::vector<std::string>& options = answer.space.choices[choice].options;
+  const problems::ProblemStatement& statement = answer.bound.statement();
+  const bool is_of_program = choice == 0 && statement.chooses_law() &&
+                             statement.mechanism->moved_by != problems::MovedBy::Law;
+  return is_of_program ? told_apart(options) : options;
+}
+
 std::string limits_words(optim::Verdict verdict) {
   if (verdict == optim::Verdict::Infeasible) return "cannot be met";
   return verdict == optim::Verdict::Failed ? "not solved" : "met";
@@ -155,9 +166,7 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
   table.columns.insert(table.columns.end(), {words("verdict", "verdict"), words("limits", "limits"),
                                              words("held by", "held_by"), data("margins")});
   std::vector<std::vector<std::string>> names;
-  for (const optim::Choice& choice : choices) {
-    names.push_back(choice.values.empty() ? told_apart(choice.options) : choice.options);
-  }
+  for (std::size_t i = 0; i < choices.size(); ++i) names.push_back(option_names(answer, i));
   const double best = parts.front().objective;
   for (const optim::PartFound& part : parts) {
     std::vector<Cell> row;

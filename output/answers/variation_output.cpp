@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "numerics/text/units.h"
@@ -241,29 +242,54 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   }
 }
 
-/// The factor of the limit that breaks first, where those of all are known.
+/// The limits that the design violates as it is meant, which no variation violates alone.
+void say_violated_as_meant(const ToleranceAnswer& answer, Document& document) {
+  std::vector<std::string> names, parts;
+  for (const problems::LimitSlopes& limit : answer.limits) {
+    const optim::LimitReport& r = limit.report;
+    if (r.margin + r.tolerance >= 0) continue;
+    names.push_back(r.name);
+    parts.push_back(std::isfinite(r.margin)
+                        ? fmt::format("{} by {}", r.name, with_unit(digits(-r.margin), r.unit))
+                        : r.name);
+  }
+  document.fact("violated_as_meant", names);
+  if (names.empty()) return;
+  document.say(
+      fmt::format("the nominal design itself violates {}: 'alone violates' leaves {} out\n",
+                  problems::listed(parts), names.size() == 1 ? "it" : "them"));
+}
+
+/// The factor of the limit that breaks first, where those of all are known. In words of those that
+/// the design meets as it is meant.
 void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
-  if (answer.factors.empty() || answer.factors.size() != answer.worst.size()) return;
-  const auto first =
-      std::min_element(answer.factors.begin(), answer.factors.end(),
-                       [](const auto& a, const auto& b) { return a.factor < b.factor; });
-  const WorstPart& worst = answer.worst[static_cast<std::size_t>(first - answer.factors.begin())];
-  // Of those that break later the proof may end below the first.
-  const bool all_proved = std::all_of(answer.factors.begin(), answer.factors.end(),
-                                      [](const auto& factor) { return factor.proved; });
-  document.fact("scale_factor", first->factor);
-  document.fact("first_to_break", worst.name);
-  if (std::isinf(first->factor)) {
-    const auto tried =
-        std::min_element(answer.factors.begin(), answer.factors.end(),
-                         [](const auto& a, const auto& b) { return a.tried < b.tried; });
-    document.say(fmt::format("no limit is violated up to {:.4g} times these variations{}\n",
-                             tried->tried, all_proved ? "" : " (not proved)"));
+  const std::vector<problems::BreakFactor>& factors = answer.factors;
+  if (factors.empty() || factors.size() != answer.worst.size()) return;
+  std::size_t first = 0;
+  std::optional<std::size_t> first_met;
+  double tried = problems::kLargestFactor;
+  bool all_proved = true;  // of those that break later the proof may end below the first
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    if (factors[i].factor < factors[first].factor) first = i;
+    if (factors[i].factor == 0) continue;
+    if (!first_met || factors[i].factor < factors[*first_met].factor) first_met = i;
+    tried = std::min(tried, factors[i].tried);
+    all_proved = all_proved && factors[i].proved;
+  }
+  document.fact("scale_factor", factors[first].factor);
+  document.fact("first_to_break", answer.worst[first].name);
+  if (!first_met) return;
+  const bool all_met = factors[first].factor > 0;
+  const char* proof = all_proved ? "" : " (not proved)";
+  if (std::isinf(factors[*first_met].factor)) {
+    document.say(fmt::format("no {}limit is violated up to {:.4g} times these variations{}\n",
+                             all_met ? "" : "other ", tried, proof));
     return;
   }
-  document.say(
-      fmt::format("the first limit to be violated is {}, at {:.4g} times these variations{}\n",
-                  worst.name, first->factor, all_proved ? "" : " (not proved)"));
+  document.say(fmt::format(
+      "the first {}limit to be violated is {}, at {:.4g} times these "
+      "variations{}\n",
+      all_met ? "" : "other ", answer.worst[*first_met].name, factors[*first_met].factor, proof));
 }
 
 }  // namespace
@@ -273,6 +299,7 @@ Document variation_document(const VariedDesign& varied, const ToleranceAnswer& a
   if (!varied.design.title.empty()) document.say(varied.design.title + "\n\n");
   document.fact("title", varied.design.title);
   document.add(variations_table(varied, answer));
+  say_violated_as_meant(answer, document);
   if (!answer.limits.empty()) {
     document.say("\n");
     document.add(slopes_table(varied, answer));

@@ -10,9 +10,11 @@
 #include "optim/problem/inputs.h"
 #include "output/answers/front_words.h"
 #include "output/document/printing.h"
+#include "problems/statement/assignment.h"
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::cli {
@@ -100,6 +102,21 @@ Warnings warnings_of(const Answer& answer) {
   }
   const Warnings doubts = problems::doubtful_limits(answer.bound);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  return warnings;
+}
+
+Warnings begins_with_parts(const problems::ProblemStatement& problem,
+                           const std::vector<std::string>& set) {
+  Warnings warnings;
+  for (const std::string& assignment : set) {
+    const auto [name, row] = problems::parse_assignment(assignment, "speed=60 rpm");
+    const problems::PartStatement* part = problems::find_part(problem, name);
+    if (part == nullptr || !part->is_chosen()) continue;
+    warnings.push_back(
+        fmt::format("{0} = {1} is where the search begins, and it may choose another row; choose = "
+                    "\"{1}\" beside its catalogue fixes it",
+                    part->name, part->items[problems::item_named(*part, row)].name));
+  }
   return warnings;
 }
 

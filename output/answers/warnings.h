@@ -24,6 +24,9 @@ Warnings doubts_of(const problems::ProblemStatement& problem);
 Warnings warnings_of(const problems::ProblemStatement& design);
 /// Of an answer; of one without a design, what concerns its limits.
 Warnings warnings_of(const Answer& answer);
+/// Of what --set says of parts that the search chooses: it is where the search begins.
+Warnings begins_with_parts(const problems::ProblemStatement& problem,
+                           const std::vector<std::string>& set);
 /// Of a front: what holds of some of its points, with their numbers.
 Warnings warnings_of(const FrontAnswer& answer);
 

@@ -89,6 +89,7 @@ void add_settings(SweepSettings& settings, const std::vector<std::string>& assig
       settings.axes.push_back(std::move(*axis));
     } else {
       settings.set.push_back(assignment);
+      settings.fixed.push_back(assignment);
     }
   }
 }
@@ -241,6 +242,7 @@ Json to_json(const SweepSettings& settings) {
                     {"class", axis.is_class}});
   }
   Json result{{"axes", axes}, {"evaluate", settings.evaluates}, {"cold", settings.is_cold}};
+  if (!settings.fixed.empty()) result["fixed"] = settings.fixed;
   if (const auto& sampling = settings.sampling) {
     Json over = Json::array();
     for (const SampledRange& range : sampling->over) {
@@ -269,6 +271,7 @@ SweepSettings sweep_settings(const Json& record, std::vector<std::string> set) {
   }
   result.evaluates = get<bool>(record, "evaluate");
   result.is_cold = get<bool>(record, "cold");
+  if (record.contains("fixed")) result.fixed = get<std::vector<std::string>>(record, "fixed");
   if (!record.contains("sample")) return result;
   const Json sample = record["sample"];
   Sampling sampling = parse_sampling(

@@ -15,6 +15,8 @@ struct SweepSettings {
   std::optional<Sampling> sampling = {};
   bool evaluates = false;  ///< the file's own design in each combination, without a search
   bool is_cold = false;    ///< each search begins as a single run does
+  /// Of `set` what --set itself says, which fixes the parts that it names; the rest begins.
+  std::vector<std::string> fixed = {};
 };
 
 /// Adds what `--set` says, each an axis or the same in all combinations.

@@ -12,9 +12,11 @@
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/law_files/json_text.h"
+#include "problems/statement/assignment.h"
 #include "problems/statement/auto_knots.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/ranges.h"
 #include "problems/statement/restated.h"
 #include "problems/sweeps/optimum_point.h"
@@ -27,6 +29,16 @@ ProblemStatement read_and_set(const std::string& text, const std::string& source
   ProblemStatement statement = read_problem(text, source, std::move(files));
   set_values(statement, set);
   return statement;
+}
+
+/// Leaves of each part that is named here the row that is named; the same words in a file that is
+/// searched once are where that search begins.
+void fix_parts(ProblemStatement& statement, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    const auto [name, row] = parse_assignment(assignment, "speed=60:15:120 rpm");
+    const PartStatement* part = find_part(statement, name);
+    if (part != nullptr) keep_item(statement, part->name, item_named(*part, row));
+  }
 }
 
 /// What is swept; where that is nothing, a value that is refused is the likelier mistake.
@@ -83,6 +95,7 @@ SweepStudy::SweepStudy(const std::string& text, const std::string& source,
     : plan_(with_good_values(text, source, settings, files)),
       statement_(read_and_set(text, source, settings.set, std::move(files))),
       options_(options_of(statement_.solver)) {
+  fix_parts(statement_, settings.fixed);
   check_objectives(statement_, settings.evaluates);
   refuse_auto_knots(statement_, "a sweep");
   refuse_reliabilities(statement_, "a sweep");
@@ -135,7 +148,9 @@ void SweepStudy::check_same(const optim::StudyRecord& record) const {
 Possible<ProblemStatement> SweepStudy::stated(std::size_t combination) const {
   try {
     ProblemStatement statement = statement_;
-    set_values(statement, plan_.assignments(combination));
+    const std::vector<std::string> own = plan_.assignments(combination);
+    set_values(statement, own);
+    fix_parts(statement, own);
     return statement;
   } catch (const std::invalid_argument& refused) {  // values that are not possible together
     return Impossible{refused.what()};

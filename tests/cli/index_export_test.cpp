@@ -169,9 +169,22 @@ TEST_CASE("an export says where a roller cuts into a flank of an index drive",
 }
 
 TEST_CASE("what is of one closed curve is refused for an index drive", "[export][index-drives]") {
-  CHECK_THAT(failed(with({"--format", "gcode", "--curve", "profile"}), 2),
-             Contains("a gcode program follows one curve"));
+  // Whatever else is asked for, the answer names no option that leads to another refusal.
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--curve", "profile"}, {"--tool", "10 mm"}}) {
+    std::vector<std::string> words = with({"--format", "gcode"});
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK_THAT(failed(words, 2), Contains("--format gcode does not apply to parallel-index-cam") &&
+                                     Contains("a gcode program follows one curve") &&
+                                     !Contains("--tool"));
+  }
   CHECK_THAT(failed(with({"--format", "inspection"}), 2), Contains("is of one curve"));
+  for (const char* const format : {"csv", "dxf", "svg", "json"}) {
+    CHECK_THAT(failed(with({"--format", format, "--step", "1 deg"}), 2),
+               Contains("--step does not apply to parallel-index-cam") &&
+                   Contains("a step divides a whole cycle"));
+    CHECK(run(with({"--format", format, "--tolerance", "0.02 mm"})).status == 0);
+  }
   CHECK_THAT(failed(with({"--curve", "pitch", "--format", "csv"}), 2),
              Contains("has no curve 'pitch' of its own; it has profile, second-profile"));
   CHECK_THAT(failed({"export", testing::source("problems/index_drives/barrel_eight.toml"),

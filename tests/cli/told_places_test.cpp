@@ -2,6 +2,7 @@
 // What a text says of worst places and of combinations, --json says too.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/cli/program_runner.h"
@@ -159,6 +160,77 @@ TEST_CASE("each combination of a table has its verdict and its margins", "[progr
   CHECK_THAT(run({"optimize", path, "--table"}).out,
              Contains("verdict") && Contains("certified optimum  met") &&
                  Contains("infeasible         cannot be met"));
+}
+
+TEST_CASE("a table names parts and laws as --set takes them", "[program]") {
+  const Folder folder;
+  std::ofstream(folder / "rollers.csv") << "name; roller_radius [mm]\n"
+                                           "KR 30 PP; 15\nKR 40 PP; 20\nKR 52 PP; 26\n";
+  const std::string rollers = folder / "rollers.toml", laws = folder / "laws.toml";
+  std::ofstream(rollers) << "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '28 mm'\n"
+                            "[parts.roller]\ncatalogue = 'rollers.csv'\n"
+                            "[program]\nsegments = [{name = 'up', angle = '100 deg', law = "
+                            "'modified-sine'}, {name = 'dn', law = 'modified-sine'}]\n"
+                            "[variables.base_radius]\nlower = '10 mm'\nupper = '100 mm'\n"
+                            "[objective]\nminimize = 'outer_radius'\n"
+                            "[[constraints]]\nresponse = 'pressure_angle'\n"
+                            "lower = '-30 deg'\nupper = '30 deg'\n";
+  std::ofstream(laws) << "mechanism = 'spine-cutter'\n"
+                         "[law]\nname = ['polynomial-5 alpha=-3', 'polynomial-5 alpha=-1']\n"
+                         "[variables.cam_radius]\nlower = '20 mm'\nupper = '90 mm'\n"
+                         "[objective]\nminimize = 'cam_radius'\n"
+                         "[[constraints]]\nresponse = 'pressure_angle'\nlower = '-50 deg'\n"
+                         "upper = '50 deg'\n";
+  for (const auto& [path, choice] : {std::pair{rollers, "roller"}, std::pair{laws, "law"}}) {
+    const ParsedJson table = json_of({"optimize", path, "--table", "--json"}).at("table");
+    REQUIRE(table.size() > 1);
+    for (const ParsedJson& row : table) {
+      const std::string name = row.at(choice);
+      INFO(name);
+      done({"evaluate", path, "--set", fmt::format("{}={}", choice, name)});
+      CHECK_THAT(done({"optimize", path, "--table"}), Contains("\n" + name + "  "));
+    }
+  }
+  // A search that begins with a row may leave it, and says so; a sweep keeps to each.
+  const Words begun{"optimize", rollers, "--set", "roller=KR 52 PP"};
+  CHECK_THAT(done(begun), Contains("roller = KR 52 PP is where the search begins"));
+  CHECK_THAT(done({"optimize", rollers}), !Contains("where the search begins"));
+  const ParsedJson table = json_of({"optimize", rollers, "--table", "--json"}).at("table");
+  const ParsedJson swept =
+      json_of({"sweep", rollers, "--set", "roller=KR 52 PP,KR 30 PP,KR 40 PP", "--json"});
+  for (const ParsedJson& combination : swept.at("combinations")) {
+    INFO(combination.at("roller"));
+    const auto row = std::find_if(table.begin(), table.end(), [&](const ParsedJson& one) {
+      return one.at("roller") == combination.at("roller");
+    });
+    REQUIRE(row != table.end());
+    CHECK(combination.at("outer_radius [mm]").get<double>() ==
+          Approx(row->at("objective").get<double>()).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("a limit that the nominal design violates is said before what varies", "[program]") {
+  const auto answer = [](const std::string& bound, bool json) {
+    Words words{"tolerance", cam_file("tolerances.toml"), "--samples", "64", "--set", bound};
+    if (json) words.push_back("--json");
+    return done(words);
+  };
+  const auto violated = [&](const std::string& bound) {
+    return ParsedJson::parse(answer(bound, true)).at("violated_as_meant");
+  };
+  // As meant the pressure angle is 29.98913 deg.
+  const std::string met = "pressure_angle.upper=30 deg", broken = "pressure_angle.upper=29.9 deg";
+  CHECK(violated(met).empty());
+  CHECK_THAT(answer(met, false),
+             !Contains("the nominal design") &&
+                 Contains("the first limit to be violated is pressure_angle, at 0.5452 times"));
+  CHECK(violated(broken) == ParsedJson{"pressure_angle"});
+  CHECK_THAT(answer(broken, false),
+             Contains("the nominal design itself violates pressure_angle by 0.0891341 deg: 'alone "
+                      "violates' leaves it out\n") &&
+                 Contains("the first other limit to be violated is follower_force, at 13.33 times "
+                          "these variations\n") &&
+                 !Contains("at 0 times"));
 }
 
 }  // namespace camlaw::cli::told_places_test

@@ -440,13 +440,118 @@ TEST_CASE(
   CHECK(curves["displacement"].back() == Approx(45));
 }
 
+namespace {
+
+/// A solid roller, whose axis is over `low` to `high` along it.
+struct Cylinder {
+  Line axis;
+  double low, high, radius;
+
+  /// Its point that is nearest to x.
+  Vector nearest(const Vector& x) const {
+    const Vector d = x - axis.at;
+    const double along = dot(d, axis.along);
+    const Vector out = d - along * axis.along;
+    const double far = length(out);
+    return axis.at + std::clamp(along, low, high) * axis.along +
+           (far > radius ? radius / far : 1) * out;
+  }
+};
+
+/// Distance of two convex bodies, by going from each to the nearest point of the other.
+double distance_between(const Cylinder& a, const Cylinder& b) {
+  Vector p = a.axis.at + 0.5 * (a.low + a.high) * a.axis.along, q = p;
+  for (int i = 0; i < 20'000; ++i) {
+    q = b.nearest(p);
+    p = a.nearest(q);
+  }
+  return length(p - q);
+}
+
+/// Two neighbouring rollers, one half a pitch on either side of the line of centres.
+template <class Drive>
+double distance_of_neighbours(const Drive& drive) {
+  const double half = 0.5 * drive.step(), middle = drive.distance_at(RollerPlace::Middle);
+  const auto roller = [&](double psi) {
+    return Cylinder{axis_of(drive, psi, middle), -0.5 * drive.face_width, 0.5 * drive.face_width,
+                    drive.roller_radius};
+  };
+  return distance_between(roller(half), roller(-half));
+}
+
+}  // namespace
+
+TEST_CASE("the gap between neighbouring rollers is the distance of two solid cylinders",
+          "[index-drives]") {
+  int apart = 0, overlapping = 0;
+  for (const double rollers : {2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 24.0}) {
+    for (const double radius : {5.0, 11.0, 13.0, 20.0}) {
+      for (const double face : {4.0, 15.0, 40.0}) {
+        INFO(rollers << " rollers of " << radius << " mm by " << face);
+        GloboidalCam<double> gear;
+        gear.rollers = rollers;
+        gear.turret_radius = 45;
+        gear.roller_radius = radius;
+        gear.face_width = face;
+        BarrelIndexCam<double> drum;
+        drum.rollers = rollers;
+        drum.turret_radius = 45;
+        drum.cam_radius = 60;
+        drum.roller_radius = radius;
+        drum.face_width = face;
+        const auto check = [&](double gap, double distance) {
+          CHECK(distance == Approx(std::max(gap, 0.0)).margin(1e-3));
+          ++(gap > 0 ? apart : overlapping);
+        };
+        check(gear.roller_gap(), distance_of_neighbours(gear));
+        check(drum.roller_gap(), distance_of_neighbours(drum));
+      }
+    }
+  }
+  CHECK(apart > 50);
+  CHECK(overlapping > 20);
+}
+
+TEST_CASE("a roller gear whose rollers clear each other because they diverge is buildable",
+          "[index-drives]") {
+  // Two parallel rollers this wide would overlap by 1.7 mm at this distance; these are 27.3 mm
+  // apart.
+  const std::string text = R"(
+mechanism = 'globoidal-cam'
+[constants]
+stations = 3
+rollers = 3
+roller_radius = '29 mm'
+turret_radius = '40 mm'
+face_width = '15 mm'
+bore_radius = '18 mm'
+inertia = '0.8 kg m2'
+speed = '60 rpm'
+[program]
+segments = [{name = 'dwell', angle = '100 deg'},
+            {name = 'index', angle = '230 deg', law = 'cycloidal'}, {name = 'rest'}]
+[variables.axis_distance]
+lower = '90 mm'
+upper = '200 mm'
+[objective]
+minimize = 'axis_distance'
+[[constraints]]
+response = 'tip_pressure_angle'
+upper = '40 deg'
+[buildable]
+require = true
+)";
+  const BoundProblem bound(read_problem(text, "wide.toml"));
+  CHECK(optim::optimise(bound.space()).found.assessment.verdict == optim::Verdict::Certified);
+}
+
 TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angle let it be",
           "[index-drives]") {
   const auto found =
       optim::optimise(testing::shipped("index_drives/globoidal_eight.toml").space()).found;
   // Ribs of 14 mm between rollers of 13 mm, where these are nearest; then 40 deg at their other
   // end.
-  const double turret = 9 + (13 + 7) / std::sin(kPi / 8), end = turret + 9;
+  const double turret = 9 + (7 + 13 * std::cos(kPi / 8)) / std::sin(kPi / 8), end = turret + 9;
   const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
   CHECK(found.x[0] == Approx(end * (1 + rate / std::tan(40 * kDegree))).epsilon(1e-7));
   CHECK(found.x[1] == Approx(turret).epsilon(1e-7));
@@ -475,6 +580,28 @@ TEST_CASE("at rest an axial roller's pressure angle is its angle to the line of 
   const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
   CHECK(curves["pressure_angle"][360] == Approx(std::atan(80 * rate / 60) / kDegree));
   CHECK(curves["displacement"].back() == Approx(45));
+}
+
+TEST_CASE("in a dwell at a hand-over curves are of the roller that takes over, and say so",
+          "[index-drives]") {
+  for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
+    int told = 0;
+    for (const MechanismResponse& response : find_mechanism(name).responses) {
+      const bool is_place = response.name.find("contact_y") != std::string::npos;
+      if (!is_place && response.name != "roller_angle") continue;
+      CHECK_THAT(response.meaning, Contains("in a dwell at a hand-over") && Contains("takes over"));
+      ++told;
+    }
+    CHECK(told == 7);
+  }
+  // It stands half a pitch before the line of centres, in the second dwell as in the first.
+  const Curves curves(read_problem(globoidal(), "drive.toml"), 720);
+  for (const std::size_t dwell : {20, 700}) {
+    CHECK(curves["roller_angle"][dwell] == Approx(-22.5));
+    const double axis = -70 * std::sin(kPi / 8), side = 11 * std::cos(kPi / 8);
+    CHECK(curves["contact_y"][dwell] == Approx(axis - side));
+    CHECK(curves["second_contact_y"][dwell] == Approx(axis + side));
+  }
 }
 
 TEST_CASE("a motion that ends at a hand-over ends with the roller that leaves", "[index-drives]") {

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Sweeps over the rows of a catalogue, against searches of files in which the part is settled.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "optim/search/optimise.h"
+#include "problems/sweeps/sweep_study.h"
+#include "problems/sweeps/sweep_worker.h"
+#include "tests/problems/complaint.h"
+#include "tests/temporary_folder.h"
+
+namespace camlaw::problems::swept_parts_test {
+namespace {
+
+using Catch::Contains;
+using testing::complaint, testing::Folder;
+
+/// A cam whose roller comes from a catalogue, and which is least with the largest of the three.
+std::string cam_with_rollers(const Folder& folder) {
+  std::ofstream(folder / "rollers.csv") << "name, roller_radius [mm]\nsmall, 6\nlarge, 12\n"
+                                           "middle, 9\n";
+  return R"(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+[program]
+segments = [{name = "rise", angle = 90, law = "modified-sine"}, {name = "high", angle = 70},
+            {name = "back", angle = 110, law = "cycloidal"}, {name = "low"}]
+[variables.base_radius]
+lower = "20 mm"
+upper = "60 mm"
+[objective]
+minimize = "outer_radius"
+[[constraints]]
+response = "pressure_angle"
+lower = "-30 deg"
+upper = "30 deg"
+[parts.roller]
+catalogue = "rollers.csv"
+)";
+}
+
+SweepSettings asked(const std::vector<std::string>& assignments) {
+  SweepSettings settings;
+  add_settings(settings, assignments);
+  return settings;
+}
+
+Sweep swept(const SweepStudy& study) {
+  optim::ProcessExecutor executor(sweep_service(study), study.options(), 1, worker_program(study));
+  return study.run(executor);
+}
+
+/// The row of the roller in the design of each combination.
+std::vector<std::string> rows_of(const SweepStudy& study) {
+  const Sweep sweep = swept(study);
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
+    const ProblemStatement design = study.design(i, sweep.outcomes[i]->points.at(0).x);
+    rows.push_back(design.parts.front().items.size() == 1 ? design.parts.front().items.front().name
+                                                          : "several");
+  }
+  return rows;
+}
+
+/// The optimum of the file in which the part is settled by `choose`.
+double optimum_with(const std::string& text, const std::string& source, const std::string& row) {
+  const ProblemStatement alone = read_problem(text + "choose = '" + row + "'\n", source);
+  return optim::optimise(BoundProblem(alone).space()).found.assessment.objective.value;
+}
+
+}  // namespace
+
+TEST_CASE("a part that is swept is fixed to each of its rows", "[sweep]") {
+  const Folder folder;
+  const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
+  const SweepStudy study(text, source, asked({"roller=large,small,middle", "stroke=20,25 mm"}));
+  const Sweep sweep = swept(study);
+  REQUIRE(sweep.outcomes.size() == 6);
+  for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
+    const auto values = study.plan().values(i);
+    INFO(values[0].text << ", " << values[1].text);
+    const optim::FrontPoint& point = sweep.outcomes[i]->points.at(0);
+    std::string stroke = text;
+    stroke.replace(stroke.find("25 mm"), 5, values[1].text);
+    CHECK(point.objectives[0] == Approx(optimum_with(stroke, source, values[0].text)));
+  }
+  const std::vector<std::string> rows{"large", "large", "small", "small", "middle", "middle"};
+  CHECK(rows_of(study) == rows);
+  CHECK(rows_of(SweepStudy::of(study.settings())) == rows);  // as a study records it
+  CHECK(sweep.outcomes[3]->points[0].objectives[0] >
+        sweep.outcomes[1]->points[0].objectives[0] + 1);
+  CHECK_THAT(complaint([&] { SweepStudy(text, source, asked({"roller=large,smal"})); }),
+             Contains("smal"));
+}
+
+TEST_CASE("a part that is set to one row is fixed in a whole sweep", "[sweep]") {
+  const Folder folder;
+  const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
+  SweepSettings settings = asked({"roller=middle", "law=modified-sine,cycloidal"});
+  const SweepStudy study(text, source, settings);
+  CHECK(rows_of(study) == std::vector<std::string>{"middle", "middle"});
+  CHECK(rows_of(SweepStudy::of(study.settings())) == rows_of(study));
+  // A design that the sweep begins at, as of --start, is another thing: its part may be left.
+  settings.fixed.clear();
+  const SweepStudy begun(text, source, settings);
+  CHECK(rows_of(begun) == std::vector<std::string>{"large", "large"});
+}
+
+}  // namespace camlaw::problems::swept_parts_test
