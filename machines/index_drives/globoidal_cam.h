@@ -50,7 +50,7 @@ struct GloboidalCam : RibTurret<T> {
     const X c = cos(psi), s = sin(psi), along = theta.first * roller_radius;
     return {-(u * c) + axis_distance + along * s, u * s + along * c, theta.second * roller_radius};
   }
-  /// (IX19) What is left between two neighbouring rollers, m, which diverge: between the edges of
+  /// (IX20) What is left between two neighbouring rollers, m, which diverge: between the edges of
   /// their ends towards the turret's axis, the rib's top. Below 0 where they overlap.
   T roller_gap() const {
     using std::cos;

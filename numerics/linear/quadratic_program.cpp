@@ -27,25 +27,38 @@ class Interior {
     bool is_finite() const { return y.allFinite() && z.allFinite() && w.allFinite(); }
   };
 
-  Interior(const ProgramSides& sides, const VectorXd& start)
-      : sides_(sides), system_(normal_equations(sides)) {
-    now_.y = start;
-    const VectorXd room = sides.level - sides.times(now_.y);
-    if (sides.is_linear()) {
+  Interior(const ProgramSides& sides, VectorXd start)
+      : sides_(sides), start_(std::move(start)), system_(normal_equations(sides)) {
+    begin();
+  }
+
+  /// Puts the point where steps begin.
+  void begin() {
+    now_.y = start_;
+    const VectorXd room = sides_.level - sides_.times(now_.y);
+    if (sides_.is_linear()) {
       // Slacks of order one, as rows are scaled to be, and small multipliers, which were seen to
       // take fewer iterations than those of order one. Mehrotra's own start takes a tenth fewer
       // where it works, and was seen to stall.
       constexpr double kSlack = 1, kMultiplier = 1e-3;
       now_.s = room.cwiseMax(kSlack);
-      now_.z = VectorXd::Constant(sides.count(), kMultiplier);
+      now_.z = VectorXd::Constant(sides_.count(), kMultiplier);
     } else {
       // Each row's own room, and multipliers that are centred: rows of a thousandth of the others'
       // room are held by a thousand times their multipliers.
       now_.s = room.cwiseMax(least_slack(room));
       now_.z = now_.s.cwiseInverse();
     }
-    now_.w = VectorXd::Zero(sides.values.size());
+    now_.w = VectorXd::Zero(sides_.values.size());
     look();
+  }
+  /// The same with the augmented system, where steps ended for want of it. Whether they did.
+  bool begins_again() {
+    if (augmented_ == nullptr) return false;
+    system_ = std::move(augmented_);
+    is_augmented_ = true;
+    begin();
+    return true;
   }
 
   const Step& now() const { return now_; }
@@ -56,10 +69,20 @@ class Interior {
     return std::max(relative(primal_, side_terms_), relative(equation_, equation_terms_));
   }
   double dual() const { return relative(dual_, column_terms_); }
+  /// Whether residuals are as small as they are to be: without the augmented system as they stand.
+  bool is_balanced() const {
+    if (is_augmented_) return std::max(primal(), dual()) <= kLeft;
+    const auto is_small = [](const VectorXd& left) {
+      return left.size() == 0 || left.cwiseAbs().maxCoeff() <= kLeft;
+    };
+    return is_small(primal_) && is_small(equation_) && is_small(dual_);
+  }
 
   bool step() {
-    if (!system_->factor(sides_.weights_by_row(weights())))
-      return takes_augmented() && this->step();
+    if (!system_->factor(sides_.weights_by_row(weights()))) {
+      has_augmented();
+      return false;
+    }
     const Step foresight = solve_once({dual_, primal_, equation_, products()});
     const double mean = gap() / static_cast<double>(now_.s.size());
     const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
@@ -69,7 +92,7 @@ class Interior {
     const VectorXd aimed = products() + foresight.s.cwiseProduct(foresight.z) -
                            VectorXd::Constant(now_.s.size(), centring * mean);
     const Step step = solve({dual_, primal_, equation_, aimed});
-    if (is_lost(step) && takes_augmented()) return this->step();
+    if (is_lost(step) && has_augmented()) return false;
     return step.is_finite() && go(step);
   }
 
@@ -98,9 +121,10 @@ class Interior {
   }
 
  private:
-  /// Of a start: a share of what rows, as they are scaled, have room for on average.
+  /// Of a start: a share of what rows, as they are scaled, have room for on average; 1 where none
+  /// has room.
   double least_slack(const VectorXd& room) const {
-    constexpr double kShare = 0.1, kMost = 1, kLeast = 1e-6;
+    constexpr double kShare = 0.1, kMost = 1, kLeast = 1e-6, kNone = 1e-9;
     double sum = 0;
     int count = 0;
     for (Eigen::Index i = 0; i < room.size(); ++i) {
@@ -108,7 +132,7 @@ class Interior {
       sum += std::min(kMost, std::abs(room[i]));
       ++count;
     }
-    return count == 0 ? kMost : std::max(kLeast, kShare * sum / count);
+    return sum <= kNone ? kMost : std::max(kLeast, kShare * sum / count);
   }
 
   /// The largest of these residuals, each over a millionth of its terms' sum where that is more
@@ -207,18 +231,18 @@ class Interior {
     return !(columns <= std::max(kMuch * dual(), kLeft / 2)) ||
            !(equations <= std::max(kMuch * relative(equation_, equation_terms_), kLeft / 2));
   }
-  /// Whether steps go on by the augmented system, and did not so far.
-  bool takes_augmented() {
+  /// Whether there is an augmented system that was not used so far, to begin again with: points
+  /// that such steps have led to are off the middle.
+  bool has_augmented() {
     if (std::exchange(was_augmented_tried_, true)) return false;
-    auto system = augmented_system(sides_);
-    if (system == nullptr) return false;
-    system_ = std::move(system);
-    return true;
+    augmented_ = augmented_system(sides_);
+    return augmented_ != nullptr;
   }
 
   const ProgramSides& sides_;
-  std::unique_ptr<NewtonSystem> system_;
-  bool was_augmented_tried_ = false;
+  VectorXd start_;
+  std::unique_ptr<NewtonSystem> system_, augmented_;
+  bool was_augmented_tried_ = false, is_augmented_ = false;
   Step now_;
   VectorXd dual_, primal_, equation_;  ///< residuals
   VectorXd side_terms_, equation_terms_, column_terms_;
@@ -258,7 +282,7 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
       return InteriorEnd::Ended;
     }
     const double left = std::max(primal, interior.dual());
-    if (gap <= kGap && left <= kLeft) return InteriorEnd::Optimal;
+    if (gap <= kGap && interior.is_balanced()) return InteriorEnd::Optimal;
     idle = gap < kGain * least_gap || left < kGain * least_left ? 0 : idle + 1;
     least_gap = std::min(least_gap, gap);
     least_left = std::min(least_left, left);
@@ -282,7 +306,8 @@ InteriorSolution solve_by_interior_point(const QuadraticProgram& program, const 
   }
   Interior interior(sides, start);
   int iterations = 0;
-  const InteriorEnd end = followed(interior, options, iterations);
+  InteriorEnd end = followed(interior, options, iterations);
+  if (interior.begins_again()) end = followed(interior, options, iterations);
   if (sides.is_linear() && end == InteriorEnd::Optimal) interior.balance_columns();
   InteriorSolution solution = with_multipliers(sides, interior.now(), program.rows.rows());
   solution.end = end;
