@@ -80,7 +80,7 @@ class Interior {
 
   bool step() {
     if (!system_->factor(sides_.weights_by_row(weights()))) {
-      has_augmented();
+      make_augmented();
       return false;
     }
     const Step foresight = solve_once({dual_, primal_, equation_, products()});
@@ -92,7 +92,7 @@ class Interior {
     const VectorXd aimed = products() + foresight.s.cwiseProduct(foresight.z) -
                            VectorXd::Constant(now_.s.size(), centring * mean);
     const Step step = solve({dual_, primal_, equation_, aimed});
-    if (is_lost(step) && has_augmented()) return false;
+    if (!was_augmented_tried_ && is_lost(step) && make_augmented()) return false;
     return step.is_finite() && go(step);
   }
 
@@ -104,8 +104,9 @@ class Interior {
     if (!system_->factor(sides_.weights_by_row(weights))) return;
     const double before = largest_dual(), gap_before = gap(), primal_before = primal();
     const Step last = now_;
-    const NewtonStep step = system_->solve(-dual_, sides_.by_row(VectorXd::Zero(sides_.count())),
-                                           VectorXd::Zero(sides_.values.size()));
+    const NewtonStep step =
+        system_->solve(-dual_, VectorXd::Zero(sides_.rows.rows() + sides_.variables()),
+                       VectorXd::Zero(sides_.values.size()));
     const VectorXd change = of_sides(step.changes);
     now_.y += step.y;
     now_.w += step.w;
@@ -231,9 +232,9 @@ class Interior {
     return !(columns <= std::max(kMuch * dual(), kLeft / 2)) ||
            !(equations <= std::max(kMuch * relative(equation_, equation_terms_), kLeft / 2));
   }
-  /// Whether there is an augmented system that was not used so far, to begin again with: points
-  /// that such steps have led to are off the middle.
-  bool has_augmented() {
+  /// Makes the augmented system, once, to begin again with: points that such steps have led to are
+  /// off the middle. False where there is none, or it was made before.
+  bool make_augmented() {
     if (std::exchange(was_augmented_tried_, true)) return false;
     augmented_ = augmented_system(sides_);
     return augmented_ != nullptr;

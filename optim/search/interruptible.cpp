@@ -9,6 +9,14 @@
 namespace camlaw::optim {
 namespace {
 
+/// What a look gives, within the deadline and only if that has not passed.
+template <class Look>
+std::invoke_result_t<Look> in_time(const Deadline& deadline, const Look& look) {
+  const DeadlineScope scope(deadline);
+  deadline.check();
+  return look();
+}
+
 /// A function of its own inputs, in order.
 class InterruptibleKernel final : public Kernel {
  public:
@@ -16,14 +24,14 @@ class InterruptibleKernel final : public Kernel {
       : function_(std::move(function)), deadline_(deadline) {}
 
   double value(std::span<const double> u) const override {
-    return checked([&] { return function_.value(u); });
+    return in_time(deadline_, [&] { return function_.value(u); });
   }
   double gradient(std::span<const double> u, std::span<double> g) const override {
-    return checked([&] { return function_.gradient(u, g); });
+    return in_time(deadline_, [&] { return function_.gradient(u, g); });
   }
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
-    return checked([&] { return function_.hessian(u, g, h); });
+    return in_time(deadline_, [&] { return function_.hessian(u, g, h); });
   }
   Bounds enclose(std::span<const double> u) const override {
     deadline_.check();
@@ -44,13 +52,6 @@ class InterruptibleKernel final : public Kernel {
   }
 
  private:
-  template <class Look>
-  double checked(const Look& look) const {
-    const DeadlineScope scope(deadline_);
-    deadline_.check();
-    return look();
-  }
-
   Function function_;
   Deadline deadline_;
 };
@@ -67,30 +68,23 @@ class InterruptibleTrace final : public Trace {
 
   std::vector<double> breaks() const override { return trace_->breaks(); }
   std::array<double, 3> at(Place place) const override {
-    return checked([&] { return trace_->at(place); });
+    return in_time(deadline_, [&] { return trace_->at(place); });
   }
   std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
-    return checked([&] { return trace_->even(from, to, count); });
+    return in_time(deadline_, [&] { return trace_->even(from, to, count); });
   }
   std::vector<double> values(std::span<const Place> places) const override {
-    return checked([&] { return trace_->values(places); });
+    return in_time(deadline_, [&] { return trace_->values(places); });
   }
   Bounds enclose(double from, double to) const override {
-    return checked([&] { return trace_->enclose(from, to); });
+    return in_time(deadline_, [&] { return trace_->enclose(from, to); });
   }
   std::array<Bounds, 3> expand(double from, double to) const override {
-    return checked([&] { return trace_->expand(from, to); });
+    return in_time(deadline_, [&] { return trace_->expand(from, to); });
   }
   std::string why_unbounded() const override { return trace_->why_unbounded(); }
 
  private:
-  template <class Look>
-  std::invoke_result_t<Look> checked(const Look& look) const {
-    const DeadlineScope scope(deadline_);
-    deadline_.check();
-    return look();
-  }
-
   std::unique_ptr<Trace> trace_;
   Deadline deadline_;
 };
@@ -125,9 +119,9 @@ class InterruptibleCurve final : public ForwardingCurve {
     return rests;
   }
   std::unique_ptr<Trace> trace(Design x) const override {
-    const DeadlineScope scope(deadline_);
-    deadline_.check();
-    return std::make_unique<InterruptibleTrace>(curve().trace(x), deadline_);
+    return in_time(deadline_, [&] {
+      return std::make_unique<InterruptibleTrace>(curve().trace(x), deadline_);
+    });
   }
 
  private:

@@ -56,16 +56,6 @@ bool is_better(const Answer& answer, double objective, double than) {
   return (least ? than - objective : objective - than) > kRounding * std::abs(than);
 }
 
-/// The best objective of the table; none where no combination has a design.
-std::optional<double> best_of_table(const Answer& answer) {
-  std::optional<double> best;
-  for (const optim::PartFound& part : answer.optimum.parts) {
-    if (has_design(part) && (!best || is_better(answer, part.objective, *best)))
-      best = part.objective;
-  }
-  return best;
-}
-
 /// What a search with a free law finds; adds its time to what `search` has spent.
 FreeLimit searched(const problems::BoundProblem& bound, optim::OptimiseOptions& search,
                    int workers) {
@@ -90,10 +80,11 @@ FreeLimit searched(const problems::BoundProblem& bound, optim::OptimiseOptions& 
 FreeLimit best_searched(const Answer& answer, optim::OptimiseOptions search, int workers) {
   // The last is what is wanted; where it takes too long the ones before say nearly as much.
   constexpr std::array kKnots{10, 30, 100};
+  const std::vector<Member> laws = laws_of_designs(answer);
   FreeLimit result;
   for (const int knots : kKnots) {
     const problems::FreeInstead instead =
-        problems::with_free_law(answer.bound.statement(), laws_of_designs(answer), knots);
+        problems::with_free_law(answer.bound.statement(), laws, knots);
     const FreeLimit next = searched(problems::BoundProblem(instead.problem), search, workers);
     const bool is_worse =
         result.objective &&
@@ -118,10 +109,10 @@ FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, i
   if (is_ended(search)) return none_because("the search ended before a free law was tried");
   try {
     FreeLimit result = best_searched(answer, search, workers);
-    const std::optional<double> best = best_of_table(answer);
-    const bool is_behind = result.objective && best &&
+    const optim::Assessment& best = answer.optimum.found.assessment;
+    const bool is_behind = result.objective && optim::is_feasible(best) &&
                            result.verdict != optim::to_string(optim::Verdict::Certified) &&
-                           is_better(answer, *best, *result.objective);
+                           is_better(answer, best.objective.value, *result.objective);
     if (is_behind)
       return none_because("its search has not come as far as the best law of the table");
     return result;

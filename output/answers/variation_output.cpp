@@ -242,7 +242,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   }
 }
 
-/// The limits that the design violates as it is meant, which no variation violates alone.
+/// The limits that the nominal design violates, which no variation violates alone.
 void say_violated_as_meant(const ToleranceAnswer& answer, Document& document) {
   std::vector<std::string> names, parts;
   for (const problems::LimitSlopes& limit : answer.limits) {
@@ -261,7 +261,7 @@ void say_violated_as_meant(const ToleranceAnswer& answer, Document& document) {
 }
 
 /// The factor of the limit that breaks first, where those of all are known. In words of those that
-/// the design meets as it is meant.
+/// the nominal design meets.
 void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
   const std::vector<problems::BreakFactor>& factors = answer.factors;
   if (factors.empty() || factors.size() != answer.worst.size()) return;
