@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/conjugate_cam.h"
-
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
+#include "machines/cams/conjugate_cam.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
@@ -72,6 +72,7 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
+  all.push_back(guide_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));
@@ -102,7 +103,7 @@ Mechanism conjugate_cam_mechanism() {
        .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
                     {{"base_radius", "guide_friction"}, "DS2"},
                     {{"roller_radius", "guide_friction"}, "DS2"}}},
-      {conjugate_checks()});
+      {conjugate_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

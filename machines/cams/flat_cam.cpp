@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/flat_cam.h"
-
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
+#include "machines/cams/flat_cam.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
 
@@ -74,6 +74,7 @@ Mechanism flat_cam_mechanism() {
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));
+  responses.push_back(guide_response<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
   append(responses, extent_responses<FlatCam>());
@@ -96,7 +97,8 @@ Mechanism flat_cam_mechanism() {
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlat},
-                 {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks()});
+                 {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks(),
+                  guide_checks()});
 }
 
 }  // namespace camlaw::problems

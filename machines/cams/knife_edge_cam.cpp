@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/knife_edge_cam.h"
-
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
+#include "machines/cams/knife_edge_cam.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
 
@@ -95,6 +95,7 @@ Mechanism knife_edge_cam_mechanism() {
   responses.push_back(knife_edge_curve(KnifeEdgeCurve::ContactForce,
                                        {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
+  responses.push_back(guide_response<KnifeEdgeCam>());
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());
@@ -120,7 +121,7 @@ Mechanism knife_edge_cam_mechanism() {
        .form = Form::DiscKnifeEdge,
        .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
                     {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
-      {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
+      {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -74,6 +74,11 @@ struct KnifeEdgeCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
   }
+  /// (M38) Fraction of the force along the way that friction in the guide takes.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    return edge().guide_fraction(f);
+  }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {

@@ -63,6 +63,11 @@ struct LinearCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return developed().pressure_angle(f);
   }
+  /// (M37), (M38) Fraction of the force along the way that friction in the guide takes.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    return developed().guide_fraction(f);
+  }
   /// (M18), (M38) Force between roller and plate, N: N = F / (cos alpha (1 - q)).
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {

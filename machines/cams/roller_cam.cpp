@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/roller_cam.h"
-
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
+#include "machines/cams/roller_cam.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
 
@@ -40,6 +40,7 @@ Mechanism roller_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
   append(responses, roller_responses<RollerCam>());
   append(responses, duty_responses<RollerCam>());
+  responses.push_back(guide_response<RollerCam>());
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
   append(responses, extent_responses<RollerCam>());
@@ -56,7 +57,8 @@ Mechanism roller_cam_mechanism() {
        .form = Form::DiscRoller,
        .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},
                     {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}}},
-      {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks()});
+      {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
+       guide_checks()});
 }
 
 }  // namespace camlaw::problems

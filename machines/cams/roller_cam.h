@@ -87,6 +87,14 @@ struct RollerCam {
     const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
     return guide().share_across(X(overhang - f.s), size);
   }
+  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
+  /// jams.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    if (is_number(guide_friction, 0)) return number<X>(0);
+    const X share = guide_share(f);
+    return guide().taken(follower().force(f), share, share);
+  }
   /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
   /// where F is above 0 and its negative below. NaN where the follower jams.
   template <class X>
@@ -111,8 +119,7 @@ struct RollerCam {
   X driving_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const X share = guide_share(f);
-    return guide().driving_force(force, share, share);
+    return guide().driving_force(force, guide_fraction(f));
   }
 };
 
