@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/conjugate_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/conjugate_cam.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -102,7 +104,8 @@ Mechanism conjugate_cam_mechanism() {
        .form = Form::DiscConjugate,
        .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
                     {{"base_radius", "guide_friction"}, "DS2"},
-                    {{"roller_radius", "guide_friction"}, "DS2"}}},
+                    {{"roller_radius", "guide_friction"}, "DS2"}},
+       .why_impossible = why_impossible_as<ConjugateCam>},
       {conjugate_checks(), guide_checks()});
 }
 

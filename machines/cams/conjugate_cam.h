@@ -55,9 +55,16 @@ struct ConjugateCam {
     const T height = second_height();
     return sqrt(offset * offset + height * height) - roller_radius;
   }
-  bool is_possible() const {
-    return main().is_possible() && value_of(base_radius) > 0 && value_of(second_height()) > 0 &&
-           value_of(second_base_radius()) > 0 && stays_outside(guide_friction, overhang, stroke);
+  Possibility is_possible() const {
+    if (const Possibility of_main = main().is_possible(); !of_main) return of_main;
+    return {{value_of(base_radius) > 0, "base_radius must be above 0"},
+            {value_of(second_height()) > 0,
+             "roller_distance must be above stroke + sqrt((base_radius + roller_radius)^2 - "
+             "offset^2)"},
+            {value_of(second_base_radius()) > 0,
+             "roller_distance must be so far above stroke + sqrt((base_radius + roller_radius)^2 - "
+             "offset^2) that the second cam has a base radius"},
+            outside_guide(guide_friction, overhang, stroke)};
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/end_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
-#include "machines/cams/end_cam.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -59,7 +61,8 @@ Mechanism end_cam_mechanism() {
                  least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::EndRoller,
-       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
+       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<EndCam>},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 

@@ -34,8 +34,9 @@ struct EndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const {
-    return value_of(radius) > 0 && stays_outside(guide_friction, overhang, stroke);
+  Possibility is_possible() const {
+    return {{value_of(radius) > 0, "radius must be above 0"},
+            outside_guide(guide_friction, overhang, stroke)};
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/flat_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
-#include "machines/cams/flat_cam.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -96,7 +98,8 @@ Mechanism flat_cam_mechanism() {
                             peak_end_deviation(),
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
-                  .form = Form::DiscFlat},
+                  .form = Form::DiscFlat,
+                  .why_impossible = why_impossible_as<FlatCam>},
                  {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks(),
                   guide_checks()});
 }

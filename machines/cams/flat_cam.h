@@ -35,7 +35,9 @@ struct FlatCam {
   T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
   T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
 
-  bool is_possible() const { return value_of(base_radius) > 0; }
+  Possibility is_possible() const {
+    return {{value_of(base_radius) > 0, "base_radius must be above 0"}};
+  }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/knife_edge_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
-#include "machines/cams/knife_edge_cam.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -120,7 +122,8 @@ Mechanism knife_edge_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .form = Form::DiscKnifeEdge,
        .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
+                    {{"base_radius", "offset", "guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<KnifeEdgeCam>},
       {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }
 

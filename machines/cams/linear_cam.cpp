@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/linear_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -6,9 +8,9 @@
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
-#include "machines/cams/linear_cam.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -85,7 +87,8 @@ Mechanism linear_cam_mechanism() {
                  least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::Plate,
-       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
+       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<LinearCam>},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 

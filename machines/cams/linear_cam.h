@@ -34,7 +34,10 @@ struct LinearCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const { return value_of(travel) > 0 && developed().is_possible(); }
+  Possibility is_possible() const {
+    return {{value_of(travel) > 0, "travel must be above 0"},
+            outside_guide(guide_friction, overhang, stroke)};
+  }
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {

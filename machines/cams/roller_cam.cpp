@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/roller_cam.h"
+
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -6,9 +8,9 @@
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
-#include "machines/cams/roller_cam.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -56,7 +58,8 @@ Mechanism roller_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .form = Form::DiscRoller,
        .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}}},
+                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<RollerCam>},
       {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
        guide_checks()});
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 
 namespace camlaw {
@@ -42,10 +43,11 @@ struct SlidingGuide {
   }
 };
 
-/// Whether a contact that is so far before its guide at the lowest place stays outside it.
+/// A contact that is so far before its guide at the lowest place must stay outside it.
 template <class T>
-bool stays_outside(const T& guide_friction, const T& overhang, const T& stroke) {
-  return value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
+Possibility::Condition outside_guide(const T& guide_friction, const T& overhang, const T& stroke) {
+  return {value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke),
+          "overhang must be at least stroke where guide_friction is above 0"};
 }
 
 }  // namespace camlaw
