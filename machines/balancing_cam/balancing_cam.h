@@ -43,9 +43,19 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   std::array<T, 2> breaks() const { return {lift_off, this->engagement()}; }
   bool moves(std::size_t section) const { return section != Locked; }
 
-  bool is_possible() const {
-    return Drive::is_possible() && spring().is_possible() && value_of(preload_ratio) > 0 &&
-           value_of(springs) > 0 && value_of(lift_off) <= value_of(this->engagement()) + kRounding;
+  Possibility is_possible() const {
+    if (const Possibility of_drive = Drive::is_possible(); !of_drive) return of_drive;
+    if (const Possibility of_spring = spring().is_possible(); !of_spring) return of_spring;
+    return {{value_of(preload_ratio) > 0, "preload_ratio must be above 0"},
+            {value_of(springs) > 0, "springs must be above 0"},
+            {value_of(lift_off) <= value_of(this->engagement()) + kRounding,
+             lift_off_words(this->geneva())}};
+  }
+  static const char* lift_off_words(const PlanarGeneva<T>&) {
+    return "lift_off must be at most 180 deg - 360 deg / slots";
+  }
+  static const char* lift_off_words(const SphericalGeneva<T>&) {
+    return "lift_off must be at most 180 deg";
   }
   /// The drive at the speed that the cam is cut for.
   Drive designed() const { return {this->slots, design_speed, this->inertia, this->friction}; }

@@ -7,6 +7,7 @@
 #include "machines/model/append.h"
 #include "machines/model/peak_number.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 namespace {
@@ -288,7 +289,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
        .moved_by = MovedBy::Nothing,
        .validity = {{"flattening", 1}},
        .form = Form::BalancingCam,
-       .possible = {{{"outer_diameter", "inner_diameter"}, "DS5"}}},
+       .possible = {{{"outer_diameter", "inner_diameter"}, "DS5"}},
+       .why_impossible = why_impossible_as<M>},
       {undercut_checks(), stress_checks()});
 }
 

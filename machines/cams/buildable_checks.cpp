@@ -22,8 +22,8 @@ const std::vector<BuildableInput>& known_inputs() {
   return all;
 }
 
-/// Just below 1, where the cusp begins, so that a cusp itself fails beyond every tolerance.
-double below_cusp(const StatedNumber&) { return 1 - 1e-5; }
+/// Just below 1, where a cusp begins or a follower jams, so that these fail beyond every tolerance.
+double below_one(const StatedNumber&) { return 1 - 1e-5; }
 /// Just above a cusp, in mm.
 double above_cusp(const StatedNumber&) { return 1e-3; }
 double nothing(const StatedNumber&) { return 0; }
@@ -45,7 +45,7 @@ BuildableCheck undercut(const std::string& of, Closure closure = Closure::Any) {
           .fault = "the profile is undercut",
           .response = of + "undercut",
           .is_upper = true,
-          .bound = below_cusp,
+          .bound = below_one,
           .closure = closure};
 }
 
@@ -247,6 +247,15 @@ Checks arm_checks() {
            .bound = half_the_arm,
            .needs = {"arm_width"},
            .closure = Closure::Force}};
+}
+
+Checks guide_checks() {
+  return {{.name = "guide",
+           .fault = "friction in the guide jams the follower",
+           .response = "guide_fraction",
+           .is_upper = true,
+           .bound = below_one,
+           .needs = {"guide_friction"}}};
 }
 
 Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", Closure::Any)}; }

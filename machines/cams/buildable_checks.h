@@ -40,6 +40,9 @@ Checks stress_checks();
 /// The same where there may be a groove: there on the flank that bears.
 Checks roller_stress_checks();
 
+/// Friction in the guide of a translating follower, where it is stated.
+Checks guide_checks();
+
 /// A mechanism with all of these, and the inputs that they have.
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks);
 

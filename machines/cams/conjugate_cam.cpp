@@ -6,9 +6,11 @@
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -72,6 +74,7 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
+  all.push_back(guide_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));
@@ -101,8 +104,9 @@ Mechanism conjugate_cam_mechanism() {
        .form = Form::DiscConjugate,
        .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
                     {{"base_radius", "guide_friction"}, "DS2"},
-                    {{"roller_radius", "guide_friction"}, "DS2"}}},
-      {conjugate_checks()});
+                    {{"roller_radius", "guide_friction"}, "DS2"}},
+       .why_impossible = why_impossible_as<ConjugateCam>},
+      {conjugate_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -55,9 +55,16 @@ struct ConjugateCam {
     const T height = second_height();
     return sqrt(offset * offset + height * height) - roller_radius;
   }
-  bool is_possible() const {
-    return main().is_possible() && value_of(base_radius) > 0 && value_of(second_height()) > 0 &&
-           value_of(second_base_radius()) > 0 && stays_outside(guide_friction, overhang, stroke);
+  Possibility is_possible() const {
+    if (const Possibility of_main = main().is_possible(); !of_main) return of_main;
+    return {{value_of(base_radius) > 0, "base_radius must be above 0"},
+            {value_of(second_height()) > 0,
+             "roller_distance must be above stroke + sqrt((base_radius + roller_radius)^2 - "
+             "offset^2)"},
+            {value_of(second_base_radius()) > 0,
+             "roller_distance must be so far above stroke + sqrt((base_radius + roller_radius)^2 - "
+             "offset^2) that the second cam has a base radius"},
+            outside_guide(guide_friction, overhang, stroke)};
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
@@ -92,6 +99,13 @@ struct ConjugateCam {
     const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
     return {-p.x, -p.y, -p.x1, -p.y1};
   }
+  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the carriage
+  /// jams.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    if (is_number(guide_friction, 0)) return number<X>(0);
+    return guide().taken(follower().force(f), main_share(f), second_share(f));
+  }
   /// (M31), (M38) Force between the cam that bears and its roller, N, above 0 where it is the main
   /// one: N = F / (cos alpha (1 - q)). NaN where the carriage jams.
   template <class X>
@@ -105,13 +119,13 @@ struct ConjugateCam {
   template <class X>
   X main_force(const FollowerMotion<X>& f) const {
     const X force = greater_of(follower().force(f), number<X>(0));
-    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, main_share(f));
+    const X along_way = is_number(guide_friction, 0) ? force : pressed(force, main_share(f));
     return along_way * inclined(main().pitch_curve(f));
   }
   template <class X>
   X second_force(const FollowerMotion<X>& f) const {
     const X force = greater_of(X(-follower().force(f)), number<X>(0));
-    const X along_way = is_number(guide_friction, 0) ? force : pushed(force, X(-second_share(f)));
+    const X along_way = is_number(guide_friction, 0) ? force : pressed(force, X(-second_share(f)));
     return along_way * inclined(second().pitch_curve(second_motion(f)));
   }
   /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
@@ -151,11 +165,12 @@ struct ConjugateCam {
   X driving_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    return guide().driving_force(force, main_share(f), second_share(f));
+    return guide().driving_force(force, guide_fraction(f));
   }
+  /// The same of one roller, whose friction takes so much: what does not press does not jam.
   template <class X>
-  X pushed(const X& force, const X& share) const {
-    return guide().driving_force(force, share, share);
+  X pressed(const X& force, const X& taken) const {
+    return unless_zero(force, guide().driving_force(force, taken));
   }
   /// (M37), and (M45) of the second roller, which is D further from the guide.
   template <class X>

@@ -7,8 +7,10 @@
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -46,19 +48,22 @@ Mechanism end_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<EndCam>(kSliding);
   append(responses, roller_responses<EndCam>());
   append(responses, duty_responses<EndCam>());
+  responses.push_back(guide_response<EndCam>());
   append(responses, drawn_responses<EndCam>(true));
-  return checked({.name = "end-cam",
-                  .title = "end or barrel cam with a roller that moves along its axis",
-                  .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<EndCam>::parameters(),
-                  .responses = std::move(responses),
-                  .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
-                            peak_torque(), peak_stress(), peak_outer_undercut(),
-                            peak_groove_stress(), peak_end_deviation(), least_elastic(kSliding)},
-                  .moved_by = MovedBy::Program,
-                  .form = Form::EndRoller,
-                  .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
-                 {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
+  return checked(
+      {.name = "end-cam",
+       .title = "end or barrel cam with a roller that moves along its axis",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<EndCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(), peak_torque(),
+                 peak_stress(), peak_outer_undercut(), peak_groove_stress(), peak_end_deviation(),
+                 least_elastic(kSliding)},
+       .moved_by = MovedBy::Program,
+       .form = Form::EndRoller,
+       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<EndCam>},
+      {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

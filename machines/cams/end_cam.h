@@ -34,8 +34,9 @@ struct EndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const {
-    return value_of(radius) > 0 && stays_outside(guide_friction, overhang, stroke);
+  Possibility is_possible() const {
+    return {{value_of(radius) > 0, "radius must be above 0"},
+            outside_guide(guide_friction, overhang, stroke)};
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
@@ -65,6 +66,14 @@ struct EndCam {
     using std::atan;
     return atan(f.ds / radius);
   }
+  /// (M37), (M38) Fraction of the force along the way that friction in the guide takes; at 1 the
+  /// follower jams. tan alpha = s' / R has the velocity's sign.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    if (is_number(guide_friction, 0)) return number<X>(0);
+    const X share = guide().share_across(X(overhang - f.s), X(f.ds / radius));
+    return guide().taken(follower().force(f), share, share);
+  }
   /// (M18), (M38) Force between roller and cam, N, signed as the force along the way:
   /// N = F / (cos alpha (1 - q)). NaN where the follower jams.
   template <class X>
@@ -85,14 +94,13 @@ struct EndCam {
   }
 
  private:
-  /// (M37) N cos alpha; tan alpha = s' / R has the velocity's sign.
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+  /// N cos alpha.
   template <class X>
   X driving_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const SlidingGuide<T> guide{guide_friction, guide_length};
-    const X share = guide.share_across(X(overhang - f.s), X(f.ds / radius));
-    return guide.driving_force(force, share, share);
+    return guide().driving_force(force, guide_fraction(f));
   }
 };
 

@@ -7,8 +7,10 @@
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -74,6 +76,7 @@ Mechanism flat_cam_mechanism() {
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));
+  responses.push_back(guide_response<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
   append(responses, extent_responses<FlatCam>());
@@ -95,8 +98,10 @@ Mechanism flat_cam_mechanism() {
                             peak_end_deviation(),
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
-                  .form = Form::DiscFlat},
-                 {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks()});
+                  .form = Form::DiscFlat,
+                  .why_impossible = why_impossible_as<FlatCam>},
+                 {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks(),
+                  guide_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -35,7 +35,9 @@ struct FlatCam {
   T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
   T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
 
-  bool is_possible() const { return value_of(base_radius) > 0; }
+  Possibility is_possible() const {
+    return {{value_of(base_radius) > 0, "base_radius must be above 0"}};
+  }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
@@ -52,14 +54,21 @@ struct FlatCam {
   X contact_offset(const FollowerMotion<X>& f) const {
     return f.ds;
   }
+  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
+  /// jams.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    if (is_number(guide_friction, 0)) return number<X>(0);
+    const X share = guide().share_beside(contact_offset(f));  // signed as s'
+    return guide().taken(follower().force(f), share, share);
+  }
   /// (M38), (M44) Force between face and cam, N, along the way: F / (1 - q) with the friction in
   /// the guide that the couple of a contact beside the axis makes. NaN where the follower jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const X share = guide().share_beside(contact_offset(f));  // signed as s'
-    return guide().driving_force(force, share, share);
+    return guide().driving_force(force, guide_fraction(f));
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
   template <class X>

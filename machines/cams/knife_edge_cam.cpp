@@ -6,8 +6,10 @@
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -95,6 +97,7 @@ Mechanism knife_edge_cam_mechanism() {
   responses.push_back(knife_edge_curve(KnifeEdgeCurve::ContactForce,
                                        {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
+  responses.push_back(guide_response<KnifeEdgeCam>());
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());
@@ -119,8 +122,9 @@ Mechanism knife_edge_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .form = Form::DiscKnifeEdge,
        .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
-      {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
+                    {{"base_radius", "offset", "guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<KnifeEdgeCam>},
+      {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -48,7 +48,12 @@ struct KnifeEdgeCam {
             .guide_length = guide_length,
             .overhang = overhang};
   }
-  bool is_possible() const { return edge().is_possible(); }
+  Possibility is_possible() const {
+    const double e = value_of(offset), base = value_of(base_radius);
+    return {{base > 0, "base_radius must be above 0"},
+            {e * e < base * base, "offset must be less in size than base_radius"},
+            outside_guide(guide_friction, overhang, stroke)};
+  }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   FollowerLoad<T> follower() const { return edge().follower(); }
   template <class X>
@@ -73,6 +78,11 @@ struct KnifeEdgeCam {
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
+  }
+  /// (M38) Fraction of the force along the way that friction in the guide takes.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    return edge().guide_fraction(f);
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
   template <class X>

@@ -7,8 +7,10 @@
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -64,27 +66,30 @@ Mechanism linear_cam_mechanism() {
   std::vector<MechanismResponse> responses = plate_responses();
   append(responses, roller_responses<LinearCam>());
   append(responses, duty_responses<LinearCam>());
+  responses.push_back(guide_response<LinearCam>());
   append(responses, drawn_responses<LinearCam>(true));
-  return checked({.name = "linear-cam",
-                  .title = "cam plate that slides under a translating roller follower",
-                  .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<LinearCam>::parameters(),
-                  .responses = std::move(responses),
-                  .peaks = {peak_pressure_angle(),
-                            peak_undercut(),
-                            least_force(),
-                            peak_force(),
-                            {"peak_plate_force", "plate_force", optim::Part::Magnitude,
-                             "greatest force that moves the plate"},
-                            peak_stress(),
-                            peak_outer_undercut(),
-                            peak_groove_stress(),
-                            peak_end_deviation(),
-                            least_elastic(kSliding)},
-                  .moved_by = MovedBy::Program,
-                  .form = Form::Plate,
-                  .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}}},
-                 {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
+  return checked(
+      {.name = "linear-cam",
+       .title = "cam plate that slides under a translating roller follower",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<LinearCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(),
+                 peak_undercut(),
+                 least_force(),
+                 peak_force(),
+                 {"peak_plate_force", "plate_force", optim::Part::Magnitude,
+                  "greatest force that moves the plate"},
+                 peak_stress(),
+                 peak_outer_undercut(),
+                 peak_groove_stress(),
+                 peak_end_deviation(),
+                 least_elastic(kSliding)},
+       .moved_by = MovedBy::Program,
+       .form = Form::Plate,
+       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<LinearCam>},
+      {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 
 }  // namespace camlaw::problems

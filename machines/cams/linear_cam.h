@@ -34,7 +34,10 @@ struct LinearCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const { return value_of(travel) > 0 && developed().is_possible(); }
+  Possibility is_possible() const {
+    return {{value_of(travel) > 0, "travel must be above 0"},
+            outside_guide(guide_friction, overhang, stroke)};
+  }
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {
@@ -62,6 +65,11 @@ struct LinearCam {
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     return developed().pressure_angle(f);
+  }
+  /// (M37), (M38) Fraction of the force along the way that friction in the guide takes.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    return developed().guide_fraction(f);
   }
   /// (M18), (M38) Force between roller and plate, N: N = F / (cos alpha (1 - q)).
   template <class X>

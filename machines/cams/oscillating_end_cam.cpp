@@ -9,6 +9,7 @@
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -64,7 +65,8 @@ Mechanism oscillating_end_cam_mechanism() {
                             peak_end_deviation(), least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::EndArm,
-                  .possible = {{{"swing", "tilt"}, "DS3"}}},
+                  .possible = {{{"swing", "tilt"}, "DS3"}},
+                  .why_impossible = why_impossible_as<OscillatingEndCam>},
                  {roller_checks(), force_closure_checks(kOscillating), roller_stress_checks()});
 }
 

@@ -6,6 +6,7 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 
@@ -40,10 +41,12 @@ struct OscillatingEndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const {
+  Possibility is_possible() const {
     const double middle = value_of(tilt), half = value_of(swing) / 2, right = std::numbers::pi / 2;
-    return value_of(radius) > 0 && value_of(arm_length) > 0 && middle - half > -right &&
-           middle + half < right;
+    return {{value_of(radius) > 0, "radius must be above 0"},
+            {value_of(arm_length) > 0, "arm_length must be above 0"},
+            {middle - half > -right, "tilt - swing / 2 must be above -90 deg"},
+            {middle + half < right, "tilt + swing / 2 must be below 90 deg"}};
   }
   T lowest_angle() const { return tilt - swing / number<T>(2); }
   /// What swings counts as what slides: J for m, torques for forces.

@@ -9,6 +9,7 @@
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -110,7 +111,8 @@ Mechanism oscillating_flat_cam_mechanism() {
                  least_elastic(kOscillating)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscFlatArm,
-       .possible = {{{"base_radius", "face_offset", "pivot_distance"}, "DS3"}, {{"swing"}, "DS3"}}},
+       .possible = {{{"base_radius", "face_offset", "pivot_distance"}, "DS3"}, {{"swing"}, "DS3"}},
+       .why_impossible = why_impossible_as<OscillatingFlatCam>},
       {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
        stress_checks()});
 }

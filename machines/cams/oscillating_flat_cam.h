@@ -6,6 +6,7 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
+#include "machines/model/possibility.h"
 #include "numerics/scalar/absolute.h"
 
 namespace camlaw {
@@ -48,10 +49,13 @@ struct OscillatingFlatCam {
     using std::asin;
     return asin(sin_lowest());
   }
-  bool is_possible() const {
+  Possibility is_possible() const {
     const double s = value_of(sin_lowest());
-    return value_of(base_radius) > 0 && value_of(pivot_distance) > 0 && s > -1 && s < 1 &&
-           value_of(lowest_angle() + swing) < std::numbers::pi / 2;
+    return {{value_of(base_radius) > 0, "base_radius must be above 0"},
+            {value_of(pivot_distance) > 0, "pivot_distance must be above 0"},
+            {s > -1 && s < 1, "base_radius + face_offset must be less in size than pivot_distance"},
+            {value_of(lowest_angle() + swing) < std::numbers::pi / 2,
+             "asin((base_radius + face_offset) / pivot_distance) + swing must be below 90 deg"}};
   }
   /// What swings counts as what slides: J for m, torques for forces.
   FollowerLoad<T> follower() const {

@@ -9,6 +9,7 @@
 #include "machines/cams/leading_roller_cam.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -89,7 +90,8 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
                  least_elastic(kOscillating)},
        .moved_by = MovedBy::Program,
        .form = form,
-       .possible = {{{"base_radius", "roller_radius", "arm_length", "pivot_distance"}, "DS3"}}},
+       .possible = {{{"base_radius", "roller_radius", "arm_length", "pivot_distance"}, "DS3"}},
+       .why_impossible = why_impossible_as<M>},
       {roller_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
        arm_checks(), roller_stress_checks()});
 }

@@ -4,6 +4,7 @@
 #include "machines/cams/roller_arm.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 
@@ -44,9 +45,13 @@ struct OscillatingRollerCam {
     return (arm_length * arm_length + pivot_distance * pivot_distance - rp * rp) /
            (number<T>(2) * arm_length * pivot_distance);
   }
-  bool is_possible() const {
+  Possibility is_possible() const {
     const double c = value_of(cos_lowest());
-    return c > -1 && c < 1 && value_of(prime_radius()) > 0;
+    return {{value_of(prime_radius()) > 0, "base_radius + roller_radius must be above 0"},
+            {c > -1, "base_radius + roller_radius must be below arm_length + pivot_distance"},
+            {c < 1,
+             "base_radius + roller_radius must be above the difference of arm_length and "
+             "pivot_distance"}};
   }
   T lowest_angle() const {
     using std::asin;

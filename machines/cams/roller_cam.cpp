@@ -7,8 +7,10 @@
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -40,6 +42,7 @@ Mechanism roller_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
   append(responses, roller_responses<RollerCam>());
   append(responses, duty_responses<RollerCam>());
+  responses.push_back(guide_response<RollerCam>());
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
   append(responses, extent_responses<RollerCam>());
@@ -55,8 +58,10 @@ Mechanism roller_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .form = Form::DiscRoller,
        .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}}},
-      {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks()});
+                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}},
+       .why_impossible = why_impossible_as<RollerCam>},
+      {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
+       guide_checks()});
 }
 
 }  // namespace camlaw::problems

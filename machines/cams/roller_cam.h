@@ -40,9 +40,11 @@ struct RollerCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  bool is_possible() const {
+  Possibility is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
-    return prime > 0 && e * e < prime * prime && stays_outside(guide_friction, overhang, stroke);
+    return {{prime > 0, "base_radius + roller_radius must be above 0"},
+            {e * e < prime * prime, "offset must be less in size than base_radius + roller_radius"},
+            outside_guide(guide_friction, overhang, stroke)};
   }
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
@@ -87,6 +89,14 @@ struct RollerCam {
     const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
     return guide().share_across(X(overhang - f.s), size);
   }
+  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
+  /// jams.
+  template <class X>
+  X guide_fraction(const FollowerMotion<X>& f) const {
+    if (is_number(guide_friction, 0)) return number<X>(0);
+    const X share = guide_share(f);
+    return guide().taken(follower().force(f), share, share);
+  }
   /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
   /// where F is above 0 and its negative below. NaN where the follower jams.
   template <class X>
@@ -111,8 +121,7 @@ struct RollerCam {
   X driving_force(const FollowerMotion<X>& f) const {
     const X force = follower().force(f);
     if (is_number(guide_friction, 0)) return force;
-    const X share = guide_share(f);
-    return guide().driving_force(force, share, share);
+    return guide().driving_force(force, guide_fraction(f));
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 
 namespace camlaw {
@@ -26,21 +27,27 @@ struct SlidingGuide {
   X share_beside(const X& distance) const {
     return number<T>(2) * friction / length * distance;
   }
-  /// (M38) The force along the way with friction, N: F / (1 - q) where F is above 0, and
-  /// F / (1 + q) below, of what bears then. NaN where the follower jams.
+  /// (M38) The fraction of the force along the way that friction takes: q where F is 0 or above,
+  /// and -q below, of what bears then. At 1 the follower jams; below 0 friction helps the cam.
   template <class X>
-  static X driving_force(const X& force, const X& pushing, const X& pulling) {
+  static X taken(const X& force, const X& pushing, const X& pulling) {
+    return by_side(force, pushing, X(-pulling));
+  }
+  /// (M38) The force along the way with friction that takes so much of it, N: F / (1 - taken). NaN
+  /// where the follower jams.
+  template <class X>
+  static X driving_force(const X& force, const X& taken) {
     using std::sqrt;
-    const X one = number<X>(1);
-    const X left = by_side(force, X(one - pushing), X(one + pulling)), root = sqrt(left);
+    const X root = sqrt(number<X>(1) - taken);
     return force / (root * root);  // a root of what is below 0 is not a number
   }
 };
 
-/// Whether a contact that is so far before its guide at the lowest place stays outside it.
+/// A contact that is so far before its guide at the lowest place must stay outside it.
 template <class T>
-bool stays_outside(const T& guide_friction, const T& overhang, const T& stroke) {
-  return value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
+Possibility::Condition outside_guide(const T& guide_friction, const T& overhang, const T& stroke) {
+  return {value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke),
+          "overhang must be at least stroke where guide_friction is above 0"};
 }
 
 }  // namespace camlaw

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "machines/follower_train/follower_train.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 
@@ -20,10 +21,13 @@ struct ElasticFollower {
   T slowest_speed = number<T>(25.1327412287183);  ///< rad/s, where a range of speeds begins
   T fastest_speed = number<T>(37.6991118430775);  ///< rad/s, where it ends
 
-  bool is_possible() const {
+  Possibility is_possible() const {
     const double zeta = value_of(damping_ratio);
-    return value_of(mass) > 0 && value_of(stiffness) > 0 && zeta >= 0 && zeta < 1 &&
-           value_of(rise_angle) > 0 && value_of(angular_speed) > 0;
+    return {{value_of(mass) > 0, "mass must be above 0"},
+            {value_of(stiffness) > 0, "stiffness must be above 0"},
+            {zeta >= 0 && zeta < 1, "damping_ratio must be 0 or above and below 1"},
+            {value_of(rise_angle) > 0, "rise_angle must be above 0"},
+            {value_of(angular_speed) > 0, "speed must be above 0"}};
   }
   /// (U2) Undamped natural frequency, Hz: sqrt(c / m) / (2 pi).
   T natural_frequency() const {

@@ -5,6 +5,7 @@
 #include "machines/follower_train/speed_curve.h"
 #include "machines/follower_train/train_curve.h"
 #include "machines/model/law_formula.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -142,7 +143,8 @@ Mechanism follower_train_mechanism() {
                     {"amplification", "amplified_acceleration", Part::Magnitude,
                      "greatest acceleration of the mass over that of the cam"},
                     {"worst_residual", "residual_over_speed", Part::Highest,
-                     "greatest residual amplitude at any speed of the range"}}};
+                     "greatest residual amplitude at any speed of the range"}},
+          .why_impossible = why_impossible_as<ElasticFollower>};
 }
 
 }  // namespace camlaw::problems

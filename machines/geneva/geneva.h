@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/model/possibility.h"
 #include "numerics/scalar/scalar.h"
 
 namespace camlaw {
@@ -21,7 +22,7 @@ template <class T>
 struct PlanarGeneva {
   T slots = number<T>(4);  ///< n, 3 or more
 
-  bool is_possible() const { return value_of(slots) >= 3; }
+  Possibility is_possible() const { return {{value_of(slots) >= 3, "slots must be 3 or more"}}; }
   T crank() const {
     using std::sin;
     return sin(pi<T>() / slots);
@@ -52,7 +53,7 @@ template <class T>
 struct SphericalGeneva {
   T slots = number<T>(4);  ///< n, 3 or more
 
-  bool is_possible() const { return value_of(slots) >= 3; }
+  Possibility is_possible() const { return {{value_of(slots) >= 3, "slots must be 3 or more"}}; }
   T half_engagement() const { return pi<T>() / number<T>(2); }
 
   /// (V2) tan beta = tan(pi / n) sin alpha, with k = tan(pi / n), q = 1 + k^2 sin^2 alpha and

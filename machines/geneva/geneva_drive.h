@@ -29,7 +29,10 @@ struct GenevaDrive {
   /// The drive alone, without what machines that contain one add to it.
   const GenevaDrive& drive() const { return *this; }
   Wheel<T> geneva() const { return {slots}; }
-  bool is_possible() const { return geneva().is_possible() && value_of(friction) > 0; }
+  Possibility is_possible() const {
+    if (const Possibility of_wheel = geneva().is_possible(); !of_wheel) return of_wheel;
+    return {{value_of(friction) > 0, "friction must be above 0"}};
+  }
   /// 2 gamma, rad.
   T engagement() const { return number<T>(2) * geneva().half_engagement(); }
   /// The wheel's angle from the middle of its step.

@@ -4,6 +4,7 @@
 #include "machines/geneva/drive_tables.h"
 #include "machines/geneva/surplus.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -101,7 +102,8 @@ Mechanism planar_geneva_mechanism() {
           .responses = std::move(responses),
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,
-          .form = Form::Geneva};
+          .form = Form::Geneva,
+          .why_impossible = why_impossible_as<PlanarGenevaDrive>};
 }
 
 Mechanism spherical_geneva_mechanism() {
@@ -112,7 +114,8 @@ Mechanism spherical_geneva_mechanism() {
           .responses = drive_responses<SphericalGenevaDrive>(),
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,
-          .form = Form::SphericalGeneva};
+          .form = Form::SphericalGeneva,
+          .why_impossible = why_impossible_as<SphericalGenevaDrive>};
 }
 
 }  // namespace camlaw::problems

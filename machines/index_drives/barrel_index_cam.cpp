@@ -5,6 +5,7 @@
 #include "machines/index_drives/index_drives.h"
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/rib_responses.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -51,7 +52,8 @@ Mechanism barrel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},
        .form = Form::BarrelIndex,
-       .possible = {{{"cam_radius", "face_width"}, "DS13"}}},
+       .possible = {{{"cam_radius", "face_width"}, "DS13"}},
+       .why_impossible = why_impossible_as<BarrelIndexCam>},
       {rib_checks(), ring_checks()});
 }
 

@@ -21,8 +21,10 @@ struct BarrelIndexCam : RibTurret<T> {
   T cam_radius = number<T>(0.060);     ///< R_c, m, of the cam at the middle of a roller
   T roller_radius = number<T>(0.012);  ///< r_r, m
 
-  bool is_possible() const {
-    return value_of(distance_at(RollerPlace::Tip)) > 0 && value_of(rollers) > 2;
+  Possibility is_possible() const {
+    return {
+        {value_of(distance_at(RollerPlace::Tip)) > 0, "cam_radius must be above face_width / 2"},
+        {value_of(rollers) > 2, "rollers must be 3 or more"}};
   }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }

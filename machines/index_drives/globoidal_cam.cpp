@@ -5,6 +5,7 @@
 #include "machines/index_drives/index_drives.h"
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/rib_responses.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -42,7 +43,8 @@ Mechanism globoidal_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},
        .form = Form::RollerGear,
-       .possible = {{{"axis_distance", "turret_radius", "face_width"}, "DS13"}}},
+       .possible = {{{"axis_distance", "turret_radius", "face_width"}, "DS13"}},
+       .why_impossible = why_impossible_as<GloboidalCam>},
       {rib_checks(), ring_checks()});
 }
 

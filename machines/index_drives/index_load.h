@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/elastic_end.h"
+#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 
 /// What all index drives have in common: a turret whose rollers a cam moves on, one after the

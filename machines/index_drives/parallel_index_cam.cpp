@@ -9,6 +9,7 @@
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/turret_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
@@ -136,7 +137,8 @@ Mechanism parallel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,
-       .possible = {{{"axis_distance", "turret_radius"}, "DS13"}}},
+       .possible = {{{"axis_distance", "turret_radius"}, "DS13"}},
+       .why_impossible = why_impossible_as<ParallelIndexCam>},
       {conjugate_checks(), shaft_checks(), ring_checks()});
 }
 

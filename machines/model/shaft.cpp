@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -86,6 +87,8 @@ class Renamed {
     return own;
   }
 
+  /// The condition that the cam does not meet, in the shaft's names; empty where it meets all.
+  std::string why_impossible(std::span<const double> all) const;
   MechanismResponse response(const MechanismResponse& own) const;
   BuildableCheck check(const BuildableCheck& own) const;
 
@@ -95,6 +98,26 @@ class Renamed {
   ShaftCam cam_;
   std::size_t number_;
 };
+
+std::string Renamed::why_impossible(std::span<const double> all) const {
+  const Mechanism& own = *cam_.mechanism;
+  if (!own.why_impossible) return {};
+  const std::string words = own.why_impossible(own_numbers<double>(cam_.parameters, all));
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  std::string renamed;
+  for (auto at = words.begin(); at != words.end();) {
+    const auto end = std::find_if_not(at, words.end(), is_of_name);
+    const std::string word(at, end);
+    const bool is_parameter = std::any_of(own.parameters.begin(), own.parameters.end(),
+                                          [&](const auto& p) { return p.name == word; });
+    renamed += is_parameter ? name(word) : word;
+    at = end;
+    if (at != words.end()) renamed += *at++;
+  }
+  return renamed;
+}
 
 MechanismResponse Renamed::response(const MechanismResponse& own) const {
   MechanismResponse result = own;
@@ -261,6 +284,13 @@ Mechanism shaft_mechanism(const std::vector<NamedCam>& cams) {
   }
   shaft.title = fmt::format("a shaft with {}", fmt::join(names, ", "));
   for (std::size_t i = 0; i < shaft.cams.size(); ++i) add_cam(shaft.cams[i], i, shaft);
+  shaft.why_impossible = [cams = shaft.cams](std::span<const double> all) {
+    std::string why;
+    for (std::size_t i = 0; i < cams.size() && why.empty(); ++i) {
+      why = Renamed(cams[i], i).why_impossible(all);
+    }
+    return why;
+  };
   add_shaft_torque(shaft);
   return shaft;
 }

@@ -3,6 +3,7 @@
 
 #include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
+#include "machines/model/why_impossible.h"
 #include "machines/sheet_delivery/sheet_delivery.h"
 
 namespace camlaw::problems {
@@ -181,7 +182,8 @@ Mechanism sheet_delivery_mechanism() {
                     {"least_reverse_efficiency", "reverse_efficiency", Part::Lowest,
                      "least efficiency from the carriage to the motor"},
                     {"greatest_efficiency", "efficiency", Part::Highest,
-                     "greatest efficiency from the motor to the carriage"}}};
+                     "greatest efficiency from the motor to the carriage"}},
+          .why_impossible = why_impossible_as<SheetDelivery>};
 }
 
 }  // namespace camlaw::problems

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/model/possibility.h"
 #include "numerics/scalar/scalar.h"
 
 namespace camlaw {
@@ -27,10 +28,15 @@ struct DiscSpring {
   T reduced_thickness() const { return thickness * thickness_ratio; }
   /// h_0' = l_0 - t', the deflection to flat.
   T flat_deflection() const { return cone_height + thickness * (number<T>(1) - thickness_ratio); }
-  bool is_possible() const {
-    return value_of(inner_diameter) > 0 && value_of(outer_diameter) > value_of(inner_diameter) &&
-           value_of(thickness) > 0 && value_of(cone_height) >= 0 && value_of(thickness_ratio) > 0 &&
-           value_of(flat_deflection()) >= 0;
+  Possibility is_possible() const {
+    return {{value_of(inner_diameter) > 0, "inner_diameter must be above 0"},
+            {value_of(outer_diameter) > value_of(inner_diameter),
+             "outer_diameter must be above inner_diameter"},
+            {value_of(thickness) > 0, "thickness must be above 0"},
+            {value_of(cone_height) >= 0, "cone_height must be 0 or above"},
+            {value_of(thickness_ratio) > 0, "thickness_ratio must be above 0"},
+            {value_of(flat_deflection()) >= 0,
+             "cone_height + thickness * (1 - thickness_ratio) must be 0 or above"}};
   }
 
   /// (W1) K_1 = ((delta - 1) / delta)^2 / (pi ((delta + 1) / (delta - 1) - 2 / ln delta)).

@@ -17,9 +17,12 @@ struct DiscSpringStack {
   T surface_friction = number<T>(0);  ///< w_M, between nested springs
   T edge_friction = number<T>(0);     ///< w_R, where the force enters
 
-  bool is_possible() const {
-    return spring.is_possible() && value_of(parallel) > 0 && value_of(series) > 0 &&
-           value_of(friction()) < 1;
+  Possibility is_possible() const {
+    if (const Possibility of_spring = spring.is_possible(); !of_spring) return of_spring;
+    return {{value_of(parallel) > 0, "parallel must be above 0"},
+            {value_of(series) > 0, "series must be above 0"},
+            {value_of(friction()) < 1,
+             "surface_friction * (parallel - 1) + edge_friction must be below 1"}};
   }
   /// n i.
   T springs() const { return parallel * series; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/why_impossible.h"
 #include "machines/springs/disc_spring_stack.h"
 #include "machines/springs/springs.h"
 
@@ -16,7 +17,7 @@ struct DiscSprings : DiscSpring<T> {
   DiscSpringStack<T> stack() const {
     return {*this, parallel, series, surface_friction, edge_friction};
   }
-  bool is_possible() const { return stack().is_possible(); }
+  Possibility is_possible() const { return stack().is_possible(); }
 };
 
 }  // namespace
@@ -201,9 +202,10 @@ Mechanism disc_springs_mechanism() {
           .peaks = {},
           .moved_by = MovedBy::Nothing,
           .validity = {{"flattening", 1}},
-          .possible = {
-              {{"outer_diameter", "inner_diameter", "parallel", "edge_friction"}, "DS5"},
-              {{"outer_diameter", "inner_diameter", "surface_friction", "edge_friction"}, "DS5"}}};
+          .possible = {{{"outer_diameter", "inner_diameter", "parallel", "edge_friction"}, "DS5"},
+                       {{"outer_diameter", "inner_diameter", "surface_friction", "edge_friction"},
+                        "DS5"}},
+          .why_impossible = why_impossible_as<DiscSprings>};
 }
 
 }  // namespace camlaw::problems

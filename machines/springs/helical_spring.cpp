@@ -3,6 +3,7 @@
 
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/why_impossible.h"
 #include "machines/springs/springs.h"
 
 namespace camlaw::problems {
@@ -173,7 +174,8 @@ Mechanism helical_spring_mechanism() {
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
-          .possible = {{{"wire_diameter", "mean_diameter"}, "DS5"}}};
+          .possible = {{{"wire_diameter", "mean_diameter"}, "DS5"}},
+          .why_impossible = why_impossible_as<WorkingSpring>};
 }
 
 }  // namespace camlaw::problems

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/scalar.h"
 #include "numerics/scalar/where_positive.h"
@@ -22,9 +23,11 @@ struct HelicalSpring {
   T end_coils = number<T>(2);             ///< n_t - n, those that do not move
   T youngs_modulus = number<T>(2.06e11);  ///< E, Pa
 
-  bool is_possible() const {
-    return value_of(wire_diameter) > 0 && value_of(mean_diameter) > value_of(wire_diameter) &&
-           value_of(active_coils) > 0;
+  Possibility is_possible() const {
+    return {{value_of(wire_diameter) > 0, "wire_diameter must be above 0"},
+            {value_of(mean_diameter) > value_of(wire_diameter),
+             "mean_diameter must be above wire_diameter"},
+            {value_of(active_coils) > 0, "active_coils must be above 0"}};
   }
   /// Spring index w = D / d.
   T index() const { return mean_diameter / wire_diameter; }

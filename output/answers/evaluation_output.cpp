@@ -14,6 +14,7 @@
 #include "output/answers/segments_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/why_undefined.h"
 
 namespace camlaw::cli {
@@ -53,7 +54,7 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
   return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
-/// Why curves have no numbers, by their names, where that is known.
+/// Why responses have no numbers, by their names, where that is known.
 std::map<std::string, std::string> reasons_of(const ProblemStatement& statement,
                                               const std::vector<EvaluatedResponse>& responses) {
   std::map<std::string, std::string> reasons;
@@ -62,6 +63,37 @@ std::map<std::string, std::string> reasons_of(const ProblemStatement& statement,
     if (!why.empty()) reasons[r.name] = std::move(why);
   }
   return reasons;
+}
+
+/// Names in a sentence; of many the first.
+std::string first_names(std::vector<std::string> names) {
+  constexpr std::size_t kMost = 8, kShown = 4;
+  if (names.size() > kMost) {
+    const std::string rest = fmt::format("{} more", names.size() - kShown);
+    names.resize(kShown);
+    names.push_back(rest);
+  }
+  return problems::listed(names);
+}
+
+/// A line for each reason, with the responses that it is of in their order.
+std::string reasons_text(const std::vector<EvaluatedResponse>& responses,
+                         const std::map<std::string, std::string>& reasons) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
+  for (const EvaluatedResponse& r : responses) {
+    const auto why = reasons.find(r.name);
+    if (why == reasons.end()) continue;
+    auto line = std::find_if(lines.begin(), lines.end(),
+                             [&](const auto& known) { return known.first == why->second; });
+    if (line == lines.end()) line = lines.insert(line, {why->second, {}});
+    line->second.push_back(r.name);
+  }
+  std::string text;
+  for (const auto& [why, names] : lines) {
+    text += fmt::format("{} {} undefined: {}\n", first_names(names),
+                        names.size() == 1 ? "is" : "are", why);
+  }
+  return text;
 }
 
 Json responses_json(const std::vector<EvaluatedResponse>& responses,
@@ -76,12 +108,12 @@ Json responses_json(const std::vector<EvaluatedResponse>& responses,
                         {"unit", r.unit},
                         {"along", r.along},
                         {"proved", r.proved}};
-      const auto why = reasons.find(r.name);
-      if (why != reasons.end()) values[r.name]["why_undefined"] = why->second;
     } else {
       values[r.name] = {{"value", to_json(r.value)}, {"unit", r.unit}};
       if (!r.proved) values[r.name]["proved"] = false;
     }
+    const auto why = reasons.find(r.name);
+    if (why != reasons.end()) values[r.name]["why_undefined"] = why->second;
   }
   return values;
 }
@@ -134,9 +166,7 @@ Document evaluation_document(const ProblemStatement& statement,
   document.add(response_table(responses));
   document.say(sampled_text(responses));
   const auto reasons = reasons_of(statement, responses);
-  for (const auto& [name, why] : reasons) {
-    document.say(fmt::format("{} is undefined: {}\n", name, why));
-  }
+  document.say(reasons_text(responses, reasons));
   document.fact("responses", responses_json(responses, reasons));
   if (moved) add_segments(statement.laws.front(), document);
   if (!limits.empty()) document.say("\n");

@@ -10,6 +10,7 @@
 #include "output/answers/front_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
+#include "problems/statement/impossible_values.h"
 
 namespace camlaw::cli {
 namespace {
@@ -98,6 +99,12 @@ std::string unfinished_text(problems::Resuming resuming) {
   return "the search was stopped before the front was finished; nothing of it was recorded\n";
 }
 
+/// Why the values at the start make no machine, where searches failed and found no design.
+std::string why_no_start(const FrontAnswer& answer) {
+  if (!answer.front.points.empty() || answer.front.failures.empty()) return {};
+  return problems::why_impossible(answer.study.bound().statement());
+}
+
 std::string work_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text =
@@ -119,6 +126,7 @@ std::string work_text(const FrontAnswer& answer) {
   for (const optim::FailedTask& failed : front.failures) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
   }
+  if (const std::string why = why_no_start(answer); !why.empty()) text += why + "\n";
   text += warnings_text(answer.warnings);
   text += record_text(answer.notes);
   if (front.stopped) {
@@ -216,6 +224,9 @@ void add_work(const FrontAnswer& answer, Document& document) {
     failures.push_back({{"search", failed.number + 1}, {"why", failed.why}});
   }
   document.fact("failures", failures);
+  if (const std::string why = why_no_start(answer); !why.empty()) {
+    document.fact("why_impossible", why);
+  }
   document.fact("seed", answer.study.options().seed);
 }
 

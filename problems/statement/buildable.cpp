@@ -2,12 +2,12 @@
 #include "problems/statement/buildable.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "problems/statement/added_part.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
@@ -45,10 +45,15 @@ std::optional<double> stated_number(const BuildableCheck& check, const ProblemSt
   return problem.stated.contains(i) ? std::optional(constants[i]) : std::nullopt;
 }
 
+/// All of these; while the three are there.
+StatedNumber stated_numbers(const BuildableCheck& check, const ProblemStatement& problem,
+                            const std::vector<double>& constants) {
+  return [&](std::string_view name) { return stated_number(check, problem, constants, name); };
+}
+
 double bound_with(const BuildableCheck& check, const ProblemStatement& problem,
                   const std::vector<double>& constants) {
-  return check.bound(
-      [&](std::string_view name) { return stated_number(check, problem, constants, name); });
+  return check.bound(stated_numbers(check, problem, constants));
 }
 
 double bound_of(const BuildableCheck& check, const ProblemStatement& problem) {
@@ -98,13 +103,14 @@ Closure closure_of(const ProblemStatement& problem, std::optional<std::size_t> c
   return Closure::Force;
 }
 
-/// Of a problem's mechanism those that are made for its follower.
+/// Of a problem's mechanism those that are made for its follower, of what it has.
 std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
   std::vector<const BuildableCheck*> result;
   for (const BuildableCheck& check : problem.mechanism->checks) {
     const bool is_for = check.closure == Closure::Any ||
                         check.closure == closure_of(problem, cam_of(problem, check));
-    if (is_for) result.push_back(&check);
+    const StatedNumber stated = stated_numbers(check, problem, problem.constants);
+    if (is_for && has_part_of(*problem.mechanism, check, stated)) result.push_back(&check);
   }
   return result;
 }
@@ -119,9 +125,8 @@ std::string not_stated(const std::vector<std::string>& names) {
 
 /// What a check needs and the problem does not state; empty where nothing is missing.
 std::string missing(const BuildableCheck& check, const ProblemStatement& problem) {
-  const auto is_stated = [&](const auto& name) {
-    return stated_number(check, problem, problem.constants, name).has_value();
-  };
+  const StatedNumber stated = stated_numbers(check, problem, problem.constants);
+  const auto is_stated = [&](const auto& name) { return stated(name).has_value(); };
   std::vector<std::string> names, parts;
   for (const std::string& name : check.needs) {
     if (!is_stated(name)) names.push_back(name);
@@ -290,18 +295,6 @@ bool runs_in_groove(const ProblemStatement& problem) {
   return closure_of(problem, {}) == Closure::Form;
 }
 
-std::string_view to_string(Built built) {
-  switch (built) {
-    case Built::Holds:
-      return "holds";
-    case Built::Fails:
-      return "fails";
-    case Built::NotChecked:
-      break;
-  }
-  return "not checked";
-}
-
 int Buildability::count(Built built) const {
   return static_cast<int>(
       std::count_if(checks.begin(), checks.end(), [&](const auto& a) { return a.built == built; }));
@@ -326,28 +319,6 @@ Buildability buildability(const ProblemStatement& design) {
   }
   await(result.checks);
   return result;
-}
-
-std::string failure_text(const BuildableAnswer& answer) {
-  const optim::LimitReport& report = answer.report;
-  constexpr double kNone = 1e-6;  // what rounding leaves of the cycle's beginning
-  const std::string& along = answer.limit.response.response->along;
-  std::string place;
-  if (report.worst_angle) {
-    const double at = std::abs(*report.worst_angle) < kNone ? 0 : *report.worst_angle;
-    place = fmt::format(" at {:.4g}{}", at, along == "1" ? "" : " " + along);
-  }
-  if (std::isnan(report.margin)) return report.name + " is not a number";
-  return fmt::format("{} {:.4g}{}{}", report.name, report.value,
-                     report.unit == "1" ? "" : " " + report.unit, place);
-}
-
-std::string failure_text(const Buildability& found) {
-  std::vector<std::string> parts;
-  for (const BuildableAnswer& answer : found.checks) {
-    if (answer.built == Built::Fails) parts.push_back(failure_text(answer));
-  }
-  return parts.empty() ? "" : fmt::format("cannot be built: {}", fmt::join(parts, ", "));
 }
 
 const BuildableInput* find_input(const Mechanism& mechanism, std::string_view name) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "machines/model/law_binding.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
+#include "problems/statement/added_part.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/speed_curves.h"
 #include "problems/statement/why_undefined.h"
@@ -60,24 +64,69 @@ EvaluatedResponse evaluate_response(const ProblemStatement& statement,
 
 namespace {
 
-/// Why a curve has no numbers; empty where it has, or nothing is known.
+/// Why a curve has no numbers by its own account; empty where it has, or nothing is known.
 std::string why_without_numbers(const ProblemStatement& statement, const std::string& curve) {
   const auto name = find_response(*statement.mechanism, curve);
   return response_of(statement, name, fixed(statement)).curve().trace({})->why_unbounded();
 }
 
-}  // namespace
-
-std::string why_undefined(const ProblemStatement& statement, const EvaluatedResponse& response) {
-  if (!response.is_curve || !std::isnan(response.highest)) return {};
+/// The same without what is of a part that the machine has only where it is stated, as an elastic
+/// train, which goes without saying.
+std::string why_curve(const ProblemStatement& statement, const EvaluatedResponse& response) {
   std::string why = why_without_numbers(statement, response.name);
   if (why.empty()) return why;
-  // What is of a part that the machine has only where it is stated, as an elastic train, goes
-  // without saying.
   ProblemStatement plain = statement;
   for (std::size_t i = 0; i < plain.constants.size(); ++i)
     plain.constants[i] = statement.mechanism->parameters[i].default_value;
   return why_without_numbers(plain, response.name) == why ? std::string() : why;
+}
+
+bool is_undefined(const EvaluatedResponse& response) {
+  return std::isnan(response.is_curve ? response.highest : response.value);
+}
+
+/// The condition that the machine of a response does not meet.
+std::string why_no_machine(const ProblemStatement& statement, const MechanismResponse& response) {
+  const Mechanism& mechanism = *statement.mechanism;
+  if (!response.is_possible || response.is_possible(statement.constants)) return {};
+  std::string why = mechanism.why_impossible ? mechanism.why_impossible(statement.constants) : "";
+  if (!response.cam) return why;
+  const std::string of_cam = mechanism.cams[*response.cam].name + ".";
+  return why.find(of_cam) == std::string::npos ? "" : why;  // that of another cam comes first
+}
+
+/// "friction in the guide jams the follower, guide_fraction 1.41 at 38 deg", where a response is a
+/// number without what a check is about, and that check fails.
+std::string why_by_check(const ProblemStatement& statement, const MechanismResponse& response) {
+  const Mechanism& mechanism = *statement.mechanism;
+  for (const BuildableCheck& check : mechanism.checks) {
+    if (!is_of_added_part(mechanism, check)) continue;
+    ProblemStatement without = statement;
+    for (const std::string& name : check.needs) without.constants[mechanism.parameter(name)] = 0;
+    if (without.constants == statement.constants) continue;
+    if (is_undefined(evaluate_response(without, response))) continue;
+    const auto share =
+        evaluate_response(statement, *find_response(mechanism, check.response).response);
+    const double bound = check.bound([](std::string_view) { return std::optional<double>(); });
+    if (!(check.is_upper ? share.highest > bound : share.lowest < bound)) continue;
+    return fmt::format("{}, {} {:.4g} at {:.4g} {}", check.fault, check.response,
+                       check.is_upper ? share.highest : share.lowest,
+                       check.is_upper ? share.highest_at : share.lowest_at, share.along);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string why_undefined(const ProblemStatement& statement, const EvaluatedResponse& response) {
+  if (!is_undefined(response)) return {};
+  const MechanismResponse* const own = find_response(*statement.mechanism, response.name).response;
+  if (own == nullptr) return {};
+  if (std::string why = why_no_machine(statement, *own); !why.empty()) return why;
+  if (response.is_curve) {
+    if (std::string why = why_curve(statement, response); !why.empty()) return why;
+  }
+  return why_by_check(statement, *own);
 }
 
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {

@@ -7,8 +7,8 @@
 
 namespace camlaw::problems {
 
-/// Why a curve of the statement's starts has no numbers, where that is known; else empty, as of a
-/// response that has some.
+/// Why a response of the statement's starts is not a number, of a curve why it has none everywhere,
+/// where that is known; else empty, as of a response that is one.
 std::string why_undefined(const ProblemStatement& statement, const EvaluatedResponse& response);
 
 }  // namespace camlaw::problems

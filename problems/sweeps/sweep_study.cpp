@@ -14,6 +14,7 @@
 #include "problems/law_files/json_text.h"
 #include "problems/statement/assignment.h"
 #include "problems/statement/auto_knots.h"
+#include "problems/statement/impossible_values.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
@@ -302,6 +303,7 @@ optim::Outcome SweepStudy::searched(const optim::Task& task, const BoundProblem&
         !found || optim::better(cold.problem, cold.found.assessment, found->found.assessment);
     if (is_better) found = std::move(cold);
   }
+  say_impossible(bound, *found);
   return outcome_of(*found, task.part, evaluations);
 }
 

@@ -9,6 +9,7 @@
 
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
+#include "problems/statement/impossible_values.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
@@ -61,6 +62,7 @@ optim::Deadline clock_of(const optim::OptimiseOptions& options, const optim::Opt
 
 Reached judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
                       optim::Optimum& optimum) {
+  say_impossible(bound, optimum);
   if (!optim::is_feasible(optimum.found.assessment)) return {};
   const Reached reached =
       reached_by(bound.at(optimum.options, optimum.found.x), clock_of(options, optimum));
@@ -72,6 +74,7 @@ Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOpt
                              optim::Optimum& optimum,
                              const std::function<void(const std::string& stage)>& begins) {
   constexpr int kMost = 6;
+  say_impossible(bound, optimum);
   if (!optim::is_feasible(optimum.found.assessment)) return {};
   const optim::Deadline clock = clock_of(options, optimum);
   const auto says = [&](const std::string& stage) {

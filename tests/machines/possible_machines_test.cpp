@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What decides whether there is a machine decides for all of its responses, wherever a search
 // began.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
+#include "machines/model/machine.h"
 #include "machines/registry.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -28,6 +30,16 @@ std::vector<double> some_parameters(const Mechanism& mechanism, std::mt19937& ra
   for (const MechanismParameter& p : mechanism.parameters) {
     const double typical = p.default_value != 0 ? p.default_value : 0.31 * std::min(1.0, p.high);
     result.push_back(std::clamp(typical * std::exp(1.5 * even(random)), p.low, p.high));
+  }
+  return result;
+}
+
+/// Parameters from anywhere that they accept, even or by orders of magnitude.
+std::vector<double> any_parameters(const Mechanism& mechanism, std::mt19937& random) {
+  std::vector<double> result;
+  for (const MechanismParameter& p : mechanism.parameters) {
+    const std::vector<double> places = places_of_range(p);
+    result.push_back(places[random() % places.size()]);
   }
   return result;
 }
@@ -65,6 +77,27 @@ TEST_CASE("a response is the same wherever the parameters that vary began", "[me
     }
   }
   CHECK(impossible > 50);
+}
+
+TEST_CASE("every machine says in its parameters' names why it is impossible", "[mechanism]") {
+  std::mt19937 random(20261129);
+  for (const Mechanism& mechanism : mechanisms()) {
+    INFO(mechanism.name);
+    const MechanismResponse& response = mechanism.responses.front();
+    int impossible = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const std::vector<double> values =
+          i % 2 == 0 ? some_parameters(mechanism, random) : any_parameters(mechanism, random);
+      const bool is_possible = !response.is_possible || response.is_possible(values);
+      const std::string why = mechanism.why_impossible ? mechanism.why_impossible(values) : "";
+      REQUIRE(why.empty() == is_possible);
+      if (is_possible) continue;
+      ++impossible;
+      CHECK(std::any_of(mechanism.parameters.begin(), mechanism.parameters.end(),
+                        [&](const auto& p) { return why.find(p.name) != std::string::npos; }));
+    }
+    CHECK((impossible > 0) == !response.possible_by.indices().empty());
+  }
 }
 
 TEST_CASE("a search begins where the machine is possible if its start is not", "[optimise]") {

@@ -171,6 +171,78 @@ TEST_CASE("a hollow takes its tool and its wheel by a hair", "[buildable]") {
   });
 }
 
+TEST_CASE("friction in the guide jams a follower and does not by a hair", "[buildable]") {
+  // (M37), (M44), (M45): what friction takes is mu times `lever`, which is sampled here.
+  const double a = 40, l = 30, h = 20;
+  const Cycloid f{h};
+  const auto in_guide = [&](double tangent, double before) {
+    return std::abs(tangent) * (2 * before + l) / l;
+  };
+  const auto check = [&](const char* mechanism, const std::string& rest,
+                         const std::function<double(double)>& lever) {
+    const std::string overhang = std::string(mechanism) == "disc-cam-flat" ? "" : "overhang = 40\n";
+    check_edge("guide", (1 - 1e-5) / range_of(lever).second, false, [&](double friction) {
+      return resting(mechanism, "[constants]\nstroke = 20\nguide_length = 30\n" + overhang + rest +
+                                    fmt::format("guide_friction = {:.15g}\n", friction));
+    });
+  };
+  const auto disc = [&](double x) { return in_guide(f.ds(x) / (45 + f.s(x)), a - f.s(x)); };
+  check("disc-cam-roller", "base_radius = 35\nroller_radius = 10\n", disc);
+  check("disc-cam-knife-edge", "base_radius = 45\n", disc);
+  check("disc-cam-flat", "", [&](double x) { return 2 * f.ds(x) / l; });
+  const auto track = [&](double x) { return in_guide(f.ds(x) / 40, a - f.s(x)); };
+  check("end-cam", "radius = 40\nload = 1000\n", track);
+  check("linear-cam", number("travel", 2 * pi * 40, "mm") + "load = 1000\n", track);
+  check("disc-cam-conjugate", "base_radius = 35\nroller_radius = 10\nload = 1000\n", disc);
+  // A load the other way: the second roller bears, and jams in the return, which passes the same
+  // places.
+  check("disc-cam-conjugate",
+        "base_radius = 35\nroller_radius = 10\nload = -1000\nroller_distance = 140\n",
+        [&](double x) { return in_guide(f.ds(x) / (140 - 45 - f.s(x)), a - f.s(x) + 140); });
+}
+
+TEST_CASE("a guide is looked at where its friction is stated", "[buildable]") {
+  const auto guides = [](const std::string& rest) {
+    const auto found = buildability(
+        read_problem(resting("disc-cam-roller", "[constants]\nguide_length = 30\n" + rest), "f"));
+    return std::count_if(found.checks.begin(), found.checks.end(), [](const auto& answer) {
+      return answer.check->response.starts_with("guide_fraction");
+    });
+  };
+  CHECK(guides("") == 0);
+  CHECK(guides("guide_friction = 0\n") == 1);
+  CHECK(guides("guide_friction = 0.1\n") == 1);
+  const std::string limit = "[[constraints]]\nresponse = 'peak_force'\nupper = 9000\n";
+  CHECK(guides("[variables.guide_friction]\nlower = 0\nupper = 0.1\n" + limit) == 1);
+}
+
+TEST_CASE("a search that requires its cam to be built keeps it from jamming", "[buildable]") {
+  // Where q of (M37) reaches 1 is sampled.
+  const Cycloid f{30};
+  const auto most = [&](double base) {
+    return range_of([&](double x) {
+             return f.ds(x) / (base + 8 + f.s(x)) * 0.6 * (2 * (40 - f.s(x)) + 40) / 40;
+           })
+        .second;
+  };
+  double low = 20, high = 150;
+  while (high - low > 1e-9) (most((low + high) / 2) > 1 - 1e-5 ? low : high) = (low + high) / 2;
+  CHECK(low == Approx(35.47).epsilon(1e-3));
+  const BoundProblem problem(
+      read_problem(resting("disc-cam-roller",
+                           "[constants]\nstroke = 30\nroller_radius = 8\nguide_friction = 0.6\n"
+                           "guide_length = 40\noverhang = 40\nspring_preload = '200 N'\n"
+                           "[variables.base_radius]\nlower = 20\nupper = 150\nstart = 60\n"
+                           "[objective]\nminimize = 'outer_radius'\n"
+                           "[[constraints]]\nresponse = 'pressure_angle'\nupper = 50\n"
+                           "[buildable]\nrequire = true\n"),
+                   "f.toml"));
+  const optim::Optimum optimum = optim::optimise(problem.space());
+  INFO(optimum.found.assessment.reason);
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(optimum.found.x[0] == Approx(low).epsilon(1e-6));
+}
+
 TEST_CASE("the wall round the bore is a quarter of its radius, or what is stated", "[buildable]") {
   const auto bored = [&](const std::string& rest) {
     return [rest](double base) {

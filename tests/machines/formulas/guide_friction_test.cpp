@@ -67,6 +67,9 @@ void check_balance(const Cam& cam, const F& touch_at) {
     CHECK(left_over(cam, angle, push, touch) == Approx(0).margin(1e-5 * (100 + std::abs(push))));
     const double along = push * touch.normal.imag() / std::abs(touch.normal);
     CHECK(cam.drive_torque(f) == Approx(along * f.ds).margin(1e-8));
+    // What friction leaves of it is what the motion asks.
+    CHECK(along * (1 - cam.guide_fraction(f)) == Approx(cam.follower().force(f)).margin(1e-8));
+    CHECK(smooth.guide_fraction(f) == 0);
     ++(push > 0 ? pushes : pulls);
     if (std::abs(push / smooth.contact_force(f) - 1) > 0.02) ++rubs;
   }
@@ -194,9 +197,11 @@ TEST_CASE("a face, an end cam and a pair jam in guides that are too short", "[ca
     cam.guide_length = needed * 1.001;
     CHECK(std::isfinite(cam.contact_force(rise)));
     CHECK(cam.contact_force(rise) > 100 * cam.follower().force(rise));
+    CHECK(cam.guide_fraction(rise) < 1);
     cam.guide_length = needed * 0.999;
     CHECK(std::isnan(cam.contact_force(rise)));
     CHECK(std::isnan(cam.drive_torque(rise)));
+    CHECK(cam.guide_fraction(rise) > 1);
     CHECK(std::isfinite(cam.contact_force(fall)));
   };
   check(rubbing(FlatCam<double>()), 2 * kFriction * 0.03);
@@ -205,6 +210,20 @@ TEST_CASE("a face, an end cam and a pair jam in guides that are too short", "[ca
   check(rubbing(EndCam<double>()), 2 * 0.03 * slope / (1 - slope));
   const double steep = 0.03 / 0.06 * kFriction;
   check(rubbing(ConjugateCam<double>()), 2 * 0.03 * steep / (1 - steep));
+}
+
+TEST_CASE("a roller of a pair that bears nothing does not jam", "[cams][guide]") {
+  // In a return the main roller bears, and the second one with its long lever would jam.
+  auto cam = rubbing(ConjugateCam<double>());
+  cam.guide_friction = 0.4;
+  const FollowerMotion<double> fall{0.01, -0.03, 0.01, 0};
+  REQUIRE(cam.follower().force(fall) > 0);
+  const double slope = 0.03 / (0.14 - 0.05 - 0.01);
+  REQUIRE(0.4 * slope * (2 * (0.04 - 0.01 + 0.14) + kLength) / kLength > 0.8);
+  cam.guide_length = 0.03;
+  REQUIRE(0.4 * slope * (2 * (0.04 - 0.01 + 0.14) + 0.03) / 0.03 > 1);
+  CHECK(cam.second_force(fall) == 0);
+  CHECK(cam.main_force(fall) == Approx(cam.contact_force(fall)));
 }
 
 TEST_CASE("a roller that would enter its guide is no design where that rubs", "[cams][guide]") {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/impossible_values.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Whether a text has a name as a word.
+bool has_name(const std::string& text, const std::string& name) {
+  const auto is_part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !is_part(text[at - 1]);
+    if (begins && (end == text.size() || !is_part(text[end]))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string why_impossible(const ProblemStatement& statement) {
+  const Mechanism& mechanism = *statement.mechanism;
+  const std::string why =
+      mechanism.why_impossible ? mechanism.why_impossible(statement.constants) : "";
+  if (why.empty()) return why;
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
+    const MechanismParameter& parameter = mechanism.parameters[i];
+    if (!has_name(why, parameter.name)) continue;
+    values.push_back(
+        fmt::format("{} = {}", parameter.name, with_unit(statement.constants[i], parameter.unit)));
+  }
+  return fmt::format("{} is not possible with these values: {}; {}", mechanism.name,
+                     fmt::join(values, ", "), why);
+}
+
+void say_impossible(const BoundProblem& bound, optim::Optimum& optimum) {
+  optim::Assessment& assessment = optimum.found.assessment;
+  if (assessment.verdict != optim::Verdict::Failed) return;
+  if (optimum.found.x.size() != optimum.problem.variables.size()) return;
+  const std::string why = why_impossible(bound.at(optimum.options, optimum.found.x));
+  if (!why.empty()) assessment.reason += ": " + why;
+}
+
+}  // namespace camlaw::problems
