@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "optim/cycle/proof_time.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -233,6 +235,10 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   while (!stretches.empty()) {
     const Stretch stretch = stretches.back();
     stretches.pop_back();
+    if (ProofTime::is_over()) {
+      proof.left = {stretch.from, stretch.to};
+      return proof;
+    }
     const Bounds bounds = trace.enclose(stretch.from, stretch.to);
     const double most = sign > 0 ? bounds.upper : -bounds.lower;
     const auto give_up = [&] {

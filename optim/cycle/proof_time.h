@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/search/deadline.h"
+
+namespace camlaw::optim {
+
+/// While one of these lives, the proofs over a cycle that this thread makes end where its deadline
+/// has passed, undecided: the part of the cycle at which they are is what is left. What is searched
+/// for, such as the values that the proofs are about, is found all the same.
+class ProofTime {
+ public:
+  /// The deadline must outlive it.
+  explicit ProofTime(const Deadline& deadline);
+  ProofTime(const ProofTime&) = delete;
+  ProofTime& operator=(const ProofTime&) = delete;
+  ~ProofTime();
+
+  /// Whether any of the proofs was ended by it.
+  bool has_ended_any() const { return ended_; }
+  /// To be asked by a proof that ends where it is: whether the deadline of this thread's proofs has
+  /// passed. There may be none.
+  static bool is_over();
+
+ private:
+  const Deadline& deadline_;
+  bool ended_ = false;
+  ProofTime* before_;
+};
+
+}  // namespace camlaw::optim
