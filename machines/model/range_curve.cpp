@@ -88,19 +88,31 @@ class RangeTrace final : public optim::Trace {
     known = parts_->curve->trace(parts_->wide.design(x_, p));
     return *known;
   }
-  Highest highest(double from, double to) const {
+  /// How far the ranges are divided over a stretch: as long as more is left of them than of the
+  /// stretch, and there are parts to spare; then less far.
+  Division division_over(double stretch) const {
     constexpr int kLeast = 2, kMost = 24, kPartsOf = 8;  // of each halving
-    const double share = (breaks_.back() - breaks_.front()) / std::max(to - from, 1e-300);
+    constexpr int kHalvingsOfOne = 30, kManyParts = 5000;
+    if (spare_ >= kManyParts) return {kHalvingsOfOne * static_cast<int>(box_.size()), kManyParts};
+    const double share = (breaks_.back() - breaks_.front()) / std::max(stretch, 1e-300);
     const int halvings =
         std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
+    return {halvings, kPartsOf * halvings};
+  }
+
+  Highest highest(double from, double to) const {
     const double sign = parts_->sign;
+    const Division division = division_over(to - from);
     return highest_within(
-        box_, {halvings, kPartsOf * halvings},
+        box_, division,
         [&](const Point& p) {
           optim::check_deadline();
           return times(sign, at_place(p).enclose(from, to));
         },
-        [&](const Box& box) { return over_->over(box, from, to, sign); });
+        [&](const Box& box) {
+          --spare_;
+          return over_->over(box, from, to, sign);
+        });
   }
 
   std::shared_ptr<const RangeParts> parts_;
@@ -110,6 +122,7 @@ class RangeTrace final : public optim::Trace {
   std::vector<double> breaks_;
   mutable std::map<Point, std::unique_ptr<optim::Trace>> traces_;
   std::unique_ptr<OverBoxes> over_;  ///< none: nothing is proved
+  mutable int spare_ = 1000000;      ///< parts of the ranges that may be looked at freely
 };
 
 }  // namespace
