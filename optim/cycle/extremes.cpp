@@ -220,6 +220,8 @@ Extreme summit(const Trace& trace, double sign, const Extreme& found) {
 }  // namespace
 
 CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
+  constexpr std::int64_t kMostParts = 400'000;
+  const std::int64_t most_parts = PartsOfBounds::looked_at() + kMostParts;
   const std::vector<double> breaks = trace.breaks();
   std::vector<Stretch> stretches;
   for (std::size_t k = breaks.size() - 1; k > 0; --k) {
@@ -257,7 +259,7 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
       proof.worst = summit(trace, sign, proof.worst);
       return proof;
     }
-    if (!divisible) return give_up();
+    if (!divisible || PartsOfBounds::looked_at() > most_parts) return give_up();
     stretches.push_back({middle, stretch.to, false, stretch.at_end});
     stretches.push_back({stretch.from, middle, stretch.at_begin, false});
   }

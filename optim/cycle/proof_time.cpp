@@ -5,6 +5,7 @@ namespace camlaw::optim {
 namespace {
 
 thread_local ProofTime* of_this_thread = nullptr;
+thread_local std::int64_t parts_of_this_thread = 0;
 
 }  // namespace
 
@@ -19,5 +20,9 @@ bool ProofTime::is_over() {
   of_this_thread->ended_ = true;
   return true;
 }
+
+void PartsOfBounds::look_at(std::int64_t count) { parts_of_this_thread += count; }
+
+std::int64_t PartsOfBounds::looked_at() { return parts_of_this_thread; }
 
 }  // namespace camlaw::optim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "optim/search/deadline.h"
 
 namespace camlaw::optim {
@@ -26,6 +28,16 @@ class ProofTime {
   const Deadline& deadline_;
   bool ended_ = false;
   ProofTime* before_;
+};
+
+/// Counts the parts that a curve's bounds over one stretch of the cycle were made of, such as those
+/// of its ranges: a proof that asked for too many ends where it is, undecided.
+class PartsOfBounds {
+ public:
+  /// A part that takes long to bound counts for several.
+  static void look_at(std::int64_t count);
+  /// By this thread, so far.
+  static std::int64_t looked_at();
 };
 
 }  // namespace camlaw::optim
