@@ -10,7 +10,8 @@
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
-#include "optim/search/deadline.h"
+#include "cli/run_limits.h"
+#include "optim/cycle/proof_time.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/evaluation_output.h"
@@ -37,6 +38,7 @@ struct EvaluateOptions {
   bool json = false, sensitivity = false;
   std::vector<std::string> over;
   std::optional<std::string> samples;
+  RunLimits limits;
 };
 
 /// Tables and pictures of the curves that were asked for.
@@ -85,12 +87,23 @@ bool add_sensitivity(const EvaluateOptions& options, const ProblemStatement& sta
   return global.has_value() || ranges.ranges.empty();
 }
 
+/// Says that proofs were ended by the time limit, where any was.
+void add_cut_short(const optim::Deadline& deadline, const optim::ProofTime& time,
+                   Document& document) {
+  const std::string why = time.has_ended_any() ? deadline.reason() : "";
+  document.fact("cut_short", why);
+  if (why.empty()) return;
+  document.say(fmt::format("proofs stopped early: {}; the values are those of a search\n", why));
+}
+
 int run_evaluate(const EvaluateOptions& options) {
   if (!options.sensitivity && (!options.over.empty() || options.samples)) {
     throw std::invalid_argument("--over and --samples go with --sensitivity");
   }
   keep_plain_outputs({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
+  const optim::Deadline deadline(time_limit_of(options.limits), nullptr);
+  optim::ProofTime proof_time(deadline);
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read, options.file);
   const ClaimReview review = reviewed(read);
@@ -102,16 +115,18 @@ int run_evaluate(const EvaluateOptions& options) {
   const auto files = curve_files(options, statement);
   const auto limits = problems::standing(statement);
   Document document = evaluation_document(statement, responses, limits, review);
+  add_cut_short(deadline, proof_time, document);
   const bool is_whole = !options.sensitivity || add_sensitivity(options, statement, document);
   say_first_law(options.file, statement);
   print(document, options.json);
   write_files(files);
   if (!is_whole) return kNotSolved;
-  if (options.json) return status;
+  const int end = status == kDone && proof_time.has_ended_any() ? kNotSolved : status;
+  if (options.json) return end;
   say_written(files);
   const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
   if (!met && !read.verdict) say_next(search_command(statement, options.file));
-  return status;
+  return end;
 }
 
 }  // namespace
@@ -138,6 +153,7 @@ Command evaluate_command() {
                        "a range for the Sobol indices, such as 'stroke=18:22 mm'; may be repeated"},
                       {"--samples", &options->samples, takes::kNumber,
                        "samples for the Sobol indices (512)"},
+                      time_limit_option(options->limits, "what is proved"),
                       json_switch(options->json)},
           .examples =
               {{"camlaw evaluate problems/cams/roller_least_base.toml",

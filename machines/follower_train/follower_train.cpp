@@ -10,6 +10,7 @@
 
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
+#include "numerics/scalar/series.h"
 
 namespace camlaw {
 namespace {
@@ -160,7 +161,8 @@ Complex<T> driven(const Piece<T>& piece, const T& begin, const T& d, const Compl
 
 template <class T>
 double velocity(const Piece<T>& piece, const T& at) {
-  return value_of(derivatives<2>(piece, at)[1]);
+  if constexpr (std::is_same_v<T, double>) return derivatives<2>(piece, at)[1];
+  return velocity(piece_as<double>(piece), value_of(at));
 }
 
 /// Whether the velocity jumps up to x, from what it is before, and to rest behind where that is
@@ -359,5 +361,15 @@ template class TrainMotion<double>;
 template class TrainMotion<Dual>;
 template class TrainMotion<Dual2>;
 template class TrainMotion<Interval>;
+
+// By what a train's lambda is moved (StandingTurn).
+template <std::size_t N>
+using Moved = TrainMotion<Series<double, N>>;
+template Possible<Moved<2>> Moved<2>::periodic(const FollowerTrain<Series<double, 2>>&,
+                                               const Law<Series<double, 2>>&);
+template TrainState<Series<double, 2>> Moved<2>::at(double) const;
+template Possible<Moved<3>> Moved<3>::periodic(const FollowerTrain<Series<double, 3>>&,
+                                               const Law<Series<double, 3>>&);
+template TrainState<Series<double, 3>> Moved<3>::at(double) const;
 
 }  // namespace camlaw

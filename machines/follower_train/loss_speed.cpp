@@ -60,20 +60,20 @@ struct Crossing {
 class LossTrain {
  public:
   LossTrain(PartsAt parts, Law<double> law, Law<Interval> enclosing_law)
-      : parts_(std::move(parts)), law_(std::move(law)), enclosing_law_(std::move(enclosing_law)) {}
+      : parts_(std::move(parts)),
+        laws_(std::make_shared<TrainLaws>(std::move(law), std::move(enclosing_law))) {}
 
   double operator[](std::size_t part) const { return parts_.plain[part]; }
   std::span<const double> plain() const { return parts_.plain; }
   std::span<const Interval> enclosing() const { return parts_.enclosing; }
-  const Law<double>& law() const { return law_; }
+  const Law<double>& law() const { return laws_->plain; }
 
   /// hold * (spring and load) + inertia * (force of inertia over speed^2), over a turn.
   std::unique_ptr<optim::Trace> trace(double speed, Interval hold, double inertia) const {
     const auto plain = parts_of<double>(parts_.plain, speed, value_of(hold), inertia);
     const auto exact =
         parts_of<Interval>(parts_.enclosing, Interval(speed), hold, Interval(inertia));
-    return train_trace(TrainQuantity::CamForce, TrainRun::Turn, plain, exact, 1, law_,
-                       enclosing_law_);
+    return train_trace(TrainQuantity::CamForce, TrainRun::Turn, plain, exact, 1, laws_);
   }
   /// The force over speed^2 as far as inertia goes, with spring and load as at `held_at`.
   std::unique_ptr<optim::Trace> force(double speed, double held_at) const {
@@ -87,12 +87,11 @@ class LossTrain {
   std::unique_ptr<optim::Trace> bend() const {
     const std::array<double, kTrainParts> plain{1, 0.5, 1, 0, 0, 1, 0};
     const std::vector<Interval> exact(plain.begin(), plain.end());
-    return train_trace(TrainQuantity::CamForce, TrainRun::Turn, plain, exact, 1, law_,
-                       enclosing_law_);
+    return train_trace(TrainQuantity::CamForce, TrainRun::Turn, plain, exact, 1, laws_);
   }
 
   /// Of s'', over a turn.
-  double variation() const { return acceleration_variation(enclosing_law_); }
+  double variation() const { return acceleration_variation(laws_->enclosing); }
   double periods(double speed) const { return 2 * pi<double>() * parts_.plain[Natural] / speed; }
   optim::Extreme lowest(double speed, double held_at) const {
     const int samples = static_cast<int>(std::max(256.0, kSamples * periods(speed)));
@@ -101,8 +100,7 @@ class LossTrain {
 
  private:
   PartsAt parts_;
-  Law<double> law_;
-  Law<Interval> enclosing_law_;
+  std::shared_ptr<const TrainLaws> laws_;
 };
 
 /// What bounds the search: in plain numbers as they are found, in intervals as they are proved.

@@ -37,12 +37,12 @@ std::vector<SteadyTerm> terms_of(TrainQuantity which, const std::vector<Series<I
 
 class TrainOverBoxes final : public OverBoxes {
  public:
-  TrainOverBoxes(TrainQuantity which, PartsOverBox parts, double factor, const Law<Interval>& law,
-                 BoundedOverBoxes::TraceAt at)
+  TrainOverBoxes(TrainQuantity which, PartsOverBox parts, double factor,
+                 std::shared_ptr<const TurnHarmonics> harmonics, BoundedOverBoxes::TraceAt at)
       : which_(which),
         parts_(std::move(parts)),
         factor_(factor),
-        harmonics_(law),
+        harmonics_(std::move(harmonics)),
         at_(std::move(at)) {}
 
   OverBox over(const Box& box, double from, double to, double sign) override {
@@ -115,11 +115,11 @@ class TrainOverBoxes final : public OverBoxes {
     std::vector<double>& known = bends_[ends_of(box)];
     if (!known.empty()) return known;
     const FollowerTrain<Interval> train = parts_.train(box);
-    const SteadyReach y = harmonics_.reach(steady_of(which_), Interval(1.0) / train.period_ratio,
-                                           train.damping_ratio);
+    const SteadyReach y = harmonics_->reach(steady_of(which_), Interval(1.0) / train.period_ratio,
+                                            train.damping_ratio);
     for (std::size_t i = 0; i < box.size(); ++i) {
       const auto along = parts_.along(box, i);
-      const auto terms = terms_of(which_, along, harmonics_, y);
+      const auto terms = terms_of(which_, along, *harmonics_, y);
       known.push_back(step_up(std::abs(factor_) * bend_along(terms, along[0], along[1])));
     }
     return known;
@@ -128,7 +128,7 @@ class TrainOverBoxes final : public OverBoxes {
   TrainQuantity which_;
   PartsOverBox parts_;
   double factor_;
-  TurnHarmonics harmonics_;
+  std::shared_ptr<const TurnHarmonics> harmonics_;
   BoundedOverBoxes::TraceAt at_;
   std::map<std::vector<double>, std::vector<double>> bends_;
 };
@@ -173,9 +173,10 @@ double off_corners(const Box& box, const std::vector<double>& bends) {
 }
 
 std::unique_ptr<OverBoxes> train_over_boxes(TrainQuantity which, PartsOverBox parts, double factor,
-                                            const Law<Interval>& law,
+                                            std::shared_ptr<const TurnHarmonics> harmonics,
                                             BoundedOverBoxes::TraceAt at) {
-  return std::make_unique<TrainOverBoxes>(which, std::move(parts), factor, law, std::move(at));
+  return std::make_unique<TrainOverBoxes>(which, std::move(parts), factor, std::move(harmonics),
+                                          std::move(at));
 }
 
 }  // namespace camlaw::problems

@@ -56,6 +56,7 @@ double off_corners(const Box& box, const std::vector<double>& bends);
 
 /// Of a curve of the train over a turn of its cam.
 std::unique_ptr<OverBoxes> train_over_boxes(TrainQuantity which, PartsOverBox parts, double factor,
-                                            const Law<Interval>& law, BoundedOverBoxes::TraceAt at);
+                                            std::shared_ptr<const TurnHarmonics> harmonics,
+                                            BoundedOverBoxes::TraceAt at);
 
 }  // namespace camlaw::problems

@@ -3,17 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "machines/follower_train/parts_at.h"
+#include "machines/follower_train/standing_turn.h"
 #include "machines/follower_train/train_boxes.h"
 #include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/law_looks.h"
 
 namespace camlaw::problems {
+
+/// What a train over a turn is made of where the turn's law stands.
+struct TrainOfTurn {
+  TrainQuantity which;
+  std::shared_ptr<const TrainLaws> laws;
+  StandingTurn turn;
+  std::vector<Recorded> parts;
+  UnitFactor factor;
+  mutable std::once_flag asked = {};
+  mutable std::shared_ptr<const TurnHarmonics> own_harmonics = {};
+
+  /// Worked out when they are first asked for.
+  std::shared_ptr<const TurnHarmonics> harmonics() const {
+    std::call_once(asked,
+                   [&] { own_harmonics = std::make_shared<const TurnHarmonics>(laws->enclosing); });
+    return own_harmonics;
+  }
+};
+
 namespace {
 
 /// The factor to SI units with what the law decides of it.
@@ -110,12 +131,12 @@ class EnclosedTrain {
 class TrainTrace final : public optim::Trace, public ExpandsTrain {
  public:
   TrainTrace(TrainQuantity which, TrainRun run, std::span<const double> parts,
-             std::span<const Interval> enclosing, double factor, Law<double> law,
-             Law<Interval> enclosing_law)
+             std::span<const Interval> enclosing, double factor,
+             std::shared_ptr<const TrainLaws> laws)
       : which_(which),
         run_(run),
-        law_(std::move(law)),
-        enclosing_law_(std::move(enclosing_law)),
+        laws_(std::move(laws)),
+        law_(laws_->plain),
         enclosing_parts_(enclosing.begin(), enclosing.end()),
         factor_(factor),
         motion_(motion_of(run, FollowerTrain<double>{parts[0], parts[1]}, law_)),
@@ -151,7 +172,7 @@ class TrainTrace final : public optim::Trace, public ExpandsTrain {
 
   std::optional<TrainExpansion> expansion(double from, double to) const override {
     if (!motion_) return {};
-    if (!enclosed_) enclosed_.emplace(which_, run_, enclosing_parts_, factor_, enclosing_law_);
+    if (!enclosed_) enclosed_.emplace(which_, run_, enclosing_parts_, factor_, laws_->enclosing);
     return enclosed_->expansion(from, to);
   }
 
@@ -160,8 +181,8 @@ class TrainTrace final : public optim::Trace, public ExpandsTrain {
  private:
   TrainQuantity which_;
   TrainRun run_;
-  Law<double> law_;
-  Law<Interval> enclosing_law_;
+  std::shared_ptr<const TrainLaws> laws_;
+  const Law<double>& law_;  ///< the plain one of these
   std::vector<Interval> enclosing_parts_;
   double factor_;
   Possible<TrainMotion<double>> motion_;
@@ -214,12 +235,72 @@ template Possible<std::array<Interval, 3>> train_quantity_at(TrainQuantity, Trai
                                                              std::span<const Interval>,
                                                              const Law<Interval>&, optim::Place);
 
+namespace {
+
+/// The quantity, or its derivative by the place, over a turn whose law stands, in the arguments of
+/// the machine.
+struct PlaceOfTurn {
+  std::shared_ptr<const TrainOfTurn> of;
+  optim::Place place;
+  std::size_t order;
+
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    const T none = number<T>(kNaN);
+    if (!is_possible_at(of->parts[0].is_possible, u)) return none;
+    std::vector<T> part;
+    for (const Recorded& record : of->parts) part.push_back(record.formula(u));
+    const double x = at_break(of->turn.law(), place.angle / length_of(TrainRun::Turn));
+    const FollowerTrain<T> train{part[0], part[1]};
+    const auto state = of->turn.at(train, x);
+    if (!state) return none;
+    const auto quantity =
+        train_quantity(of->which, train, law_as<T>(x), *state, load_of(std::span<const T>(part)));
+    const T scale = order == 0 ? part[2] : part[2] / number<T>(length_of(TrainRun::Turn));
+    return of->factor.template as<T>() * (scale * quantity[order]);
+  }
+
+ private:
+  template <class T>
+  std::array<T, 5> law_as(double x) const {
+    if constexpr (std::is_same_v<T, Interval>) {
+      return motion_at(of->turn.enclosing(), x, place.from_left);
+    } else {
+      std::array<T, 5> result;
+      const auto plain = motion_at(of->turn.law(), x, place.from_left);
+      std::transform(plain.begin(), plain.end(), result.begin(), number<T>);
+      return result;
+    }
+  }
+};
+
+/// Null where the member makes none.
+std::shared_ptr<const TrainLaws> laws_of(const Member& member) {
+  auto plain = member.possible_law();
+  auto enclosing = member.possible_law<Interval>();
+  if (!plain || !enclosing) return nullptr;
+  return std::make_shared<TrainLaws>(*std::move(plain), *std::move(enclosing));
+}
+
+/// Null over a rise, and where the law varies or there is none.
+std::shared_ptr<const TrainOfTurn> train_of_turn(TrainQuantity which, TrainRun run,
+                                                 const std::vector<Recorded>& parts,
+                                                 const UnitFactor& factor,
+                                                 const LawBinding& binding) {
+  if (run != TrainRun::Turn || !binding.variables().empty()) return nullptr;
+  auto laws = laws_of(binding.member());
+  if (!laws) return nullptr;
+  return std::shared_ptr<const TrainOfTurn>(
+      new TrainOfTurn{which, laws, {laws->plain, laws->enclosing}, parts, factor});
+}
+
+}  // namespace
+
 std::unique_ptr<optim::Trace> train_trace(TrainQuantity which, TrainRun run,
                                           std::span<const double> parts,
                                           std::span<const Interval> enclosing, double factor,
-                                          Law<double> law, Law<Interval> enclosing_law) {
-  return std::make_unique<TrainTrace>(which, run, parts, enclosing, factor, std::move(law),
-                                      std::move(enclosing_law));
+                                          std::shared_ptr<const TrainLaws> laws) {
+  return std::make_unique<TrainTrace>(which, run, parts, enclosing, factor, std::move(laws));
 }
 
 TrainCurve::TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> parts,
@@ -229,7 +310,8 @@ TrainCurve::TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> 
       parts_(std::move(parts)),
       factor_(factor),
       binding_(binding),
-      shape_(shape) {}
+      shape_(shape),
+      of_turn_(train_of_turn(which, run, parts_, factor, *binding.law)) {}
 
 optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
   if (binding_.law->is_linear()) return place;
@@ -253,6 +335,10 @@ std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design
 }
 
 optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order) const {
+  if (of_turn_) {
+    return function_of(detail::law_number_variables(binding_),
+                       detail::kernel_of(PlaceOfTurn{of_turn_, place, order}), shape_);
+  }
   const auto formula = [which = which_, run = run_, place, order]<class T>(
                            std::span<const T> part, const Law<T>& law) -> Possible<T> {
     const auto quantity = train_quantity_at(which, run, part, law, place);
@@ -265,23 +351,27 @@ optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order)
                      shape_);
 }
 
+std::shared_ptr<const TrainLaws> TrainCurve::laws_at(optim::Design x) const {
+  return of_turn_ ? of_turn_->laws : laws_of(binding_.law->member_at(x));
+}
+
 std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
   PartsAt parts = parts_at(parts_, binding_, x);
-  const Member member = binding_.law->member_at(x);
-  auto law = member.possible_law();
-  auto enclosing_law = member.possible_law<Interval>();
-  if (!parts.possible || !law || !enclosing_law) return std::make_unique<NoTrace>(length_of(run_));
+  auto laws = laws_at(x);
+  if (!parts.possible || !laws) return std::make_unique<NoTrace>(length_of(run_));
   return train_trace(which_, run_, parts.plain, parts.enclosing, factor_.as<double>(),
-                     std::move(*law), std::move(*enclosing_law));
+                     std::move(laws));
 }
 
 std::unique_ptr<OverBoxes> TrainCurve::over_boxes(const Widened& wide, optim::Design x,
                                                   TraceAt at) const {
   if (run_ != TrainRun::Turn) return nullptr;
-  const auto law = binding_.law->member_at(x).possible_law<Interval>();
-  if (!law) return nullptr;
+  const auto laws = laws_at(x);
+  if (!laws) return nullptr;
+  auto harmonics =
+      of_turn_ ? of_turn_->harmonics() : std::make_shared<const TurnHarmonics>(laws->enclosing);
   return train_over_boxes(which_, PartsOverBox(parts_, binding_, wide.first, x),
-                          factor_.as<double>(), *law, std::move(at));
+                          factor_.as<double>(), std::move(harmonics), std::move(at));
 }
 
 }  // namespace camlaw::problems

@@ -57,11 +57,19 @@ Possible<std::array<T, 3>> train_quantity_at(TrainQuantity which, TrainRun run,
                                              std::span<const T> parts, const Law<T>& law,
                                              optim::Place place);
 
+/// A law, and the same in intervals.
+struct TrainLaws {
+  Law<double> plain;
+  Law<Interval> enclosing;
+};
+
 /// The quantity over the run for one train, times `factor`.
 std::unique_ptr<optim::Trace> train_trace(TrainQuantity which, TrainRun run,
                                           std::span<const double> parts,
                                           std::span<const Interval> enclosing, double factor,
-                                          Law<double> law, Law<Interval> enclosing_law);
+                                          std::shared_ptr<const TrainLaws> laws);
+
+struct TrainOfTurn;
 
 /// A curve of the train.
 class TrainCurve final : public optim::Curve, public BoundedOverBoxes {
@@ -84,6 +92,8 @@ class TrainCurve final : public optim::Curve, public BoundedOverBoxes {
                                         TraceAt at) const override;
 
  private:
+  /// Null where the design makes no law.
+  std::shared_ptr<const TrainLaws> laws_at(optim::Design x) const;
   /// The curve's derivative by the place, of order 0 or 1, as a function of the design.
   optim::Function derivative_at(optim::Place place, std::size_t order) const;
 
@@ -93,6 +103,7 @@ class TrainCurve final : public optim::Curve, public BoundedOverBoxes {
   UnitFactor factor_;
   Binding binding_;
   optim::Shape shape_;
+  std::shared_ptr<const TrainOfTurn> of_turn_;  ///< null over a rise, and where the law varies
 };
 
 /// (U6) The greatest amplitude of the free vibration in a dwell of the turn, from the first three

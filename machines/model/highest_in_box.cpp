@@ -8,6 +8,8 @@
 #include <numeric>
 #include <queue>
 
+#include "optim/cycle/proof_time.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -41,7 +43,7 @@ class Halving {
     while (!open_.empty()) {
       const Part highest = open_.top();
       if (highest.upper <= found_.value.upper) return;
-      if (highest.halvings == 0 || parts_ <= 0 || highest.is_close) {
+      if (highest.halvings == 0 || parts_ <= 0 || highest.is_close || optim::ProofTime::is_over()) {
         found_.value.upper = highest.upper;
         found_.left = highest.box;
         return;
@@ -260,31 +262,97 @@ std::optional<double> top_along(double from, const Rise& here, const Bounds& bou
   return along(top).value >= here.value ? std::optional(top) : std::nullopt;
 }
 
+namespace {
+
+/// To the top of the parabola along the parameters `free`; none where it bends up along any way.
+std::optional<Point> to_top(const Slopes& here, const std::vector<std::size_t>& free) {
+  const std::size_t n = free.size();
+  std::vector<std::vector<double>> rows(n);  // the lower triangle of Cholesky, of the bend turned
+  std::vector<double> y(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] = here.first[free[i]];
+    for (std::size_t k = 0; k <= i; ++k) {
+      double rest = -here.second[optim::packed(free[i], free[k])];
+      for (std::size_t m = 0; m < k; ++m) rest -= rows[i][m] * rows[k][m];
+      if (k == i && !(rest > 0)) return {};
+      rows[i].push_back(k == i ? std::sqrt(rest) : rest / rows[k][k]);
+      if (k < i) y[i] -= rows[i][k] * y[k];
+    }
+    y[i] /= rows[i][i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) y[i] -= rows[k][i] * y[k];
+    y[i] /= rows[i][i];
+  }
+  Point step(here.first.size(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) step[free[i]] = y[i];
+  return step;
+}
+
+/// From a place to the top of the parabola there, through all parameters that may move if
+/// `together` and there is one, else along each by itself: however short, that leads uphill.
+Point uphill_step(const Point& from, const Box& box, const Slopes& here, bool together) {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const bool leaves = (from[i] == box[i].upper && here.first[i] >= 0) ||
+                        (from[i] == box[i].lower && here.first[i] <= 0);
+    if (!leaves && !is_point(box[i])) free.push_back(i);
+  }
+  if (const auto step = together ? to_top(here, free) : std::nullopt) return *step;
+  Point step(box.size(), 0.0);
+  for (const std::size_t i : free) {
+    const double width = box[i].upper - box[i].lower, bend = here.second[optim::packed(i, i)];
+    if (here.first[i] != 0)
+      step[i] = bend < 0 ? -here.first[i] / bend : std::copysign(width, here.first[i]);
+  }
+  return step;
+}
+
+/// What the parabola at a place rises over a step.
+double rise_over(const Slopes& here, const Point& step) {
+  double rise = 0;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    rise += here.first[i] * step[i];
+    for (std::size_t k = 0; k < step.size(); ++k) {
+      rise += here.second[optim::packed(std::max(i, k), std::min(i, k))] * step[i] * step[k] / 2;
+    }
+  }
+  return rise;
+}
+
+}  // namespace
+
 Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes) {
   constexpr int kSteps = 40;
-  constexpr double kSmall = 1e-13;  // of the range
+  constexpr double kSmall = 1e-13, kShort = 1e-4;  // of the range
+  constexpr double kRounding = 1e-15;              // of the value: no value shows a lesser rise
   Slopes here = slopes(from);
   if (std::isnan(here.value)) return from;
   double share = 1;  // of the range that a step may take
+  bool together = true;
   for (int step = 0; step < kSteps; ++step) {
-    Point next = from;
-    bool moves = false;
+    Point next = from, change = uphill_step(from, box, here, together);
+    double longest = 0;
     for (std::size_t i = 0; i < box.size(); ++i) {
       const double width = box[i].upper - box[i].lower;
-      const double bend = here.second[optim::packed(i, i)];
-      double change = bend < 0 ? -here.first[i] / bend : here.first[i] > 0 ? width : -width;
-      if (here.first[i] == 0) change = 0;
-      change = std::clamp(change, -share * width, share * width);
-      next[i] = std::clamp(from[i] + change, box[i].lower, box[i].upper);
-      moves |= std::abs(next[i] - from[i]) > kSmall * width;
+      change[i] = std::clamp(change[i], -share * width, share * width);
+      next[i] = std::clamp(from[i] + change[i], box[i].lower, box[i].upper);
+      change[i] = next[i] - from[i];
+      if (width > 0) longest = std::max(longest, std::abs(change[i]) / width);
     }
-    if (!moves) break;
+    if (longest <= kSmall) break;
+    const double rise = std::abs(rise_over(here, change));
+    if (longest <= kShort && rise <= kRounding * std::abs(here.value)) {
+      return next;
+    }
     Slopes there = slopes(next);
     if (there.value > here.value) {
       from = std::move(next);
       here = std::move(there);
+      together = true;
     } else {
-      share /= 4;
+      if (!together) share = std::min(share, longest) / 4;
+      together = false;
       if (share < kSmall) break;
     }
   }

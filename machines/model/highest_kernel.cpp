@@ -313,7 +313,12 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
     for (const std::size_t m : own_.moved) {
       const std::size_t i = f_.inputs()[m] - first_;
       result.first[i] = sign_ * all[m];
-      result.second[optim::packed(i, i)] = sign_ * second[optim::packed(m, m)];
+      for (const std::size_t l : own_.moved) {
+        const std::size_t k = f_.inputs()[l] - first_;
+        if (k > i) continue;
+        result.second[optim::packed(i, k)] =
+            sign_ * second[optim::packed(std::max(m, l), std::min(m, l))];
+      }
     }
     return result;
   });

@@ -2,11 +2,14 @@
 #include "machines/model/range_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "machines/model/box_traces.h"
+#include "optim/cycle/extremes.h"
+#include "optim/cycle/proof_time.h"
 #include "optim/search/deadline.h"
 
 namespace camlaw::problems {
@@ -55,7 +58,9 @@ class RangeTrace final : public optim::Trace {
 
   Bounds enclose(double from, double to) const override {
     if (!over_) return {};
-    return times(parts_->sign, highest(from, to).value);
+    const Highest found = highest(from, to);
+    told_ = found.place;
+    return times(parts_->sign, found.value);
   }
 
   /// The part of the ranges that bounds it over a stretch; all of them where nothing is proved.
@@ -78,8 +83,10 @@ class RangeTrace final : public optim::Trace {
     return row;
   }
   Point worst(Place place, const Row& row) const {
+    std::vector<Point> places = places_;
+    if (!told_.empty()) places.push_back(told_);
     return row.highest.climbed_highest(
-        places_, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; }, row.u);
+        places, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; }, row.u);
   }
   const optim::Trace& at_place(const Point& p) const {
     auto& known = traces_[p];
@@ -88,19 +95,30 @@ class RangeTrace final : public optim::Trace {
     known = parts_->curve->trace(parts_->wide.design(x_, p));
     return *known;
   }
+  /// How far the ranges are divided over a stretch.
+  Division division() const {
+    constexpr int kHalvingsOfOne = 30, kParts = 5000;
+    return {kHalvingsOfOne * static_cast<int>(box_.size()), kParts};
+  }
+
+  /// How many parts of one range a part takes as long as: its corners are many.
+  std::int64_t effort() const {
+    constexpr std::array<std::int64_t, 3> kEfforts{1, 2, 8};
+    return kEfforts[std::min(box_.size(), kEfforts.size()) - 1];
+  }
+
   Highest highest(double from, double to) const {
-    constexpr int kLeast = 2, kMost = 24, kPartsOf = 8;  // of each halving
-    const double share = (breaks_.back() - breaks_.front()) / std::max(to - from, 1e-300);
-    const int halvings =
-        std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
     const double sign = parts_->sign;
     return highest_within(
-        box_, {halvings, kPartsOf * halvings},
+        box_, division(),
         [&](const Point& p) {
           optim::check_deadline();
           return times(sign, at_place(p).enclose(from, to));
         },
-        [&](const Box& box) { return over_->over(box, from, to, sign); });
+        [&](const Box& box) {
+          optim::PartsOfBounds::look_at(effort());
+          return over_->over(box, from, to, sign);
+        });
   }
 
   std::shared_ptr<const RangeParts> parts_;
@@ -110,6 +128,8 @@ class RangeTrace final : public optim::Trace {
   std::vector<double> breaks_;
   mutable std::map<Point, std::unique_ptr<optim::Trace>> traces_;
   std::unique_ptr<OverBoxes> over_;  ///< none: nothing is proved
+  /// Where in the ranges the latest bounds were highest: a top may be too narrow for places_.
+  mutable Point told_;
 };
 
 }  // namespace
@@ -155,7 +175,9 @@ Box RangeCurve::left(double from, double to, Design x) const {
 double RangeCurve::memory() const { return parts_->curve->memory(); }
 
 Point RangeCurve::worst(Place place, Design x) const {
-  return told(parts_->curve->at(place), parts_->wide, x, RangeTrace(parts_, x).worst(place));
+  const RangeTrace trace(parts_, x);
+  optim::enclosed_at(trace, place);  // what a proof comes upon counts
+  return told(parts_->curve->at(place), parts_->wide, x, trace.worst(place));
 }
 
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "optim/cycle/proof_time.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -222,6 +224,8 @@ Extreme summit(const Trace& trace, double sign, const Extreme& found) {
 }  // namespace
 
 CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
+  constexpr std::int64_t kMostParts = 400'000;
+  const std::int64_t most_parts = PartsOfBounds::looked_at() + kMostParts;
   const std::vector<double> breaks = trace.breaks();
   std::vector<Stretch> stretches;
   for (std::size_t k = breaks.size() - 1; k > 0; --k) {
@@ -237,6 +241,10 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   while (!stretches.empty()) {
     const Stretch stretch = stretches.back();
     stretches.pop_back();
+    if (ProofTime::is_over()) {
+      proof.left = {stretch.from, stretch.to};
+      return proof;
+    }
     const Bounds bounds = trace.enclose(stretch.from, stretch.to);
     const double most = sign > 0 ? bounds.upper : -bounds.lower;
     const auto give_up = [&] {
@@ -255,7 +263,7 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
       proof.worst = summit(trace, sign, proof.worst);
       return proof;
     }
-    if (!divisible) return give_up();
+    if (!divisible || PartsOfBounds::looked_at() > most_parts) return give_up();
     stretches.push_back({middle, stretch.to, false, stretch.at_end});
     stretches.push_back({stretch.from, middle, stretch.at_begin, false});
   }

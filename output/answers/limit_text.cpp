@@ -86,23 +86,22 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
 
 namespace {
 
-/// What a proof of a limit that is met left open.
+/// What a proof left open.
 struct Undecided {
   std::string words;  ///< "from 99.8 deg to 99.9 deg, speed from 810 rpm to 820 rpm"; or empty
   std::optional<optim::Bounds> stretch;  ///< of a curve, in its case
   std::vector<problems::PartOfRange> ranges;
 };
 
-Undecided undecided(const optim::LimitReport& side, const problems::ProblemStatement& design,
-                    std::size_t number) {
-  if (!side.met || side.proved || !side.left) return {};
-  const problems::ResponseName& of = design.constraints[number].response;
+/// `left`: the stretch at which it was given up, of a number an infinite one.
+Undecided left_open(const problems::ProblemStatement& design, const problems::ResponseName& of,
+                    const optim::Bounds& left) {
   Undecided open;
-  if (std::isfinite(side.left->lower)) open.stretch = side.left;
+  if (std::isfinite(left.lower)) open.stretch = left;
   open.ranges = problems::left_in_ranges(design, of, open.stretch);
   if (open.stretch) {
-    const auto from = problems::place_in_case(of, side.left->lower);
-    const auto to = problems::place_in_case(of, side.left->upper);
+    const auto from = problems::place_in_case(of, left.lower);
+    const auto to = problems::place_in_case(of, left.upper);
     const problems::ResponseName& one = from ? of.response->over_cases.at(from->part) : of;
     if (from && to) open.stretch = optim::Bounds{from->place, to->place};
     const std::string unit = one.response != nullptr ? one.response->along : "";
@@ -115,6 +114,34 @@ Undecided undecided(const optim::LimitReport& side, const problems::ProblemState
     open.words += (open.words.empty() ? "" : ", ") + problems::words_of(open.ranges);
   }
   return open;
+}
+
+/// Of a limit that is met.
+Undecided undecided(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                    std::size_t number) {
+  if (!side.met || side.proved || !side.left) return {};
+  return left_open(design, design.constraints[number].response, *side.left);
+}
+
+Json json_of_open(const Undecided& open) {
+  if (open.words.empty()) return nullptr;
+  Json ranges = Json::object();
+  for (const problems::PartOfRange& part : open.ranges) {
+    ranges[part.parameter] = {
+        {"lower", to_json(part.lower)}, {"upper", to_json(part.upper)}, {"unit", part.unit}};
+  }
+  Json object{{"ranges", std::move(ranges)}};
+  if (open.stretch) {
+    object["from"] = to_json(open.stretch->lower);
+    object["to"] = to_json(open.stretch->upper);
+  }
+  return object;
+}
+
+/// "not decided: NAME from 99.8 deg to 99.9 deg", or why NAME is not proved.
+std::string open_line(const std::string& name, const std::string& words, const std::string& why) {
+  if (!words.empty()) return fmt::format("not decided: {} {}\n", name, words);
+  return why.empty() ? "" : fmt::format("{} is not proved, as {}\n", name, why);
 }
 
 }  // namespace
@@ -166,30 +193,55 @@ Json side_json(const optim::LimitReport& side, const problems::ProblemStatement&
           {"worst_angle_deg", json_value(side.worst_angle)},
           {"worst_at", worst_at_json(design, of, side.worst_angle)},
           {"proved", side.proved},
-          {"undecided", undecided_json(side, design, number)}};
+          {"undecided", undecided_json(side, design, number)},
+          {"why_not_proved", why_not_proved_json(side, design, number)}};
 }
 
 Json undecided_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
                     std::size_t number) {
-  const Undecided open = undecided(side, design, number);
-  if (open.words.empty()) return nullptr;
-  Json ranges = Json::object();
-  for (const problems::PartOfRange& part : open.ranges) {
-    ranges[part.parameter] = {
-        {"lower", to_json(part.lower)}, {"upper", to_json(part.upper)}, {"unit", part.unit}};
+  return json_of_open(undecided(side, design, number));
+}
+
+std::string why_not_proved(const problems::ProblemStatement& design,
+                           const problems::ResponseName& of) {
+  if (of.response == nullptr || !of.response->curve) return "";
+  for (const problems::ResponseName& in_case : of.response->over_cases) {
+    if (std::string why = why_not_proved(design, in_case); !why.empty()) return why;
   }
-  Json object{{"ranges", std::move(ranges)}};
-  if (open.stretch) {
-    object["from"] = to_json(open.stretch->lower);
-    object["to"] = to_json(open.stretch->upper);
+  if (!of.response->over_ranges) return "";
+  std::vector<std::string> names;
+  for (const problems::TakenRange& range : of.response->over_ranges->ranges) {
+    if (!of.response->possible_by.holds(range.parameter)) continue;
+    names.push_back(design.mechanism->parameters[range.parameter].name);
   }
-  return object;
+  if (names.empty()) return "";
+  return fmt::format("the {} of {} {} whether the machine is possible",
+                     names.size() == 1 ? "range" : "ranges", problems::listed(names),
+                     names.size() == 1 ? "decides" : "decide");
+}
+
+Json why_not_proved_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                         std::size_t number) {
+  if (!side.met || side.proved) return nullptr;
+  const std::string why = why_not_proved(design, design.constraints[number].response);
+  return why.empty() ? Json(nullptr) : Json(why);
 }
 
 std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
                            std::size_t number) {
-  const std::string words = undecided(side, design, number).words;
-  return words.empty() ? "" : fmt::format("not decided: {} {}\n", side.name, words);
+  if (!side.met || side.proved) return "";
+  return open_line(side.name, undecided(side, design, number).words,
+                   why_not_proved(design, design.constraints[number].response));
+}
+
+OpenObjective objective_left_open(const problems::ProblemStatement& design,
+                                  const std::optional<optim::Bounds>& left) {
+  const problems::ResponseName& of = design.objectives.front().response;
+  const Undecided open = left ? left_open(design, of, *left) : Undecided{};
+  const std::string why = why_not_proved(design, of);
+  return {.line = open_line(of.name, open.words, why),
+          .undecided = json_of_open(open),
+          .why_not_proved = why.empty() ? Json(nullptr) : Json(why)};
 }
 
 namespace {
@@ -218,13 +270,14 @@ std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& te
 }  // namespace
 
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design) {
-  Table table{.key = "constraints",
-              .columns = {words("limit", "name"), numbers("value", "value"),
-                          numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
-                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("worst_at"),
-                          data("met"), data("tolerance"), words("proved", "proved"),
-                          data("undecided"), data("other_side"), data("required_by")},
-              .shown = 0};
+  Table table{
+      .key = "constraints",
+      .columns = {words("limit", "name"), numbers("value", "value"), numbers("bound", "bound"),
+                  data("side"), numbers("margin", "margin"), words("unit", "unit"),
+                  numbers("at", "worst_angle_deg"), data("worst_at"), data("met"),
+                  data("tolerance"), words("proved", "proved"), data("undecided"),
+                  data("why_not_proved"), data("other_side"), data("required_by")},
+      .shown = 0};
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const optim::LimitReport& limit = sided.limits[i];
     std::vector<Cell> cells = limit_cells(limit, design.constraints[i]);
@@ -235,6 +288,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
     cells.push_back(datum(undecided_json(limit, design, i)));
+    cells.push_back(datum(why_not_proved_json(limit, design, i)));
     cells.push_back(
         datum(sided.others[i] ? side_json(*sided.others[i], design, i) : Json(nullptr)));
     cells.push_back(datum(design.constraints[i].required_by));

@@ -56,9 +56,17 @@ Json worst_at_json(const problems::ProblemStatement& design, const problems::Res
 /// null where it is proved and where nothing is known.
 Json undecided_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
                     std::size_t number);
-/// The same for people, on a line; empty where that is null.
+/// The same for people, on a line, or why nothing is proved; empty where neither is known.
 std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
                            std::size_t number);
+
+/// Why nothing is proved of a curve over ranges, "the range of stroke decides whether the machine
+/// is possible"; empty where that is not why.
+std::string why_not_proved(const problems::ProblemStatement& design,
+                           const problems::ResponseName& of);
+/// The same of a limit that is met and not proved, for programs; else null.
+Json why_not_proved_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                         std::size_t number);
 
 /// A side of the design's limit of this number, for programs.
 Json side_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
@@ -92,5 +100,16 @@ struct ObjectivePlace {
 };
 ObjectivePlace objective_place(const problems::ProblemStatement& design,
                                const std::optional<double>& place);
+
+/// What is known of a first objective that is not proved.
+struct OpenObjective {
+  std::string line = {};          ///< as undecided_line
+  Json undecided = nullptr;       ///< as undecided_json
+  Json why_not_proved = nullptr;  ///< as why_not_proved_json
+};
+/// `left` is the stretch of the cycle at which its proof was given up, of a number an infinite one;
+/// none where there was no proof.
+OpenObjective objective_left_open(const problems::ProblemStatement& design,
+                                  const std::optional<optim::Bounds>& left);
 
 }  // namespace camlaw::cli

@@ -10,6 +10,7 @@
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/open_objective.h"
 #include "output/answers/price_words.h"
 #include "output/answers/reached_output.h"
 #include "output/answers/variable_words.h"
@@ -248,10 +249,11 @@ void add_design(const Answer& answer, Document& document) {
     variables[value.name] = value.json();
     if (!value.unit.empty()) units[value.name] = value.unit;
   }
-  const ObjectivePlace worst = std::isnan(a.objective.value)
-                                   ? ObjectivePlace{}
-                                   : objective_place(stated_design(answer), a.objective.angle);
-  document.say("\n" + design_text(answer, worst));
+  const problems::ProblemStatement design = stated_design(answer);
+  const ObjectivePlace worst =
+      std::isnan(a.objective.value) ? ObjectivePlace{} : objective_place(design, a.objective.angle);
+  const OpenObjective open = open_objective(answer, design);
+  document.say("\n" + design_text(answer, worst) + open.line);
   document.fact("objective", a.objective.value);
   document.fact("objective_name", objective_name(answer));
   document.fact("objective_unit", objective_unit(answer));
@@ -262,6 +264,8 @@ void add_design(const Answer& answer, Document& document) {
   document.fact("best_possible", a.best_possible);
   document.fact("objective_proved",
                 Json{to_json(a.objective.proved.lower), to_json(a.objective.proved.upper)});
+  document.fact("objective_undecided", open.undecided);
+  document.fact("objective_why_not_proved", open.why_not_proved);
   document.fact("variables", variables);
   document.fact("units", units);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "optim/cycle/proof_time.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
@@ -135,15 +136,20 @@ struct Evaluated {
   cli::SidedLimits sided;
   std::vector<problems::Json> worst_at;                 ///< of each limit (cli::worst_at_json)
   std::vector<problems::Json> undecided;                ///< of each limit (cli::undecided_json)
+  std::vector<problems::Json> why_not_proved;           ///< of each limit (why_not_proved_json)
   std::vector<problems::Json> other_side;               ///< of each limit (cli::side_json), or null
   std::vector<std::optional<std::string>> required_by;  ///< of each limit (ConstraintStatement)
   problems::Buildability built;
   cli::Warnings warnings;
+  std::string cut_short;  ///< why proofs ended early; empty where none did
 };
 
-nb::dict evaluated(const StatedProblem& problem) {
+/// `time_limit`: seconds after which proofs end.
+nb::dict evaluated(const StatedProblem& problem, std::optional<double> time_limit) {
+  const optim::Deadline deadline(time_limit, nullptr);
   const Evaluated found = run_whole([&](const Work& work) {
     const ProblemStatement statement = problem.within(work);
+    const optim::ProofTime proof_time(deadline);
     Evaluated all;
     all.responses = problems::evaluate(statement);
     cli::check_possible(statement.source, statement, all.responses);
@@ -154,11 +160,13 @@ nb::dict evaluated(const StatedProblem& problem) {
       all.worst_at.push_back(
           cli::worst_at_json(statement, limit.response, all.sided.limits[i].worst_angle));
       all.undecided.push_back(cli::undecided_json(all.sided.limits[i], statement, i));
+      all.why_not_proved.push_back(cli::why_not_proved_json(all.sided.limits[i], statement, i));
       all.other_side.push_back(other ? cli::side_json(*other, statement, i) : nullptr);
       all.required_by.push_back(limit.required_by);
     }
     all.built = problems::buildability(statement);
     all.warnings = cli::warnings_of(statement);
+    if (proof_time.has_ended_any()) all.cut_short = deadline.reason();
     return all;
   });
   nb::list rows;
@@ -171,12 +179,14 @@ nb::dict evaluated(const StatedProblem& problem) {
     const auto& by = found.required_by[i];
     limit["worst_at"] = python_of(found.worst_at[i]);
     limit["undecided"] = python_of(found.undecided[i]);
+    limit["why_not_proved"] = python_of(found.why_not_proved[i]);
     limit["other_side"] = python_of(found.other_side[i]);
     limit["required_by"] = by ? nb::object(nb::cast(*by)) : nb::none();
   }
   result["limits"] = limits;
   result["buildable"] = python_of(cli::buildable_json(found.built));
   result["warnings"] = found.warnings;
+  result["cut_short"] = found.cut_short;
   return result;
 }
 
@@ -311,7 +321,7 @@ void add_problems(nb::module_& module) {
              return formula_of(*p.statement.mechanism, response);
            })
       .def("machine", [](const StatedProblem& p) { return dict_of(*p.statement.mechanism); })
-      .def("evaluate", &evaluated)
+      .def("evaluate", &evaluated, nb::arg("time_limit").none())
       .def("check", &said_back)
       .def("curves", &curves_of, nb::arg("count"))
       .def("curves_figure",

@@ -17,6 +17,7 @@
 #include "optim/search/memory.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/cycle_figure.h"
+#include "output/answers/free_limit.h"
 #include "output/answers/optimum_output.h"
 #include "output/answers/rulers.h"
 #include "output/answers/search_facts.h"
@@ -59,6 +60,7 @@ struct SearchSettings {
   std::optional<std::uint64_t> seed;
   std::optional<double> time_limit, memory;
   int workers = 1;
+  bool table = false;  ///< every combination beside a free law, as the program's --table
 };
 
 optim::OptimiseOptions options_of(const SearchSettings& told,
@@ -104,6 +106,15 @@ void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, int 
   }
   facts.update(cli::json_of(more));
   document.add(std::move(more));
+}
+
+/// Every combination of an answer; beside a free law, for which it searches, if that is told.
+cli::Document combinations_of(const cli::Answer& answer, const SearchSettings& told,
+                              optim::OptimiseOptions rest) {
+  if (!told.table || answer.space.choices.empty()) return cli::combinations_document(answer);
+  if (rest.time_limit) rest.time_limit = *rest.time_limit - answer.optimum.wall_s;
+  const cli::FreeLimit free = cli::free_limit(answer, rest, told.workers);
+  return cli::combinations_document(answer, &free);
 }
 
 /// The design of an answer, as a result would give it back.
@@ -178,6 +189,13 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   answer.built = cli::buildability_of(answer);
   cli::Document document = cli::answer_document(answer);
   Json facts = cli::json_of(document);
+  if (told.table) begins("free law");
+  cli::Document combinations = combinations_of(answer, told, search);
+  const Json table = cli::json_of(combinations);
+  if (told.table) {
+    facts.update(table);
+    document.add(std::move(combinations));
+  }
   if (synthesize) {
     optim::OptimiseOptions rest = search;
     if (rest.time_limit) rest.time_limit = *rest.time_limit - seconds_since_start();
@@ -186,7 +204,6 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   problems::seal(facts);
   StoredResult result{.facts = std::move(facts)};
   result.say(document);
-  const Json table = cli::json_of(cli::combinations_document(answer));
   if (table.contains("table")) result.combinations = table["table"];
   if (auto design = design_of(answer)) {
     design->stated = problems::stated_numbers(result.facts);
@@ -199,9 +216,9 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
 nb::tuple search(const StatedProblem& problem, bool synthesize, std::optional<std::string> solver,
                  std::optional<int> starts, std::optional<std::uint64_t> seed,
                  std::optional<double> time_limit, std::optional<double> memory,
-                 std::optional<int> workers, nb::handle progress) {
-  const SearchSettings told{std::move(solver), starts, seed,
-                            time_limit,        memory, workers_of(workers)};
+                 std::optional<int> workers, bool table, nb::handle progress) {
+  const SearchSettings told{std::move(solver),   starts, seed, time_limit, memory,
+                            workers_of(workers), table};
   if (synthesize) check_free(problem.statement);
   std::optional<StoredResult> result;
   const bool interrupted = run_beside(
@@ -352,7 +369,8 @@ void add_results(nb::module_& module) {
       });
   module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),
              nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
-             nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("progress").none());
+             nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("table"),
+             nb::arg("progress").none());
   module.def("result_file", &result_file, nb::arg("path"));
   module.def(
       "beginning_at",

@@ -247,10 +247,21 @@ class Problem(Searches):
         """The formula of a response, in the grammar of docs/formulas.md."""
         return self._native.formula(_text(response, "response"))
 
-    def evaluate(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Evaluation:
-        """Every response at the variables' starts or at these values, proved over the whole cycle."""
+    def evaluate(
+        self,
+        values: Mapping[str, Any] | None = None,
+        /,
+        *,
+        time_limit: Any = None,
+        **more: Any,
+    ) -> Evaluation:
+        """Every response at the variables' starts or at these values, proved over the whole cycle.
+
+        time_limit: seconds, or a text such as "1 min", after which proofs end; what they leave open is
+        not proved, and facts["cut_short"] says why.
+        """
         problem = self.set(values, **more) if values is not None or more else self
-        return Evaluation(problem._native.evaluate())
+        return Evaluation(problem._native.evaluate(units.seconds(time_limit)))
 
     def evaluate_many(
         self, values: Mapping[str, Any], responses: Sequence[str] | None = None

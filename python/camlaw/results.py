@@ -25,6 +25,8 @@ _CLAIMS = {
     "kkt_residual",
     "objective_case",
     "objective_proved",
+    "objective_undecided",
+    "objective_why_not_proved",
     "objective_worst_angle_deg",
     "objective_worst_at",
     "second_order",
@@ -166,7 +168,9 @@ class Result(Answer):
     @property
     def table(self) -> Any:
         """A table of what the search found with each combination of laws, parts and other choices, the
-        best first. It is empty if there was nothing to choose, or if the result was read from a file."""
+        best first. It is empty if there was nothing to choose, or if the result was read from a file.
+        With optimize(table=True), from_free_law says how far each is from a free law, in %, and
+        facts["free_law"] what that reaches."""
         return tables.of_rows(self._native.combinations())
 
     @property

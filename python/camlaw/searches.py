@@ -65,6 +65,7 @@ class Searches:
         memory: Any,
         workers: int | None,
         start: Mapping[str, Any] | Result | None,
+        table: bool,
         progress: Progress,
     ) -> Result:
         from .results import Result
@@ -80,6 +81,7 @@ class Searches:
                 units.seconds(time_limit),
                 units.size_in_bytes(memory),
                 optional_whole(workers, "workers", 1, _MOST_WORKERS),
+                flag(table, "table"),
                 tell,
             )
         result = Result(found)
@@ -97,6 +99,7 @@ class Searches:
         memory: Any = None,
         workers: int | None = None,
         start: Mapping[str, Any] | Result | None = None,
+        table: bool = False,
         progress: Progress = None,
     ) -> Result:
         """Finds the best design, with a verdict.
@@ -106,10 +109,12 @@ class Searches:
         "1 min", after which the best design so far is the answer. memory: bytes that the search may
         use, or a text such as "4 GB". workers: processes that search side by side, from several starts
         and in several combinations of choices, if that takes longer than a few seconds; the result
-        does not depend on them. Ctrl-C raises Interrupted, whose result is the best design so far.
+        does not depend on them. table: searches once more with a free law in place of the laws to choose
+        from, as --table of the program does; result.table then says how far each combination is from it.
+        Ctrl-C raises Interrupted, whose result is the best design so far.
         """
         return self._search(
-            False, "optimize", solver, starts, seed, time_limit, memory, workers, start, progress
+            False, "optimize", solver, starts, seed, time_limit, memory, workers, start, table, progress
         )
 
     def synthesize(
@@ -122,12 +127,13 @@ class Searches:
         memory: Any = None,
         workers: int | None = None,
         start: Mapping[str, Any] | Result | None = None,
+        table: bool = False,
         progress: Progress = None,
     ) -> Result:
         """Finds the best law for a problem with a free law. facts["rulers"] compares it with what is
         possible and with named laws. The arguments are those of optimize()."""
         return self._search(
-            True, "synthesize", solver, starts, seed, time_limit, memory, workers, start, progress
+            True, "synthesize", solver, starts, seed, time_limit, memory, workers, start, table, progress
         )
 
     def pareto(

@@ -108,6 +108,21 @@ def test_an_evaluation_is_the_programs():
         found["nonsense"]
 
 
+def test_the_proofs_of_an_evaluation_end_after_a_time_limit(tmp_path):
+    text = (PROBLEMS / "cams/elastic_valve.toml").read_text()
+    text = text.replace('speed = "900 rpm"\n', "").replace('lower = "20 N"', 'lower = "-900 N"')
+    path = tmp_path / "valve.toml"
+    path.write_text(text + "[ranges.speed]\nlower = '600 rpm'\nupper = '900 rpm'\n")
+    problem = cl.Problem.load(path)
+    found = problem.evaluate(time_limit=1e-3)
+    assert found.facts["cut_short"] and not found.margins.loc["lowest elastic_force", "proved"]
+    assert found.margins.loc["lowest elastic_force", "undecided"]["to"] > 0
+    whole = problem.evaluate(time_limit="10 min")
+    assert whole.facts["cut_short"] == "" and whole.margins.loc["lowest elastic_force", "proved"]
+    with pytest.raises(cl.InputError, match="time_limit: 0 s is not above zero"):
+        problem.evaluate(time_limit=0)
+
+
 def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
     problem = cl.Problem.load(ROLLER)
     radii = np.linspace(30, 110, 7)

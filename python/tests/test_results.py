@@ -41,6 +41,22 @@ def test_a_synthesis_is_the_programs():
         cl.Problem.load("problems/spine_cutter/least_force.toml").synthesize()
 
 
+def test_a_table_tells_how_far_each_law_is_from_a_free_one(tmp_path):
+    path = tmp_path / "laws.toml"
+    path.write_text(
+        "mechanism = 'law'\n[law]\nname = ['cosine', 'polynomial-5']\n"
+        "[objective]\nminimize = 'C_a'\n[[constraints]]\nresponse = 'C_v'\nupper = 1.9\n"
+    )
+    problem = cl.Problem.load(path)
+    assert "from_free_law" not in problem.optimize().table.columns
+    found = problem.optimize(table=True)
+    theirs = program_json("optimize", str(path), "--table")
+    assert same(found.facts, theirs)
+    far = [row["from_free_law"] for row in theirs["table"]]
+    assert list(found.table["from_free_law"]) == far and min(far) > 0
+    assert str(pickle.loads(pickle.dumps(found)).table) == str(found.table)
+
+
 def test_a_result_tells_its_design(roller):
     assert roller.verdict == "certified optimum" and roller.certified and roller.is_global
     assert roller["base_radius"] == roller.objective == roller.variables["base_radius"]

@@ -210,6 +210,33 @@ TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
   }
 }
 
+TEST_CASE("an evaluation whose proofs take too long says what is left of them", "[program]") {
+  // Of damping so low, with a margin that small, the proof takes minutes.
+  const Folder folder;
+  const std::string path = folder / "quiet.toml";
+  std::string text = read(testing::source("problems/cams/elastic_valve.toml"));
+  for (const char* stated : {"speed = \"900 rpm\"\n", "train_damping = 0.04\n"}) {
+    text.erase(text.find(stated), std::string(stated).size());
+  }
+  const std::string bound = "lower = \"20 N\"";
+  text.replace(text.find(bound), bound.size(), "lower = \"-900 N\"");
+  std::ofstream(path) << text << "[ranges.speed]\nlower = '600 rpm'\nupper = '900 rpm'\n"
+                      << "[ranges.train_damping]\nlower = 0.005\nupper = 0.015\n";
+  const Words words{"evaluate", path, "--time-limit", "0.001"};
+  const Outcome outcome = run(words);
+  CHECK(outcome.status == 4);
+  CHECK_THAT(outcome.out, Contains("not decided: lowest elastic_force from "));
+  CHECK_THAT(outcome.out, Contains("proofs stopped early: the time limit of 0.001 s was reached"));
+  Words as_json = words;
+  as_json.push_back("--json");
+  const ParsedJson answer = ParsedJson::parse(run(as_json).out);
+  CHECK(answer.at("cut_short") == "the time limit of 0.001 s was reached");
+  const auto& limit = answer.at("constraints")[0];
+  CHECK(limit.at("met") == true);
+  CHECK(limit.at("proved") == false);
+  CHECK(limit.at("undecided").at("ranges").contains("speed"));
+}
+
 TEST_CASE("a fit without the time for every law says which it has not tried", "[program][heavy]") {
   const std::string cam = testing::source("problems/cams/worn_cam.csv");
   const Words words{"fit", cam, "--mechanism", "disc-cam-roller", "--json"};

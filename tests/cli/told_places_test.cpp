@@ -28,6 +28,11 @@ std::string in_words(const ParsedJson& worst_at, const std::string& name) {
                      at.at("unit").get<std::string>());
 }
 
+/// Of a search, certified or not.
+ParsedJson answer_of(const std::string& file) {
+  return ParsedJson::parse(run({"optimize", file, "--starts", "1", "--json"}).out);
+}
+
 }  // namespace
 
 TEST_CASE("the worst place in ranges is in the JSON as in the text", "[program]") {
@@ -85,6 +90,60 @@ TEST_CASE("what a proof over ranges leaves open is in the JSON as in the text", 
              Contains(fmt::format("not decided: f at {:.9g}, b from ", place)));
   CHECK(limits[1].at("proved").get<bool>());
   CHECK(limits[1].at("undecided").is_null());
+}
+
+TEST_CASE("what the proof of an objective over ranges leaves open is told as that of a limit",
+          "[program]") {
+  // The search ends beside the top, as above, so that the proof finds no place to break.
+  const Folder folder;
+  const std::string own = folder / "own.toml";
+  std::ofstream(own) << "[machine]\nmoved_by = 'law'\n"
+                        "[machine.parameters.a]\ndefault = 1\nlower = -5\nupper = 5\n"
+                        "[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
+                        "[machine.parameters.c]\ndefault = 1\nlower = -5\nupper = 5\n"
+                        "[responses.f]\n"
+                        "formula = 'v + a^2 - 2 * abs(b - v) - 3 * abs(c - b + 0.2)'\n"
+                        "[law]\nname = 'cosine'\n[ranges.b]\nlower = -1\nupper = 4\n"
+                        "[ranges.c]\nlower = -1\nupper = 4\n"
+                        "[variables.a]\nlower = -1\nupper = 2\n"
+                        "[objective]\nminimize = 'highest f'\n";
+  const ParsedJson found = answer_of(own);
+  const ParsedJson& left = found.at("objective_undecided");
+  REQUIRE(left.is_object());
+  CHECK(left.at("to").get<double>() >= left.at("from").get<double>());
+  for (const char* name : {"b", "c"}) {
+    const ParsedJson& part = left.at("ranges").at(name);
+    CHECK(part.at("upper").get<double>() >= part.at("lower").get<double>());
+  }
+  CHECK(found.at("objective_why_not_proved").is_null());
+  CHECK_THAT(run({"optimize", own}).out, Contains("not decided: highest f "));
+}
+
+TEST_CASE("why nothing is proved over a range that decides whether there is a machine is said",
+          "[program]") {
+  const Folder folder;
+  const std::string own = folder / "own.toml";
+  const std::string cam =
+      "mechanism = 'disc-cam-roller'\n[constants]\nmass = '1.5 kg'\nspring_rate = '8 N/mm'\n"
+      "speed = '100 rpm'\nspring_preload = '120 N'\n"
+      "[program]\nsegments = [{name = 'rise', angle = 90, law = 'modified-sine'}, "
+      "{name = 'high', angle = 70}, {name = 'back', angle = 110, law = 'cycloidal'}, "
+      "{name = 'low'}]\n[ranges.stroke]\nlower = '20 mm'\nupper = '25 mm'\n"
+      "[[constraints]]\nresponse = 'follower_force'\nlower = '0 N'\nupper = '2000 N'\n";
+  std::ofstream(own) << cam;
+  const std::string why = "the range of stroke decides whether the machine is possible";
+  const ParsedJson json = json_of({"evaluate", own, "--json"});
+  for (const ParsedJson& limit : json.at("constraints")) {
+    INFO(limit.at("name"));
+    CHECK(limit.at("why_not_proved") == (limit.at("proved").get<bool>() ? ParsedJson() : why));
+  }
+  CHECK_THAT(done({"evaluate", own}), Contains("follower_force is not proved, as " + why + "\n"));
+
+  std::ofstream(own) << cam << "[variables.base_radius]\nlower = '20 mm'\nupper = '60 mm'\n"
+                     << "start = '40 mm'\n[objective]\nminimize = 'highest contact_force'\n";
+  const ParsedJson found = answer_of(own);
+  CHECK(found.at("objective_why_not_proved") == why);
+  CHECK(found.at("objective_undecided").is_null());
 }
 
 TEST_CASE("the objective's case and place are in the JSON as in the text", "[program]") {

@@ -223,6 +223,41 @@ TEST_CASE("bounds of a train over boxes of its machine hold, and close as they s
   }
 }
 
+TEST_CASE("a resonance that the search misses between its places is found by the proof",
+          "[elastic-ranges]") {
+  const std::string damping = "[ranges.train_damping]\nlower = 0.005\nupper = 0.015\n";
+  const auto lowest_at = [](double speed) {
+    const std::string one = "speed = '" + std::to_string(speed) + " rpm'\ntrain_damping = 0.005\n";
+    const auto limits =
+        standing(read(valve(one + kPreload, limit("elastic_force", "lower", "0 N"))));
+    return std::pair(limits.front().value, *limits.front().worst_angle);
+  };
+  std::pair<double, double> lowest{0, 0};
+  double speed = 0;
+  for (double each = 888; each <= 891; each += 0.05) {  // the resonance of the twelfth harmonic
+    const auto found = lowest_at(each);
+    if (found.first < lowest.first) lowest = found, speed = each;
+  }
+  for (const double room : {-4.0, 1.0}) {
+    const std::string bound = std::to_string(lowest.first - room) + " N";
+    const ProblemStatement problem =
+        read(valve(kPreload + kSpeeds + damping, limit("elastic_force", "lower", bound)));
+    const auto found = standing(problem).front();
+    INFO(bound);
+    CHECK(found.met == (room > 0));
+    CHECK(found.proved == (room > 0));
+    if (found.met) continue;
+    CHECK(found.value <= lowest.first);
+    CHECK(found.value == Approx(lowest.first).epsilon(1e-4));
+    CHECK(*found.worst_angle == Approx(lowest.second).margin(0.1));
+    const auto worst =
+        worst_in_ranges(problem, problem.constraints.front().response, found.worst_angle);
+    REQUIRE(worst.size() == 2);
+    CHECK(worst[0].value == Approx(speed).margin(0.1));
+    CHECK(worst[1].value == Approx(0.005));
+  }
+}
+
 TEST_CASE("what a proof leaves open is told by stretch and by parameters", "[elastic-ranges]") {
   const ProblemStatement problem =
       read(valve(kDamping + kPreload + kSpeeds, limit("elastic_force", "upper", "1135.6 N")));

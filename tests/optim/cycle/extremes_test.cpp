@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "numerics/scalar/interval.h"
+#include "optim/cycle/proof_time.h"
 #include "optim/problem/automatic_curve.h"
 
 namespace camlaw::optim::extremes_test {
@@ -313,6 +314,21 @@ TEST_CASE("a jump violates a limit on the side where it stands above it", "[cycl
   const CycleProof right = prove_below(sawtooth(), -1, 4 - 1e-12);
   CHECK(right.broken);
   CHECK(right.worst.value < -4 + 1e-12);
+}
+
+TEST_CASE("a proof whose bounds were made of too many parts ends where it is", "[cycle]") {
+  const auto bounds = [](double, double) {  // never closer to the value of 1
+    PartsOfBounds::look_at(100'000);
+    return Bounds{0.9, 1.1};
+  };
+  const Stretches flat({0, 360}, {[](double) { return Values{1, 0, 0}; }}, bounds);
+  const CycleProof proof = prove_below(flat, 1, 1.05);
+  CHECK_FALSE(proof.proved);
+  CHECK_FALSE(proof.broken);
+  REQUIRE(proof.left);
+  CHECK(proof.left->upper - proof.left->lower > 1);
+  CHECK(prove_below(flat, 1, 1.05).boxes == proof.boxes);  // each has its own parts
+  CHECK(prove_below(flat, 1, 1.1).proved);
 }
 
 TEST_CASE("a region without numbers breaks every limit", "[cycle]") {
