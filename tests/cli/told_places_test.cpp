@@ -135,7 +135,8 @@ TEST_CASE("why nothing is proved over a range that decides whether there is a ma
   const ParsedJson json = json_of({"evaluate", own, "--json"});
   for (const ParsedJson& limit : json.at("constraints")) {
     INFO(limit.at("name"));
-    CHECK(limit.at("why_not_proved") == (limit.at("proved").get<bool>() ? ParsedJson() : why));
+    const bool proved = limit.at("proved").get<bool>();
+    CHECK(limit.at("why_not_proved") == (proved ? ParsedJson() : ParsedJson(why)));
   }
   CHECK_THAT(done({"evaluate", own}), Contains("follower_force is not proved, as " + why + "\n"));
 
