@@ -276,7 +276,7 @@ TEST_CASE("a limit that the nominal design violates is said before what varies",
     return done(words);
   };
   const auto violated = [&](const std::string& bound) {
-    return ParsedJson::parse(answer(bound, true)).at("violated_as_meant");
+    return ParsedJson::parse(answer(bound, true)).at("violated_at_nominal");
   };
   // As meant the pressure angle is 29.98913 deg.
   const std::string met = "pressure_angle.upper=30 deg", broken = "pressure_angle.upper=29.9 deg";
