@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/search/exchange.h"
 #include "optim/search/optimise.h"
 #include "optim/search/plan.h"
