@@ -11,7 +11,7 @@
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "output/answers/reproduction_output.h"
 #include "output/document/printing.h"
 #include "output/report/report.h"

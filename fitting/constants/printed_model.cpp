@@ -9,7 +9,7 @@
 #include "kinematics/laws/build.h"
 #include "optim/cycle/peak_function.h"
 #include "optim/cycle/remembered.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::problems {
 namespace {

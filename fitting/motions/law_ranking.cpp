@@ -9,7 +9,7 @@
 #include "fitting/motions/law_fit_service.h"
 #include "fitting/samples/lift_samples.h"
 #include "optim/fit/loss.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/statement/law_names.h"
 
 namespace camlaw::problems {

@@ -31,10 +31,13 @@ std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& u
   add(C::Stress, {"crown_stress", "MPa", "Pa",
                   "greatest Hertz pressure between a crowned roller and the cam"});
   add(C::HalfLength, {"crown_half_length", "mm", "m",
-                      "half the length of a crowned roller's contact, along the axis"});
+                      "half the length of the ellipse in which a crowned roller touches the cam"});
   add(C::Fraction, {"crown_fraction", "1", "1",
                     "length of a crowned roller's contact over the face width; above 1 the "
                     "roller's edges carry load"});
+  add(C::Elongation, {"crown_elongation", "1", "1",
+                      "length over width of the ellipse in which a crowned roller touches the cam; "
+                      "its formulas are checked from 1 to 46.6"});
   return all;
 }
 

@@ -126,8 +126,9 @@ std::vector<MechanismResponse> duty_responses() {
   for (const char* of_film : {"film_thickness", "lambda_ratio"}) {
     set_defined_while(all, {of_film}, {.response = "undercut", .upper = 1});
   }
-  for (const char* of_contact : {"max_shear", "shear_depth", "crown_stress", "crown_half_length",
-                                 "crown_fraction", "film_thickness", "lambda_ratio"}) {
+  for (const char* of_contact :
+       {"max_shear", "shear_depth", "crown_stress", "crown_half_length", "crown_fraction",
+        "crown_elongation", "film_thickness", "lambda_ratio"}) {
     set_defined_while(all, {of_contact}, {.response = "contact_force", .lower = 0});
   }
   append(all, life_responses<M>());

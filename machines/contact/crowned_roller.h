@@ -44,7 +44,10 @@ PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& t
   return {force, across, greater, product / greater, face_width, material};
 }
 
-enum class CrownCurve { MaxShear, ShearDepth, Stress, HalfLength, Fraction };
+/// The greatest length by width of an ellipse at which the error of (RB9) is told: alpha = 500.
+inline constexpr double kKnownElongation = 46.63;
+
+enum class CrownCurve { MaxShear, ShearDepth, Stress, HalfLength, Fraction, Elongation };
 
 /// (K5), (K6) of the line contact, (RB10) of the crowned roller.
 template <class T, class K, class X>
@@ -59,6 +62,8 @@ X crown_curve(CrownCurve which, const PressedRoller<T, K, X>& roller) {
       return roller.ellipse().pressure;
     case CrownCurve::HalfLength:
       return roller.ellipse().half_length;
+    case CrownCurve::Elongation:
+      return roller.ellipse().elongation;
     case CrownCurve::Fraction:
       break;
   }

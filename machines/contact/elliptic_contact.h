@@ -43,6 +43,7 @@ template <class X>
 struct ContactEllipse {
   X half_length, half_width;  ///< m, along the smaller and the greater of the curvatures
   X pressure;                 ///< the greatest, Pa
+  X elongation;               ///< k, length by width, with or without a force
 };
 
 /// (RB10) From the force, N, the sums of the curvatures across and along the ellipse, 1/m, the
@@ -62,7 +63,7 @@ ContactEllipse<X> contact_ellipse(const X& force, const X& across, const K& alon
   using std::sqrt;
   const X longer = sqrt(square);  // k
   const X pressure = number<T>(0.25) * modulus * ((across + along) * length / (longer * second));
-  return {length, length / longer, pressure};
+  return {length, length / longer, pressure, longer};
 }
 
 }  // namespace camlaw

@@ -28,7 +28,7 @@ FollowerTrain<Series<double, N>> moved_train(double period_ratio, double damping
   return train;
 }
 
-/// (U18) The state of a train of any scalar, from that along h.
+/// (U19) The state of a train of any scalar, from that along h.
 template <class T, std::size_t N>
 TrainState<T> along(const FollowerTrain<T>& train, const TrainState<Series<double, N>>& state) {
   using std::sqrt;

@@ -20,7 +20,7 @@ class StandingTurn {
   /// The same in intervals.
   const Law<Interval>& enclosing() const { return enclosing_; }
   /// TrainMotion<T>::periodic(train, law)->at(x), of Dual and Dual2 with the derivatives by what
-  /// moves the train (U18). T is double, Dual, Dual2 or Interval.
+  /// moves the train (U19). T is double, Dual, Dual2 or Interval.
   template <class T>
   Possible<TrainState<T>> at(const FollowerTrain<T>& train, double x) const;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/decisions.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <limits>
 
 #include "kinematics/curve.h"
 #include "machines/model/sign_brackets.h"
@@ -24,17 +26,24 @@ const std::vector<double>& sampled_shares() {
   return all;
 }
 
-/// Where g changes its sign in a bracket, to the last place; none where it jumps.
+/// Where g changes its sign in a bracket, to the last place; none where it jumps. Of places in a
+/// row at which it is 0 the first.
 template <class G>
-std::optional<double> root_in(SignBracket bracket, const G& g, double size) {
-  constexpr double kJump = 1e-6;  // of the size
-  auto& [low, high, at_low, at_high] = bracket;
-  for (double middle = std::midpoint(low, high); low < middle && middle < high;
-       middle = std::midpoint(low, high)) {
-    (g(middle) * at_low > 0 ? low : high) = middle;
-  }
-  if (!(std::abs(g(high) - g(low)) <= kJump * size)) return std::nullopt;
-  return low;
+std::optional<double> root_in(const SignBracket& bracket, const G& g, double size) {
+  constexpr double kJump = 1e-6;         // of the size
+  constexpr std::uintmax_t kMost = 300;  // looks: a jump is halved down to, three for each halving
+  const auto& [low, high, at_low, at_high] = bracket;
+  const double beyond = std::copysign(std::numeric_limits<double>::min(), at_high);
+  const auto turned = [&](double place) {
+    const double value = g(place);
+    return value == 0 ? beyond : value;
+  };
+  const auto is_close = [](double a, double b) { return !(std::nextafter(a, b) < b); };
+  std::uintmax_t looks = kMost;
+  const auto [before, after] =
+      boost::math::tools::toms748_solve(turned, low, high, at_low, at_high, is_close, looks);
+  if (!(std::abs(g(after) - g(before)) <= kJump * size)) return std::nullopt;
+  return before;
 }
 
 /// Where decider k changes its sign, of its values at increasing x; inputs(place) has what it

@@ -240,9 +240,16 @@ std::string HighestKernel::why_undefined(std::span<const double> u) const {
   return {};
 }
 
+Point HighestKernel::searched(std::span<const double> u) const {
+  return *recent_->get(u, [&] {
+    const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };
+    return climbed_highest(places_of(box_at(u)), height, u);
+  });
+}
+
 Point HighestKernel::worst(std::span<const double> u) const {
   const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };
-  const Point found = climbed_highest(places_of(box_at(u)), height, u);
+  const Point found = searched(u);
   if (!asks_proof_ || std::isnan(height(found))) return found;
   Box here;
   for (const double value : u) here.push_back({value, value});
@@ -277,10 +284,11 @@ Point HighestKernel::climbed_highest(const std::vector<Point>& places,
 
 double HighestKernel::settled(std::span<const double> u, const Point& p, double value) const {
   constexpr double kSteep = 1e6;  // times another value: what rises so far may have a pole
+  if (!f_.is_enclosed()) return value;
   Point corner;
   for (const Bounds& b : box_at(u)) corner.push_back(b.lower);
   const double other = std::abs(f_.value(design(u, corner)));
-  if (std::abs(value) <= kSteep * other || !f_.is_enclosed()) return value;
+  if (std::abs(value) <= kSteep * other) return value;
   return is_beside_pole(u, p) ? kNaN : value;
 }
 

@@ -8,6 +8,7 @@
 
 #include "machines/model/highest_in_box.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/recent.h"
 
 /// The highest value that a function of a design has over ranges of parameters, as a function of
 /// the design (docs/theory.md, "Ranges of parameters").
@@ -88,6 +89,8 @@ class HighestKernel final : public optim::Kernel {
   double settled(std::span<const double> u, const Point& p, double value) const;
 
  private:
+  /// What the search from a grid comes to.
+  Point searched(std::span<const double> u) const;
   /// From a place in the ranges to the highest value nearby.
   Point climb(const Point& from, std::span<const double> u) const;
   Highest highest_over(std::span<const optim::Bounds> box) const;
@@ -111,6 +114,8 @@ class HighestKernel final : public optim::Kernel {
   double sign_;
   OwnInputs own_;
   bool asks_proof_ = false;
+  /// What was searched: value, slopes and bends are asked for at one design after the other.
+  std::shared_ptr<Recent<Point>> recent_ = std::make_shared<Recent<Point>>();
 };
 
 /// That of a function over a widened design, as a function of the design.

@@ -10,7 +10,7 @@
 #include "machines/model/box_traces.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/proof_time.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::problems {
 

@@ -16,7 +16,7 @@
 #include "numerics/linear/statistics.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/peak_function.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::problems {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::optim {
 

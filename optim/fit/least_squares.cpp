@@ -14,8 +14,8 @@
 #include "optim/fit/identifiability.h"
 #include "optim/fit/kinks.h"
 #include "optim/fit/loss.h"
+#include "optim/problem/deadline.h"
 #include "optim/problem/starts.h"
-#include "optim/search/deadline.h"
 
 namespace camlaw::optim {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace camlaw::optim {
 
-/// Something was asked for after the deadline (optim/search/deadline.h).
+/// Something was asked for after the deadline (optim/problem/deadline.h).
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "the work was cut short"; }
 };

@@ -3,8 +3,8 @@
 
 #include <exception>
 
+#include "optim/problem/deadline.h"
 #include "optim/problem/problem.h"
-#include "optim/search/deadline.h"
 
 namespace camlaw::optim {
 

@@ -90,6 +90,7 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
   Trail& trail = result.trail;
   trail.in_vain = number > 0 && first == FirstStart::InVain;
   trail.design_elsewhere = number > 0 && first == FirstStart::Led;
+  trail.none_elsewhere = number > 0 && first != FirstStart::Led;
   trail.found.solver = setting.plan.solvers.front()->name();
   trail.found.why_solver = setting.plan.why;
   trail.found.starts = number + 1;

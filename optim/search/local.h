@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "optim/problem/deadline.h"
 #include "optim/problem/problem.h"
-#include "optim/search/deadline.h"
 #include "optim/search/optimise.h"
 #include "optim/search/trail.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/search/exchange.h"
 #include "optim/search/optimise.h"
 #include "optim/search/plan.h"
@@ -38,6 +38,7 @@ struct Trail {
   bool in_vain = false;           ///< all iterations of a start led to no design within the limits
   bool unbounded = false;         ///< some solve has found that the objective improves without end
   bool design_elsewhere = false;  ///< another start has led to a design within the limits
+  bool none_elsewhere = false;    ///< the first start has led to none, by any method
 
   bool is_infeasible() const { return found.assessment.verdict == Verdict::Infeasible; }
   bool is_within_limits() const { return is_feasible(found.assessment); }

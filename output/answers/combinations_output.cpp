@@ -17,56 +17,102 @@
 namespace camlaw::cli {
 namespace {
 
+/// The words of an option: "x=0,1,2,... (11 values)" is one.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream parts(text);
-  for (std::string word; parts >> word;) words.push_back(word);
+  for (std::string word; parts >> word;) {
+    const bool is_new = words.empty() || word.find('=') != std::string::npos;
+    if (is_new) {
+      words.push_back(word);
+    } else {
+      words.back() += " " + word;
+    }
+  }
   return words;
 }
 
 std::string key_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// Options by what tells them apart, "rise=cycloidal" of a program: the words whose keys all
-/// options have with different values. The options themselves where that does not tell them apart.
-std::vector<std::string> told_apart(const std::vector<std::string>& options) {
+/// An option by its words, of which some are always told.
+struct WordedOption {
+  std::vector<std::string> words;
+  std::set<std::string> always;
+  std::string group;  ///< options with the same name, which their other words must tell apart
+};
+
+/// Of each option the words that are always told, and those that not all of its group have.
+std::vector<std::string> told_apart(const std::vector<WordedOption>& options) {
+  std::map<std::string, std::size_t> size;
+  std::map<std::pair<std::string, std::string>, std::size_t> sharing;
+  for (const WordedOption& option : options) {
+    ++size[option.group];
+    for (const std::string& word : option.words) ++sharing[{option.group, word}];
+  }
+  std::vector<std::string> result;
+  for (const WordedOption& option : options) {
+    std::vector<std::string> told;
+    for (const std::string& word : option.words) {
+      const bool is_shared = sharing[{option.group, word}] == size[option.group];
+      if (option.always.contains(word) || !is_shared) told.push_back(word);
+    }
+    result.push_back(fmt::format("{}", fmt::join(told, " ")));
+  }
+  return result;
+}
+
+/// Programs by what tells them apart, "rise=cycloidal" of those that have another law there. Of a
+/// law's parameters those that tell apart programs of the same laws.
+std::vector<std::string> program_names(const std::vector<std::string>& options) {
   std::map<std::string, std::set<std::string>> values;
   std::map<std::string, std::size_t> count;
+  std::vector<WordedOption> worded;
   for (const std::string& option : options) {
-    for (const std::string& word : words_of(option)) {
+    worded.push_back({.words = words_of(option), .always = {}, .group = ""});
+    for (const std::string& word : worded.back().words) {
       values[key_of(word)].insert(word);
       ++count[key_of(word)];
     }
   }
-  const auto shortened = [&](const std::string& option, bool all_have_it) {
-    std::string text;
-    for (const std::string& word : words_of(option)) {
+  for (WordedOption& option : worded) {
+    for (const std::string& word : option.words) {
       const std::string key = key_of(word);
-      const bool is_common = count[key] == options.size();
-      const bool counts = is_common ? values[key].size() > 1 : !all_have_it;
-      if (counts) text += (text.empty() ? "" : " ") + word;
+      if (count[key] != options.size() || values[key].size() < 2) continue;
+      option.always.insert(word);
+      option.group += word + " ";
     }
-    return text;
-  };
-  std::map<std::string, int> seen;
-  for (const std::string& option : options) ++seen[shortened(option, true)];
-  std::vector<std::string> result;
-  for (const std::string& option : options) {
-    const std::string text = shortened(option, true);
-    result.push_back(seen[text] == 1 ? text : shortened(option, false));
   }
-  const std::set<std::string> different(result.begin(), result.end());
-  return different.size() == options.size() ? result : options;
+  return told_apart(worded);
 }
 
-/// What a table calls the options of a choice: names that --set takes are whole, while of a
-/// program, the first choice if there are several, each option is named by the laws of its
-/// segments.
+/// Laws by their names, and by the parameters that are not at their defaults or tell apart laws of
+/// one name: --set takes these names.
+std::vector<std::string> law_names(const std::vector<std::string>& options,
+                                   const std::vector<Member>& laws) {
+  std::vector<WordedOption> worded;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    WordedOption option{words_of(options[i]), {}, laws[i].family->name};
+    option.always.insert(option.words.begin(), option.words.end());
+    const Member usual{laws[i].family, laws[i].family->defaults()};
+    for (const std::string& word : words_of(usual.label())) {
+      if (word != option.group) option.always.erase(word);
+    }
+    worded.push_back(std::move(option));
+  }
+  return told_apart(worded);
+}
+
+/// What a table calls the options of a choice: names that --set takes, while of a program, the
+/// first choice if there are several, each option is named by the laws of its segments.
 std::vector<std::string> option_names(const Answer& answer, std::size_t choice) {
   const std::vector<std::string>& options = answer.space.choices[choice].options;
   const problems::ProblemStatement& statement = answer.bound.statement();
-  const bool is_of_program = choice == 0 && statement.chooses_law() &&
-                             statement.mechanism->moved_by != problems::MovedBy::Law;
-  return is_of_program ? told_apart(options) : options;
+  if (choice > 0 || !statement.chooses_law()) return options;
+  const auto names = statement.mechanism->moved_by == problems::MovedBy::Law
+                         ? law_names(options, statement.laws)
+                         : program_names(options);
+  const std::set<std::string> different(names.begin(), names.end());
+  return different.size() == options.size() ? names : options;
 }
 
 std::string limits_words(optim::Verdict verdict) {

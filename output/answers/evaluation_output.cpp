@@ -54,13 +54,21 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
   return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
-/// Why responses have no numbers, by their names, where that is known.
-std::map<std::string, std::string> reasons_of(const ProblemStatement& statement,
-                                              const std::vector<EvaluatedResponse>& responses) {
-  std::map<std::string, std::string> reasons;
+using Reasons = std::map<std::string, std::string>;
+
+/// Why responses have no finite numbers, by their names, where that is known.
+struct NoNumbers {
+  Reasons undefined, infinite;
+};
+
+NoNumbers reasons_of(const ProblemStatement& statement,
+                     const std::vector<EvaluatedResponse>& responses) {
+  NoNumbers reasons;
   for (const EvaluatedResponse& r : responses) {
-    std::string why = problems::why_undefined(statement, r);
-    if (!why.empty()) reasons[r.name] = std::move(why);
+    std::string undefined = problems::why_undefined(statement, r);
+    if (!undefined.empty()) reasons.undefined[r.name] = std::move(undefined);
+    std::string infinite = problems::why_infinite(statement, r);
+    if (!infinite.empty()) reasons.infinite[r.name] = std::move(infinite);
   }
   return reasons;
 }
@@ -77,8 +85,8 @@ std::string first_names(std::vector<std::string> names) {
 }
 
 /// A line for each reason, with the responses that it is of in their order.
-std::string reasons_text(const std::vector<EvaluatedResponse>& responses,
-                         const std::map<std::string, std::string>& reasons) {
+std::string reasons_text(const std::vector<EvaluatedResponse>& responses, const Reasons& reasons,
+                         const std::string& of_one, const std::string& of_several) {
   std::vector<std::pair<std::string, std::vector<std::string>>> lines;
   for (const EvaluatedResponse& r : responses) {
     const auto why = reasons.find(r.name);
@@ -90,14 +98,13 @@ std::string reasons_text(const std::vector<EvaluatedResponse>& responses,
   }
   std::string text;
   for (const auto& [why, names] : lines) {
-    text += fmt::format("{} {} undefined: {}\n", first_names(names),
-                        names.size() == 1 ? "is" : "are", why);
+    text += fmt::format("{} {}: {}\n", first_names(names), names.size() == 1 ? of_one : of_several,
+                        why);
   }
   return text;
 }
 
-Json responses_json(const std::vector<EvaluatedResponse>& responses,
-                    const std::map<std::string, std::string>& reasons) {
+Json responses_json(const std::vector<EvaluatedResponse>& responses, const NoNumbers& reasons) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -112,8 +119,9 @@ Json responses_json(const std::vector<EvaluatedResponse>& responses,
       values[r.name] = {{"value", to_json(r.value)}, {"unit", r.unit}};
       if (!r.proved) values[r.name]["proved"] = false;
     }
-    const auto why = reasons.find(r.name);
-    if (why != reasons.end()) values[r.name]["why_undefined"] = why->second;
+    const auto why = reasons.undefined.find(r.name), infinite = reasons.infinite.find(r.name);
+    if (why != reasons.undefined.end()) values[r.name]["why_undefined"] = why->second;
+    if (infinite != reasons.infinite.end()) values[r.name]["why_infinite"] = infinite->second;
   }
   return values;
 }
@@ -166,7 +174,8 @@ Document evaluation_document(const ProblemStatement& statement,
   document.add(response_table(responses));
   document.say(sampled_text(responses));
   const auto reasons = reasons_of(statement, responses);
-  document.say(reasons_text(responses, reasons));
+  document.say(reasons_text(responses, reasons.undefined, "is undefined", "are undefined"));
+  document.say(reasons_text(responses, reasons.infinite, "becomes infinite", "become infinite"));
   document.fact("responses", responses_json(responses, reasons));
   if (moved) add_segments(statement.laws.front(), document);
   if (!limits.empty()) document.say("\n");

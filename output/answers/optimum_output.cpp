@@ -11,6 +11,7 @@
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/open_objective.h"
+#include "output/answers/price_step.h"
 #include "output/answers/price_words.h"
 #include "output/answers/reached_output.h"
 #include "output/answers/variable_words.h"
@@ -46,13 +47,6 @@ const std::string& objective_unit(const Answer& answer) {
   return answer.optimum.problem.objective().response.unit;
 }
 
-std::string price_text(const LimitReport& limit, bool priced) {
-  if (!priced) return "";
-  if (std::isnan(limit.multiplier)) return "not known";
-  if (limit.multiplier != 0) return fmt::format("{:.4g}", limit.multiplier);
-  return limit.at_rest ? "at rest" : "";
-}
-
 /// Whether the search ended at a design: where nothing varies, one whose objective is a number.
 bool is_at_design(const Answer& answer) {
   const optim::Optimum& optimum = answer.optimum;
@@ -76,11 +70,14 @@ void add_limits(const Answer& answer, Document& document) {
   const SidedLimits sided = is_design ? both_sides(design, std::move(limits))
                                       : SidedLimits{std::move(limits), std::move(none)};
   Table table = limits_table(sided, design);
-  table.columns.insert(table.columns.end(), {data("multiplier"), data("at_rest")});
+  table.columns.insert(table.columns.end(),
+                       {data("multiplier"), data("at_rest"), data("eased_by"), data("eased_gain")});
   std::vector<std::string> prices;
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const LimitReport& limit = sided.limits[i];
-    table.rows[i].insert(table.rows[i].end(), {datum(limit.multiplier), datum(limit.at_rest)});
+    const PricedStep eased = told_step(limit, assessment(answer));
+    table.rows[i].insert(table.rows[i].end(), {datum(limit.multiplier), datum(limit.at_rest),
+                                               datum(eased.step), datum(eased.gain)});
     prices.push_back(price_text(limit, priced));
   }
   if (!prices.empty()) document.say("\n");
@@ -235,9 +232,12 @@ Json active_bounds(const Assessment& a) {
   Json bounds = Json::array();
   for (const VariableReport& v : a.variables) {
     if (!v.at_lower && !v.at_upper) continue;
+    const PricedStep eased = told_step(v, a);
     bounds.push_back({{"name", v.name},
                       {"side", v.at_upper ? "upper" : "lower"},
-                      {"multiplier", to_json(v.multiplier)}});
+                      {"multiplier", to_json(v.multiplier)},
+                      {"eased_by", to_json(eased.step)},
+                      {"eased_gain", to_json(eased.gain)}});
   }
   return bounds;
 }

@@ -4,14 +4,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "optim/verdict/unknown_prices.h"
+#include "output/answers/price_step.h"
 #include "output/document/formatting.h"
 
 namespace camlaw::cli {
 
 bool has_prices(const optim::Assessment& a) {
   return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
+}
+
+std::string price_text(const optim::LimitReport& limit, bool priced) {
+  if (!priced) return "";
+  if (std::isnan(limit.multiplier)) return "not known";
+  if (limit.multiplier != 0) return fmt::format("{:.4g}", limit.multiplier);
+  return limit.at_rest ? "at rest" : "";
 }
 
 std::string unknown_price_words(const Answer& answer) {
@@ -27,17 +36,19 @@ std::string price_words(const Answer& answer, const std::string& why) {
   const optim::Optimum& optimum = answer.optimum;
   const problems::ObjectiveStatement& objective = answer.bound.statement().objectives.front();
   std::string text;
-  const auto add = [&](const std::string& what, const std::string& unit, double price) {
-    if (!(std::abs(price) > 1e-9 * std::abs(a.objective.value))) return;
+  const auto add = [&](const std::string& what, const std::string& unit,
+                       const std::optional<PricedStep>& priced) {
+    if (!priced) return;
     const bool falls = objective.sense == optim::Sense::Minimize;
-    text += fmt::format("  {} by 1{} would {} {} by {}\n", what, unit == "1" ? "" : " " + unit,
-                        falls == (price > 0) ? "reduce" : "increase", objective.response.name,
-                        with_unit(fmt::format("{:.4g}", std::abs(price)),
-                                  optimum.problem.objective().response.unit));
+    text += fmt::format(
+        "  {} by {} would {} {} by {}\n", what, with_unit(in_digits(priced->step), unit),
+        falls == (priced->gain > 0) ? "reduce" : "increase", objective.response.name,
+        with_unit(fmt::format("{:.4g}", std::abs(priced->gain)),
+                  optimum.problem.objective().response.unit));
   };
   for (const optim::LimitReport& limit : a.limits) {
-    if (limit.is_equation) continue;
-    add(fmt::format("easing the limit on {}", limit.name), limit.unit, limit.multiplier);
+    add(fmt::format("easing the limit on {}", limit.name), limit.unit,
+        priced_step(limit, a.objective.value));
     if (!limit.at_rest) continue;
     text += fmt::format(
         "  the limit on {} holds the design where the motion rests, and easing it there gains more "
@@ -45,10 +56,8 @@ std::string price_words(const Answer& answer, const std::string& why) {
         limit.name);
   }
   for (const optim::VariableReport& v : a.variables) {
-    if (v.at_lower != v.at_upper) {
-      add(fmt::format("easing the {} bound of {}", v.at_upper ? "upper" : "lower", v.name), v.unit,
-          v.multiplier);
-    }
+    add(fmt::format("easing the {} bound of {}", v.at_upper ? "upper" : "lower", v.name), v.unit,
+        priced_step(v, a.objective.value));
   }
   return text.empty() ? unknown : "what each limit costs, to first order\n" + text + unknown;
 }

@@ -243,7 +243,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
 }
 
 /// The limits that the nominal design violates, which no variation violates alone.
-void say_violated_as_meant(const ToleranceAnswer& answer, Document& document) {
+void say_violated_at_nominal(const ToleranceAnswer& answer, Document& document) {
   std::vector<std::string> names, parts;
   for (const problems::LimitSlopes& limit : answer.limits) {
     const optim::LimitReport& r = limit.report;
@@ -253,7 +253,7 @@ void say_violated_as_meant(const ToleranceAnswer& answer, Document& document) {
                         ? fmt::format("{} by {}", r.name, with_unit(digits(-r.margin), r.unit))
                         : r.name);
   }
-  document.fact("violated_as_meant", names);
+  document.fact("violated_at_nominal", names);
   if (names.empty()) return;
   document.say(
       fmt::format("the nominal design itself violates {}: 'alone violates' leaves {} out\n",
@@ -292,6 +292,18 @@ void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
       all_met ? "" : "other ", answer.worst[*first_met].name, factors[*first_met].factor, proof));
 }
 
+/// That the spreads take fewer samples than were asked for.
+void say_fewer_samples(const ToleranceAnswer& answer, Document& document) {
+  const std::size_t taken = answer.spreads.samples;
+  document.fact("samples_asked",
+                answer.samples_asked ? Json(*answer.samples_asked) : Json(nullptr));
+  if (!answer.samples_asked || *answer.samples_asked <= taken) return;
+  document.say(
+      fmt::format("these spreads take {} of the {} samples asked for: each needs a search of every "
+                  "limit and objective\n",
+                  taken, *answer.samples_asked));
+}
+
 }  // namespace
 
 Document variation_document(const VariedDesign& varied, const ToleranceAnswer& answer) {
@@ -299,7 +311,7 @@ Document variation_document(const VariedDesign& varied, const ToleranceAnswer& a
   if (!varied.design.title.empty()) document.say(varied.design.title + "\n\n");
   document.fact("title", varied.design.title);
   document.add(variations_table(varied, answer));
-  say_violated_as_meant(answer, document);
+  say_violated_at_nominal(answer, document);
   if (!answer.limits.empty()) {
     document.say("\n");
     document.add(slopes_table(varied, answer));
@@ -311,6 +323,7 @@ Document variation_document(const VariedDesign& varied, const ToleranceAnswer& a
   document.say("\n");
   if (!answer.spreads.spreads.empty()) {
     document.add("spread", spreads_document(answer.spreads, !answer.yield));
+    say_fewer_samples(answer, document);
   }
   document.fact("cut_short", answer.cut_short);
   if (!answer.cut_short.empty()) {

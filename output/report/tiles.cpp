@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "output/answers/limit_text.h"
+#include "output/answers/price_step.h"
 #include "output/document/formatting.h"
 #include "output/report/html.h"
 
@@ -48,19 +50,23 @@ std::string tile_html(const Tile& tile) {
       escaped(tile.sentence));
 }
 
-/// What easing a limit by one unit would do to the objective, where that is known.
-std::string gain(const LimitReport& limit, const ProblemStatement& design, bool priced) {
-  if (!priced || !(std::abs(limit.multiplier) > 0) || design.objectives.empty()) return "";
+/// What easing a limit would do to the objective, of this value, where that is known.
+std::string gain(const LimitReport& limit, const ProblemStatement& design,
+                 std::optional<double> priced) {
+  if (!priced || design.objectives.empty()) return "";
+  const auto eased = priced_step(limit, *priced);
+  if (!eased) return "";
   const problems::ObjectiveStatement& objective = design.objectives.front();
+  const bool falls = objective.sense == optim::Sense::Minimize;
   return fmt::format(
-      "; easing it by 1{} would {} {} by {}", limit.unit == "1" ? "" : " " + limit.unit,
-      objective.sense == optim::Sense::Minimize ? "reduce" : "increase",
-      plain_name(objective.response.name),
-      with_unit(fmt::format("{:.3g}", std::abs(limit.multiplier)), objective.response.unit));
+      "; easing it by {} would {} {} by {}", with_unit(in_digits(eased->step), limit.unit),
+      falls == (eased->gain > 0) ? "reduce" : "increase", plain_name(objective.response.name),
+      with_unit(fmt::format("{:.3g}", std::abs(eased->gain)), objective.response.unit));
 }
 
+/// `priced` is the objective's value where limits have prices.
 std::string limit_clause(const LimitReport& limit, const std::string& near,
-                         const ProblemStatement& design, bool priced) {
+                         const ProblemStatement& design, std::optional<double> priced) {
   if (std::isnan(limit.margin)) return "it is not a number in this design";
   const std::string bound = with_unit(in_digits(limit.bound), limit.unit);
   const std::string which =
@@ -89,7 +95,7 @@ std::string limit_clause(const LimitReport& limit, const std::string& near,
 
 Tile limit_tile(const LimitReport& limit, const std::string& near,
                 const problems::ResponseName& response, const ProblemStatement& design,
-                bool priced) {
+                std::optional<double> priced) {
   const ToldResponse told_of = told(response, *design.mechanism);
   const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
   const std::string place =
@@ -148,12 +154,14 @@ ReportSection tiles_section(const ProblemStatement& design, const DesignReview& 
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return share_left(sided.limits[a]) < share_left(sided.limits[b]);
   });
+  std::optional<double> priced;
+  if (review.is_optimal()) priced = review.assessment->objective.value;
   std::string html = objective_tile(design, review);
   const std::size_t shown = std::min(order.size(), kMostTiles);
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = order[k];
     html += tile_html(limit_tile(sided.limits[i], nearness(sided.limits[i], sided.others[i]),
-                                 design.constraints[i].response, design, review.is_optimal()));
+                                 design.constraints[i].response, design, priced));
   }
   std::string notes;
   if (shown < order.size()) {

@@ -11,7 +11,7 @@
 
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {

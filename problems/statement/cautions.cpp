@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/contact/crowned_roller.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
@@ -38,11 +39,47 @@ void add_of_ends(const ProblemStatement& design, std::vector<Caution>& found) {
                                begin, end)});
 }
 
+/// Whether a problem states a parameter, or asks for a response of the same family.
+bool counts(const ProblemStatement& design, const std::string& parameter,
+            const std::string& family) {
+  const auto& parameters = design.mechanism->parameters;
+  for (const std::size_t i : design.stated) {
+    if (parameters[i].name == parameter) return true;
+  }
+  const auto is_asked = [&](const auto& of) {
+    return of.response.response != nullptr && of.response.response->name.starts_with(family);
+  };
+  return std::any_of(design.objectives.begin(), design.objectives.end(), is_asked) ||
+         std::any_of(design.constraints.begin(), design.constraints.end(), is_asked);
+}
+
+/// Where the crown of a roller counts: a contact outside of what its formulas are checked for. On a
+/// shaft each cam's names have a prefix.
+void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
+  constexpr std::string_view kElongation = "crown_elongation";
+  for (const MechanismResponse& response : design.mechanism->responses) {
+    if (!response.name.ends_with(kElongation)) continue;
+    const std::string prefix = response.name.substr(0, response.name.size() - kElongation.size());
+    if (!counts(design, prefix + "crown_radius", prefix + "crown_")) continue;
+    const EvaluatedResponse known = evaluate_response(design, response);
+    const bool is_long = known.highest > kKnownElongation;
+    if (!is_long && !(known.lowest > 0 && known.lowest < 1)) continue;
+    found.push_back(
+        {"the contact of a crowned roller is outside of what its formulas are checked for",
+         fmt::format("{} is {:.4g} at {:.4g} {}; from 1 to {:.3g} {}crown_stress is within 0.5 % "
+                     "of Hertz's solution",
+                     response.name, is_long ? known.highest : known.lowest,
+                     is_long ? known.highest_at : known.lowest_at, known.along, kKnownElongation,
+                     prefix)});
+  }
+}
+
 }  // namespace
 
 std::vector<Caution> cautions(const ProblemStatement& design) {
   std::vector<Caution> found;
   add_of_ends(design, found);
+  add_of_crown(design, found);
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "optim/verdict/limits.h"
 #include "problems/statement/added_part.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/speed_curves.h"
 #include "problems/statement/why_undefined.h"
 
@@ -127,6 +128,23 @@ std::string why_undefined(const ProblemStatement& statement, const EvaluatedResp
     if (std::string why = why_curve(statement, response); !why.empty()) return why;
   }
   return why_by_check(statement, *own);
+}
+
+std::string why_infinite(const ProblemStatement& statement, const EvaluatedResponse& response) {
+  if (!response.is_curve || !(std::isinf(response.highest) || std::isinf(response.lowest)))
+    return {};
+  const Mechanism& mechanism = *statement.mechanism;
+  const MechanismResponse* const own = find_response(mechanism, response.name).response;
+  for (const ValidityLimit& limit : own->defined_while) {
+    const auto by =
+        evaluate_response(statement, *find_response(mechanism, limit.response).response);
+    const bool is_low = by.lowest == limit.lower;
+    if (!is_low && by.highest != limit.upper) continue;
+    return fmt::format("{} is {} at {:.4g} {}", limit.response,
+                       with_unit(is_low ? by.lowest : by.highest, by.unit),
+                       is_low ? by.lowest_at : by.highest_at, by.along);
+  }
+  return why_curve(statement, response);
 }
 
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {

@@ -11,7 +11,9 @@
 #include <stdexcept>
 
 #include "numerics/sampling/sobol_points.h"
+#include "numerics/text/dimension.h"
 #include "numerics/text/names.h"
+#include "numerics/text/unit_spelling.h"
 #include "numerics/text/units.h"
 #include "problems/statement/assignment.h"
 #include "problems/statement/law_names.h"
@@ -43,6 +45,17 @@ std::optional<Quantity> quantity(std::string_view text) {
   return Quantity{number, std::string(trimmed(text))};
 }
 
+/// Whether what stands behind a number is a unit, or nothing. "-2RS" of a bearing's name is none.
+bool is_unit_or_nothing(const std::string& text) {
+  if (text.empty() || ambiguous(text) || counts_turns(spelled_out(text))) return true;
+  try {
+    written_unit(text);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 /// The numbers of texts whose unit the last one says for all; none where they are no such numbers.
 std::optional<std::vector<Quantity>> in_one_unit(const std::vector<std::string>& texts) {
   std::vector<Quantity> all;
@@ -52,6 +65,7 @@ std::optional<std::vector<Quantity>> in_one_unit(const std::vector<std::string>&
     all.push_back(*one);
   }
   const std::string unit = all.back().unit;
+  if (!is_unit_or_nothing(unit)) return {};
   for (Quantity& one : all) {
     if (one.unit.empty()) one.unit = unit;
     if (one.unit != unit) return {};
@@ -107,7 +121,7 @@ SweepAxis stepped(const std::string& name, const std::string& text) {
 bool looks_like_range(std::string_view text) {
   const auto are_numbers = [](std::string_view first, std::string_view second) {
     const auto to = quantity(trimmed(second, " ."));
-    return quantity(first) && to && to->unit.find_first_of("-.:") == std::string::npos;
+    return quantity(first) && to && is_unit_or_nothing(to->unit);
   };
   if (const std::size_t dots = text.find(".."); dots != std::string_view::npos) {
     return are_numbers(text.substr(0, dots), text.substr(dots));
@@ -150,6 +164,7 @@ std::optional<std::vector<Quantity>> in_units_of_the_last(const std::vector<std:
     all.push_back(*one);
   }
   const std::string unit = all.back().unit;
+  if (!is_unit_or_nothing(unit)) return {};
   try {
     for (Quantity& one : all) {
       if (one.unit != unit) one.number = rounded(one.number * unit_as_written(one.unit, unit), 12);
@@ -172,6 +187,25 @@ SweepAxis listed(const std::string& name, const std::string& text) {
     axis.values[i] = swept_value(axis.numbers.back(), axis.unit);
   }
   return axis;
+}
+
+/// The words of a list. In double quotes a word may hold commas, colons and what reads as a number.
+std::vector<std::string> quoted_words(const std::string& name, std::string_view text) {
+  std::vector<std::string> words;
+  for (std::string_view rest = trimmed(text);; rest = trimmed(rest.substr(1))) {
+    const bool is_quoted = rest.starts_with('"');
+    const std::size_t end = is_quoted ? rest.find('"', 1) : std::min(rest.find(','), rest.size());
+    if (end == std::string_view::npos) {
+      throw std::invalid_argument(fmt::format("{}: {} has no closing quote", name, rest));
+    }
+    words.emplace_back(is_quoted ? rest.substr(1, end - 1) : trimmed(rest.substr(0, end)));
+    rest = trimmed(rest.substr(is_quoted ? end + 1 : end));
+    if (rest.empty()) return words;
+    if (!rest.starts_with(',')) {
+      throw std::invalid_argument(
+          fmt::format("{}: a comma must follow \"{}\"", name, words.back()));
+    }
+  }
 }
 
 void check_different(const SweepAxis& axis) {
@@ -216,14 +250,15 @@ std::optional<SweepAxis> parse_axis(const std::string& assignment) {
   const auto [written_name, written_text] = parse_assignment(assignment, kSweepExample);
   const std::string name(written_name), text(written_text);
   if (text.empty()) throw std::invalid_argument(fmt::format("{}: give a value", name));
-  const bool is_law = is_law_setting(name);
-  if (!is_law && looks_like_range(text)) {
+  const bool is_law = is_law_setting(name), is_quoted = text.find('"') != std::string::npos;
+  if (!is_law && !is_quoted && looks_like_range(text)) {
     throw std::invalid_argument(fmt::format(
         "{}: '{}' is not a value; write a range as from:step:to, such as {}=60:15:120, or list the "
-        "values, {}=60,90,120",
-        name, text, name, name));
+        "values, {}=60,90,120; a name goes in quotes, {}=\"{}\"",
+        name, text, name, name, name, text));
   }
-  SweepAxis axis = is_law                                ? laws_of(name, text)
+  SweepAxis axis = is_law      ? laws_of(name, text)
+                   : is_quoted ? SweepAxis{.name = name, .values = quoted_words(name, text)}
                    : text.find(':') != std::string::npos ? stepped(name, text)
                                                          : listed(name, text);
   check_different(axis);

@@ -40,7 +40,8 @@ struct Sampling {
 
 /// What `--set` of a sweep says: "speed=60:15:120 rpm" from, step and to; "law=cycloidal,
 /// modified-sine" and "roller_radius=10,12 mm" one after the other; "law=all" and other classes of
-/// laws each law. Of one value alone none: it is the same in all combinations. Throws
+/// laws each law. A word in double quotes is a name, whatever it holds: 'roller="A, long","10"'.
+/// Of one value alone none: it is the same in all combinations. Throws
 /// std::invalid_argument where a range has no end, a value is there twice, or there are too many.
 std::optional<SweepAxis> parse_axis(const std::string& assignment);
 

@@ -84,6 +84,12 @@ std::vector<std::size_t> tried(std::size_t count, std::size_t most) {
   return all;
 }
 
+/// Why a swept value is refused, with the value where the reason does not name it.
+std::string refusal(const std::string& name, const std::string& value, const std::string& why) {
+  if (why.find(value) != std::string::npos) return why;
+  return fmt::format("with {} = {}: {}", name, value, why);
+}
+
 }  // namespace
 
 std::size_t Sweep::done() const {
@@ -220,17 +226,20 @@ void SweepStudy::check_values() {
       } else if (is_well_written(axis, value)) {
         if (!first_refused) first_refused = why;
       } else {
-        throw std::invalid_argument(*why);
+        throw std::invalid_argument(refusal(axis.name, axis.values[value], *why));
       }
     }
-    if (!is_any_taken && first_refused) throw std::invalid_argument(*first_refused);
+    if (!is_any_taken && first_refused) {
+      throw std::invalid_argument(refusal(axis.name, axis.values.front(), *first_refused));
+    }
   }
   if (!plan_.settings().sampling) return;
   std::optional<std::string> why;
   for (const std::size_t k : tried(plan_.size(), kTries)) {
     const auto possible = stated(k);
     if (possible) return;
-    if (!why) why = possible.why();
+    if (why) continue;
+    why = fmt::format("with {}: {}", fmt::join(plan_.assignments(k), ", "), possible.why());
   }
   throw std::invalid_argument(*why);
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/verdict/assessment.h"
 #include "problems/statement/statement.h"
 

@@ -69,8 +69,9 @@ bool ToleranceAnswer::nothing_fails(const std::vector<optim::Variation>& variati
 }
 
 ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions& options) {
-  constexpr std::size_t kSpreadSamples = 1000;
+  constexpr std::size_t kSpreadSamples = 1000;  // each searches every limit and objective
   ToleranceAnswer answer;
+  answer.samples_asked = options.samples;
   try {
     answer.limits = slopes_of(varied);
     answer.broken_alone = broken_alone(varied);

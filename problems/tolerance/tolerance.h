@@ -30,6 +30,7 @@ struct ToleranceAnswer {
   std::optional<optim::Yield> yield;  ///< none where there are no limits
   GridReport grid;
   optim::ToleranceReport spreads;
+  std::optional<std::size_t> samples_asked = {};  ///< ToleranceOptions::samples
   std::string cut_short = {};  ///< why the work ended before its end; empty: it did not
 
   /// Whether it is proved that every part meets every limit, so that nothing fails.

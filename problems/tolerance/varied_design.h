@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "machines/model/mechanism.h"
+#include "optim/problem/deadline.h"
 #include "optim/problem/problem.h"
-#include "optim/search/deadline.h"
 #include "problems/statement/variation.h"
 
 /// A design whose parameters manufacture makes other than they are meant: what varies of it is what

@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 /// Long work beside Python: it runs in a thread of its own without the interpreter's lock, while
 /// the calling thread hands on its progress and listens for Ctrl-C.

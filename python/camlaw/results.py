@@ -88,7 +88,14 @@ class Result(Answer):
         """Replaces what a file claims about the design by what the design is."""
         found = self.verify()
         limits = [
-            {**limit, "worst_angle_deg": limit["at"], "multiplier": None, "at_rest": None}
+            {
+                **limit,
+                "worst_angle_deg": limit["at"],
+                "multiplier": None,
+                "at_rest": None,
+                "eased_by": None,
+                "eased_gain": None,
+            }
             for limit in self.design.evaluate()._limits
         ]
         for limit in limits:

@@ -26,7 +26,7 @@ def axes_of(values: Mapping[str, Any]) -> list[str]:
             items = list(value)
             if not items:
                 raise InputError(f"{name}: the list is empty")
-            text = ",".join(_swept(item, name) for item in items)
+            text = ",".join(_listed(_swept(item, name), name) for item in items)
         else:
             text = _swept(value, name)
         texts.append(f"{name}={text}")
@@ -56,6 +56,12 @@ def ranges_of(over: Mapping[str, Any] | None) -> list[str]:
 def _swept(value: Any, name: str) -> str:
     """A value that is swept; a law may be one."""
     return name_of(value, name) if isinstance(value, Law) else units.value_text(value, name)
+
+
+def _listed(text: str, name: str) -> str:
+    """A value among others; a part's name with a comma is in quotes, a law's list has its own."""
+    is_law = name == "law" or name.endswith(".law")
+    return f'"{text}"' if "," in text and not is_law else text
 
 
 class Sweep(Answer):

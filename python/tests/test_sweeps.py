@@ -172,3 +172,11 @@ def test_parquet_without_pyarrow_says_what_is_missing(sweep, tmp_path, monkeypat
     with pytest.raises(cl.MissingPackage, match="Parquet needs pyarrow.*pip install pyarrow"):
         sweep.parquet(tmp_path / "sweep.parquet")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_names_with_commas_are_swept_whole():
+    from camlaw.sweeps import axes_of
+
+    assert axes_of({"roller": ["A, long", "608-2RS"]}) == ['roller="A, long",608-2RS']
+    assert axes_of({"law": ["legendre c=1,2", "cosine"]}) == ["law=legendre c=1,2,cosine"]
+    assert axes_of({"speed": "60:15:120 rpm"}) == ["speed=60:15:120 rpm"]

@@ -3,6 +3,7 @@
 // own; the ranking of all laws, against the study that lists them.
 #include <fmt/format.h>
 
+#include "kinematics/laws/catalogue.h"
 #include "problems/published/spine_cutter/study.h"
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
@@ -124,7 +125,7 @@ TEST_CASE("the file of all laws ranks those of the study as the study does", "[p
                                                        : number(row.at("objective"));
     CHECK(force >= before * (1 - 1e-12));  // the least first
     before = force;
-    forces[row.at("law")] = force;
+    forces[find_law(row.at("law").get<std::string>()).label()] = force;
   }
   const auto study = problems::study_spine_cutter(SpineCutter<double>{});
   REQUIRE(study.rows.size() > 80);

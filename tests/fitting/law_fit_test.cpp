@@ -16,7 +16,7 @@
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/sample_table.h"
 #include "optim/fit/loss.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::problems::law_fit_test {
 namespace {

@@ -11,7 +11,7 @@
 #include "fitting/constants/constants_fit.h"
 #include "fitting/motions/law_fit_service.h"
 #include "fitting/motions/law_ranking.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/statement/law_names.h"
 
 namespace camlaw::problems::law_fits_side_by_side_test {

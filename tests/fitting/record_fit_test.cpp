@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "machines/registry.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/statement/bind.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"

@@ -49,6 +49,31 @@ TEST_CASE("a law whose jerk counts and whose acceleration jumps at its ends is n
   CHECK(said(law("-5", "C_v")).empty());   // nobody asks for the jerk
 }
 
+TEST_CASE("a contact of a crowned roller beyond its formulas is named, where the crown counts",
+          "[cautions]") {
+  const auto with = [](const std::string& mechanism, const std::string& constants,
+                       const std::string& limits) {
+    return said("mechanism = '" + mechanism + "'\n[constants]\nspring_preload = 400\n" + constants +
+                "[program]\nsegments = [{name = 'rise', angle = 80, law = 'cycloidal'}, {name = "
+                "'back', law = 'cycloidal'}]\n" +
+                limits);
+  };
+  const std::string limit = "[[constraints]]\nresponse = 'crown_stress'\nupper = 900\n";
+  const auto found = with("disc-cam-roller", "crown_radius = '20 m'\n", "");
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], Contains("crown_elongation is ") && Contains("from 1 to 46.6"));
+  CHECK(with("disc-cam-roller", "crown_radius = '300 mm'\n", limit).empty());
+  CHECK(with("disc-cam-roller", "", limit).empty());
+  // Half a meter on a roller that is thin: alpha is about 1000, and counts where the crown is
+  // asked.
+  CHECK(with("disc-cam-roller", "roller_radius = 0.5\n", "").empty());
+  CHECK(with("disc-cam-roller", "roller_radius = 0.5\n", limit).size() == 1);
+  // A crown that is sharper than the roller.
+  const auto sharp = with("disc-cam-roller", "crown_radius = '3 mm'\n", "");
+  REQUIRE(sharp.size() == 1);
+  CHECK_THAT(sharp[0], Contains("crown_elongation is 0."));
+}
+
 TEST_CASE("a limit with a wrong unit is named, with what it was read as", "[cautions]") {
   const std::string varies = "[variables.base_radius]\nlower = '30 mm'\nupper = '120 mm'\n";
   const auto limited = [&](const std::string& limit) {

@@ -13,7 +13,7 @@
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
 #include "numerics/formula/expression.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/published/systems.h"
 #include "problems/published/table/printed_text.h"
 #include "problems/published/table/readout.h"

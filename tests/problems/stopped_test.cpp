@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/published/cam_shape/solve.h"
 #include "problems/published/sheet_delivery/trade_off.h"
 #include "problems/published/spine_cutter/study.h"

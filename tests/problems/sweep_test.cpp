@@ -111,6 +111,23 @@ TEST_CASE("what is swept reads as people write it", "[sweep]") {
     CHECK_THAT(complaint([&] { parse_axis(range); }),
                Contains("from:step:to, such as speed=60:15:120"));
   }
+  // Names of parts that begin with a number, and names in quotes whatever they hold.
+  using Names = std::vector<std::string>;
+  CHECK_FALSE(parse_axis("roller=608-2RS"));
+  for (const Names& names : {Names{"608-2RS", "609-2RS"}, Names{"6200", "608-2RS"},
+                             Names{"608-2RS", "6200"}, Names{"608ZZ", "609ZZ"}}) {
+    const SweepAxis axis = *parse_axis("roller=" + names[0] + "," + names[1]);
+    CHECK(axis.values == names);
+    CHECK_FALSE(axis.is_numeric());
+  }
+  const SweepAxis quoted = *parse_axis(R"(roller="A, long" , "10","1:2:5", plain,"10..20")");
+  CHECK(quoted.values == Names{"A, long", "10", "1:2:5", "plain", "10..20"});
+  CHECK_FALSE(quoted.is_numeric());
+  CHECK_FALSE(parse_axis(R"(roller="A, long")"));
+  CHECK_THAT(complaint([] { parse_axis("roller=608-2"); }), Contains("roller=\"608-2\""));
+  CHECK_THAT(complaint([] { parse_axis("roller=\"A, B"); }), Contains("no closing quote"));
+  CHECK_THAT(complaint([] { parse_axis("roller=\"A\" B"); }), Contains("a comma must follow"));
+  CHECK(parse_axis("speed=1,2 Hz")->numbers == std::vector<double>{1, 2});
   CHECK_FALSE(parse_axis("x=1e-3 mm"));
   CHECK_FALSE(parse_axis("x=-3"));
   CHECK_FALSE(parse_axis("law=3-4-5"));

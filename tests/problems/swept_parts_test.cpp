@@ -108,4 +108,27 @@ TEST_CASE("a part that is set to one row is fixed in a whole sweep", "[sweep]") 
   CHECK(rows_of(begun) == std::vector<std::string>{"large", "large"});
 }
 
+TEST_CASE("rows are swept whatever their names hold", "[sweep]") {
+  const Folder folder;
+  const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
+  std::ofstream(folder / "rollers.csv") << "name; roller_radius [mm]\n608-2RS; 11\nA, long; 12\n"
+                                           "10; 13\n10..20; 14\n";
+  const std::vector<std::string> names{"608-2RS", "A, long", "10", "10..20"};
+  const SweepStudy study(text, source, asked({R"(roller=608-2RS,"A, long","10","10..20")"}));
+  CHECK(rows_of(study) == names);
+  const SweepStudy one(text, source, asked({R"(roller="A, long")", "stroke=20,25 mm"}));
+  CHECK(rows_of(one) == std::vector<std::string>{"A, long", "A, long"});
+}
+
+TEST_CASE("a refused sweep names the value", "[sweep]") {
+  const Folder folder;
+  const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
+  const auto refused = [&](const std::string& setting) {
+    return complaint([&] { SweepStudy(text, source, asked({setting})); });
+  };
+  CHECK_THAT(refused("roller=small,nosuch"), Contains("nosuch"));
+  CHECK_THAT(refused("stroke=-5,-6 mm"), Contains("-5 mm"));
+  CHECK_THAT(refused("stroke=10,20 mmm"), Contains("with stroke = 20 mmm: ") && Contains("mmm"));
+}
+
 }  // namespace camlaw::problems::swept_parts_test

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/search/optimise.h"
 #include "optim/solvers/program.h"
 #include "optim/solvers/solver.h"

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/search/optimise.h"
 #include "problems/sheet_delivery/greatest_least_efficiency.toml.h"
 #include "problems/statement/bind.h"

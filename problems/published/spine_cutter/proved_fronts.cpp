@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"

@@ -11,7 +11,7 @@
 
 #include "kinematics/peaks.h"
 #include "optim/pareto/dominance.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::problems {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "optim/cycle/extremes.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/reading.h"

@@ -8,7 +8,7 @@
 #include "numerics/formula/expression.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "problems/published/table/stated_model.h"
 #include "problems/statement/curve_places.h"
 #include "problems/statement/law_names.h"

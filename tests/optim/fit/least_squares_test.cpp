@@ -14,7 +14,7 @@
 
 #include "numerics/linear/least_squares.h"
 #include "optim/fit/loss.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "tests/optim/fit/fitted_data.h"
 
 namespace camlaw::optim::least_squares_test {

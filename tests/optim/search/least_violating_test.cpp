@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "optim/problem/starts.h"
+#include "optim/search/local.h"
 #include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
@@ -118,6 +119,22 @@ TEST_CASE("a quasiconvex limit that is gentle about a design may be met elsewher
     const Point x{p};
     CHECK(!assess_least_violation(problem, sizes(problem, x), x).global);
   }
+}
+
+TEST_CASE("after a first start that led to no design others try the first method alone",
+          "[optimise]") {
+  Problem problem = two_valleys();
+  problem.constraints = {at_most("depth", problem.objective().response.function(), -10)};
+  const Deadline none({}, nullptr);
+  const auto solves_told = [&](FirstStart first) {
+    const FromStart second = search_one_start(problem, {}, none, 1, first);
+    CHECK_FALSE(is_feasible(second.trail.found.assessment));
+    return second.trail.found.solves;
+  };
+  CHECK(solves_told(FirstStart::NoDesign) < solves_told(FirstStart::Led));
+  const Optimum answer = optimise(problem);
+  CHECK(answer.found.assessment.verdict == Verdict::Infeasible);
+  CHECK(answer.found.assessment.blamed == std::vector<std::string>{"depth"});
 }
 
 }  // namespace camlaw::optim::least_violating_test

@@ -9,8 +9,8 @@
 #include <new>
 
 #include "optim/crew/crew.h"
+#include "optim/problem/deadline.h"
 #include "optim/search/combinations.h"
-#include "optim/search/deadline.h"
 #include "optim/search/search_task.h"
 #include "problems/statement/bind.h"
 #include "tests/optim/search/search_problems.h"

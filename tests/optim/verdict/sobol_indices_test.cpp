@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 namespace camlaw::optim::sobol_indices_test {
 namespace {

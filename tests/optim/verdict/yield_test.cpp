@@ -7,7 +7,7 @@
 
 #include "numerics/sampling/sobol_points.h"
 #include "optim/problem/automatic.h"
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 #include "optim/verdict/parts_errands.h"
 
 // Yields and reliability indices against closed forms, quadrature and printed values.

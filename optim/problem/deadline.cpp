@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/search/deadline.h"
+#include "optim/problem/deadline.h"
 
 #include <fmt/format.h>
 
