@@ -23,7 +23,7 @@ function(camlaw_units target)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # A class of one source may hold what that source alone names, though a unit includes it.
-  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   get_target_property(sources ${target} SOURCES)
   list(REMOVE_ITEM sources ${arg_LONG})
   camlaw_unit_groups(short ${CAMLAW_UNITY} ${sources})

@@ -139,7 +139,8 @@ Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& la
     return with_coefficients(law, law_residuals.told(fit, options.confidence), first, options.skew);
   };
   std::optional<optim::FitResult> best;
-  const auto starts = law_starts(samples, law, parameters, options);
+  auto starts = law_starts(samples, law, parameters, options);
+  if (starts) starts = ends_of_means(samples, law, parameters, options, std::move(*starts));
   if (!starts) return starts.reason();
   for (const std::vector<double>& start : *starts) {
     auto fit = optim::possible_fit(starting_at(own, start), residuals, near);

@@ -11,6 +11,16 @@ namespace {
 
 using RoughFit = std::function<Possible<optim::FitResult>(const FitParameters&)>;
 
+/// Means of so many neighbours each.
+MotionSamples means_of(MotionSamples samples, std::size_t each) {
+  Condensed means = means_of_neighbours(std::move(samples.place), std::move(samples.value), each,
+                                        samples.resolution);
+  samples.place = std::move(means.place);
+  samples.value = std::move(means.value);
+  samples.each = means.each;
+  return samples;
+}
+
 /// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
 /// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
 /// needed, which from far off would let no sample count.
@@ -20,12 +30,7 @@ MotionSamples few_of(const MotionSamples& samples, double low, double high, opti
   const std::size_t count = few.value.size();
   std::size_t each = count / kMeans;
   if (loss != optim::Loss::None && count >= kEnough) each = std::max(each, kLeast);
-  Condensed means =
-      means_of_neighbours(std::move(few.place), std::move(few.value), each, samples.resolution);
-  few.place = std::move(means.place);
-  few.value = std::move(means.value);
-  few.each = means.each;
-  return few;
+  return means_of(std::move(few), each);
 }
 
 /// A fit of everything but begin and end, which stay at these.
@@ -138,6 +143,26 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
   }
   if (fault) return std::move(*fault);
   return best_of(std::move(found));
+}
+
+Possible<std::vector<std::vector<double>>> ends_of_means(const MotionSamples& samples,
+                                                         const Member& law,
+                                                         const FitParameters& parameters,
+                                                         const LawFitOptions& options,
+                                                         std::vector<std::vector<double>> starts) {
+  constexpr std::size_t kMeans = 1000, kFewest = 4;
+  const std::size_t each = samples.value.size() / kMeans;
+  if (each < kFewest || options.loss != optim::Loss::None) return starts;
+  const LawResiduals means(means_of(samples, each), law, options.skew, parameters);
+  const FitParameters own = means.own();
+  const optim::FitOptions near = fit_options(options, optim::FitReach::Near);
+  std::optional<optim::FitResult> best;
+  for (const std::vector<double>& start : starts) {
+    auto fit = optim::possible_fit(starting_at(own, start), means.residuals(), near);
+    if (!fit) return fit.reason();
+    if (!best || fit->merit < best->merit) best = std::move(*fit);
+  }
+  return std::vector<std::vector<double>>{values_of(*best)};
 }
 
 }  // namespace camlaw::problems

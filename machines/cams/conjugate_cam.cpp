@@ -75,6 +75,7 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
   all.push_back(guide_response<ConjugateCam>());
+  all.push_back(overhang_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));
   append(all, second_profile<ConjugateCam>(
                   "profile of the second cam, in the coordinates of the main one"));
@@ -101,10 +102,11 @@ Mechanism conjugate_cam_mechanism() {
                  outer_radius(), of_second(outer_radius(), kSecond), least_wall(),
                  of_second(least_wall(), kSecond), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
+       .validity = {outside_guide()},
        .form = Form::DiscConjugate,
-       .possible = {{{"stroke", "roller_distance", "overhang"}, "DS2"},
-                    {{"base_radius", "guide_friction"}, "DS2"},
-                    {{"roller_radius", "guide_friction"}, "DS2"}},
+       .possible = {{{"stroke", "roller_distance"}, "DS2"},
+                    {{"base_radius"}, "DS2"},
+                    {{"roller_radius"}, "DS2"}},
        .why_impossible = why_impossible_as<ConjugateCam>},
       {conjugate_checks(), guide_checks()});
 }

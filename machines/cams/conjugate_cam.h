@@ -63,8 +63,7 @@ struct ConjugateCam {
              "offset^2)"},
             {value_of(second_base_radius()) > 0,
              "roller_distance must be so far above stroke + sqrt((base_radius + roller_radius)^2 - "
-             "offset^2) that the second cam has a base radius"},
-            outside_guide(guide_friction, overhang, stroke)};
+             "offset^2) that the second cam has a base radius"}};
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
@@ -98,6 +97,11 @@ struct ConjugateCam {
   CamPoint<X> second_profile(const FollowerMotion<X>& f) const {
     const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
     return {-p.x, -p.y, -p.x1, -p.y1};
+  }
+  /// (M37) a - s, m: how far the main roller is before its guide. Below 0 it enters the guide.
+  template <class X>
+  X guide_overhang(const FollowerMotion<X>& f) const {
+    return overhang - f.s;
   }
   /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the carriage
   /// jams.
@@ -175,11 +179,11 @@ struct ConjugateCam {
   /// (M37), and (M45) of the second roller, which is D further from the guide.
   template <class X>
   X main_share(const FollowerMotion<X>& f) const {
-    return guide().share_across(X(overhang - f.s), tangent_of(main().pitch_curve(f), f));
+    return guide().share_across(guide_overhang(f), tangent_of(main().pitch_curve(f), f));
   }
   template <class X>
   X second_share(const FollowerMotion<X>& f) const {
-    return guide().share_across(X(overhang - f.s + roller_distance),
+    return guide().share_across(X(guide_overhang(f) + roller_distance),
                                 tangent_of(second().pitch_curve(second_motion(f)), f));
   }
   /// |tan alpha| of a roller with the sign of the carriage's velocity.

@@ -49,6 +49,7 @@ Mechanism end_cam_mechanism() {
   append(responses, roller_responses<EndCam>());
   append(responses, duty_responses<EndCam>());
   responses.push_back(guide_response<EndCam>());
+  responses.push_back(overhang_response<EndCam>());
   append(responses, drawn_responses<EndCam>(true));
   return checked(
       {.name = "end-cam",
@@ -60,8 +61,8 @@ Mechanism end_cam_mechanism() {
                  peak_stress(), peak_outer_undercut(), peak_groove_stress(), peak_end_deviation(),
                  least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
+       .validity = {outside_guide()},
        .form = Form::EndRoller,
-       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
        .why_impossible = why_impossible_as<EndCam>},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }

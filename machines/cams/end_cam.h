@@ -34,10 +34,7 @@ struct EndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const {
-    return {{value_of(radius) > 0, "radius must be above 0"},
-            outside_guide(guide_friction, overhang, stroke)};
-  }
+  Possibility is_possible() const { return {{value_of(radius) > 0, "radius must be above 0"}}; }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
@@ -66,12 +63,17 @@ struct EndCam {
     using std::atan;
     return atan(f.ds / radius);
   }
+  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
+  template <class X>
+  X guide_overhang(const FollowerMotion<X>& f) const {
+    return overhang - f.s;
+  }
   /// (M37), (M38) Fraction of the force along the way that friction in the guide takes; at 1 the
   /// follower jams. tan alpha = s' / R has the velocity's sign.
   template <class X>
   X guide_fraction(const FollowerMotion<X>& f) const {
     if (is_number(guide_friction, 0)) return number<X>(0);
-    const X share = guide().share_across(X(overhang - f.s), X(f.ds / radius));
+    const X share = guide().share_across(guide_overhang(f), X(f.ds / radius));
     return guide().taken(follower().force(f), share, share);
   }
   /// (M18), (M38) Force between roller and cam, N, signed as the force along the way:

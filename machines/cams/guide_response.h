@@ -18,4 +18,22 @@ MechanismResponse guide_response() {
       });
 }
 
+/// (M37) How far the contact of a translating follower is before its guide, for a machine with
+/// guide_overhang().
+template <template <class> class M>
+MechanismResponse overhang_response() {
+  return curve_response<M>(
+      {"guide_overhang", "mm", "m",
+       "distance of the follower's contact from its guide: overhang less the displacement; below 0 "
+       "the contact would enter the guide"},
+      turn_of_the_cam(), [](const auto& cam) {
+        return [cam](const auto& motion) { return cam.guide_overhang(cam.over_angle(motion)); };
+      });
+}
+
+/// With friction in a guide, its contact stays outside it.
+inline ValidityLimit outside_guide() {
+  return {.response = "guide_overhang", .lower = 0, .only_with = "guide_friction"};
+}
+
 }  // namespace camlaw::problems

@@ -98,6 +98,7 @@ Mechanism knife_edge_cam_mechanism() {
                                        {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
   responses.push_back(guide_response<KnifeEdgeCam>());
+  responses.push_back(overhang_response<KnifeEdgeCam>());
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());
@@ -120,9 +121,9 @@ Mechanism knife_edge_cam_mechanism() {
                  peak_end_deviation(),
                  least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
+       .validity = {outside_guide()},
        .form = Form::DiscKnifeEdge,
-       .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "offset", "guide_friction"}, "DS1"}},
+       .possible = {{{"base_radius", "offset"}, "DS1"}},
        .why_impossible = why_impossible_as<KnifeEdgeCam>},
       {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }

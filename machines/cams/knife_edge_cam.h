@@ -51,8 +51,7 @@ struct KnifeEdgeCam {
   Possibility is_possible() const {
     const double e = value_of(offset), base = value_of(base_radius);
     return {{base > 0, "base_radius must be above 0"},
-            {e * e < base * base, "offset must be less in size than base_radius"},
-            outside_guide(guide_friction, overhang, stroke)};
+            {e * e < base * base, "offset must be less in size than base_radius"}};
   }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   FollowerLoad<T> follower() const { return edge().follower(); }
@@ -78,6 +77,11 @@ struct KnifeEdgeCam {
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
+  }
+  /// (M37) a - s, m: how far the edge is before its guide. Below 0 it enters the guide.
+  template <class X>
+  X guide_overhang(const FollowerMotion<X>& f) const {
+    return edge().guide_overhang(f);
   }
   /// (M38) Fraction of the force along the way that friction in the guide takes.
   template <class X>

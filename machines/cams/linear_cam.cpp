@@ -67,6 +67,7 @@ Mechanism linear_cam_mechanism() {
   append(responses, roller_responses<LinearCam>());
   append(responses, duty_responses<LinearCam>());
   responses.push_back(guide_response<LinearCam>());
+  responses.push_back(overhang_response<LinearCam>());
   append(responses, drawn_responses<LinearCam>(true));
   return checked(
       {.name = "linear-cam",
@@ -86,8 +87,8 @@ Mechanism linear_cam_mechanism() {
                  peak_end_deviation(),
                  least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
+       .validity = {outside_guide()},
        .form = Form::Plate,
-       .possible = {{{"stroke", "overhang"}, "DS1"}, {{"guide_friction"}, "DS1"}},
        .why_impossible = why_impossible_as<LinearCam>},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }

@@ -34,10 +34,7 @@ struct LinearCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const {
-    return {{value_of(travel) > 0, "travel must be above 0"},
-            outside_guide(guide_friction, overhang, stroke)};
-  }
+  Possibility is_possible() const { return {{value_of(travel) > 0, "travel must be above 0"}}; }
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {
@@ -65,6 +62,11 @@ struct LinearCam {
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     return developed().pressure_angle(f);
+  }
+  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
+  template <class X>
+  X guide_overhang(const FollowerMotion<X>& f) const {
+    return developed().guide_overhang(f);
   }
   /// (M37), (M38) Fraction of the force along the way that friction in the guide takes.
   template <class X>

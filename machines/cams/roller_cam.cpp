@@ -43,6 +43,7 @@ Mechanism roller_cam_mechanism() {
   append(responses, roller_responses<RollerCam>());
   append(responses, duty_responses<RollerCam>());
   responses.push_back(guide_response<RollerCam>());
+  responses.push_back(overhang_response<RollerCam>());
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
   append(responses, extent_responses<RollerCam>());
@@ -56,9 +57,9 @@ Mechanism roller_cam_mechanism() {
                  peak_stress(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
                  least_wall(), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
+       .validity = {outside_guide()},
        .form = Form::DiscRoller,
-       .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},
-                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}},
+       .possible = {{{"base_radius", "roller_radius", "offset"}, "DS1"}},
        .why_impossible = why_impossible_as<RollerCam>},
       {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
        guide_checks()});

@@ -42,9 +42,9 @@ struct RollerCam {
 
   Possibility is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
-    return {{prime > 0, "base_radius + roller_radius must be above 0"},
-            {e * e < prime * prime, "offset must be less in size than base_radius + roller_radius"},
-            outside_guide(guide_friction, overhang, stroke)};
+    return {
+        {prime > 0, "base_radius + roller_radius must be above 0"},
+        {e * e < prime * prime, "offset must be less in size than base_radius + roller_radius"}};
   }
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
@@ -87,7 +87,12 @@ struct RollerCam {
   X guide_share(const FollowerMotion<X>& f) const {
     const X slope = (f.ds - offset) / (f.s + lowest_height());
     const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
-    return guide().share_across(X(overhang - f.s), size);
+    return guide().share_across(guide_overhang(f), size);
+  }
+  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
+  template <class X>
+  X guide_overhang(const FollowerMotion<X>& f) const {
+    return overhang - f.s;
   }
   /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
   /// jams.

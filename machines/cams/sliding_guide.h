@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 
 namespace camlaw {
@@ -42,12 +41,5 @@ struct SlidingGuide {
     return force / (root * root);  // a root of what is below 0 is not a number
   }
 };
-
-/// A contact that is so far before its guide at the lowest place must stay outside it.
-template <class T>
-Possibility::Condition outside_guide(const T& guide_friction, const T& overhang, const T& stroke) {
-  return {value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke),
-          "overhang must be at least stroke where guide_friction is above 0"};
-}
 
 }  // namespace camlaw

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <type_traits>
 
 #include "machines/model/kept_parameters.h"
 #include "machines/model/law_binding.h"
@@ -88,17 +90,26 @@ std::set<std::string> deciding(const Mechanism& mechanism, const MechanismRespon
   return names;
 }
 
+/// The number of the proof that the machines which are possible are a convex set, where these
+/// parameters vary that decide on it; nothing where that is not known.
+std::optional<std::string> convex_by(const Mechanism& mechanism,
+                                     const std::set<std::string>& deciders) {
+  const auto set =
+      std::find_if(mechanism.possible.begin(), mechanism.possible.end(),
+                   [&](const PossibleSet& stated) { return covers(stated.varying, deciders); });
+  if (set == mechanism.possible.end()) return {};
+  return std::string(set->proof.number());
+}
+
 /// The shape in what varies of a narrowed binding.
 KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& response,
                     const Binding& used) {
   KnownShape known;
   const std::set<std::string> deciders = deciding(mechanism, response, used);
   if (!deciders.empty()) {
-    const auto set =
-        std::find_if(mechanism.possible.begin(), mechanism.possible.end(),
-                     [&](const PossibleSet& stated) { return covers(stated.varying, deciders); });
-    if (set == mechanism.possible.end()) return known;
-    known.of_possible = set->proof.number();
+    const auto proof = convex_by(mechanism, deciders);
+    if (!proof) return known;
+    known.of_possible = *proof;
   }
   if (nothing_varies(response, used)) {
     known.ruled = Shape::Linear;
@@ -115,19 +126,57 @@ KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& respons
   return known;
 }
 
-/// A parameter of the mechanism as a response.
-optim::Function parameter_function(std::size_t parameter, const Binding& binding) {
-  const auto found = std::find(binding.parameters.begin(), binding.parameters.end(), parameter);
-  if (found == binding.parameters.end()) {
-    return optim::function<Interval>(
-        {},
-        [value = binding.constants[parameter]]<class T>(std::span<const T>) {
-          return number<T>(value);
-        },
-        Shape::Linear);
+/// The parameters that vary and decide whether there is a machine at all, of one that names its
+/// conditions.
+std::set<std::string> deciding(const Mechanism& mechanism, const Binding& binding) {
+  std::set<std::string> names;
+  if (!mechanism.why_impossible) return names;
+  for (const MechanismResponse& response : mechanism.responses) {
+    if (response.is_possible) names.merge(deciding(mechanism, response, binding));
   }
-  const auto k = static_cast<std::size_t>(found - binding.parameters.begin());
-  return optim::variable_function(binding.variables[k]);
+  return names;
+}
+
+/// Linear, of the machines that are possible.
+KnownShape shape_of_parameter(const Mechanism& mechanism, const Binding& binding) {
+  const std::set<std::string> deciders = deciding(mechanism, binding);
+  if (deciders.empty()) return {.ruled = Shape::Linear};
+  const auto proof = convex_by(mechanism, deciders);
+  if (!proof) return {};
+  return {.ruled = Shape::Linear, .of_possible = *proof};
+}
+
+/// A parameter of the mechanism as a response: not a number where there is no such machine. Its
+/// bounds over a box hold for all of its machines.
+optim::Function parameter_function(const Mechanism& mechanism, std::size_t parameter,
+                                   const Binding& binding) {
+  const std::set<std::string> deciders = deciding(mechanism, binding);
+  const auto is_own = [&](std::size_t i) { return i == parameter; };
+  if (deciders.empty() &&
+      std::any_of(binding.parameters.begin(), binding.parameters.end(), is_own)) {
+    return optim::variable_function(keeping(binding, is_own).variables.front());
+  }
+  const Binding used = keeping(binding, [&](std::size_t i) {
+    return is_own(i) || deciders.contains(mechanism.parameters[i].name);
+  });
+  return optim::function<Interval>(
+      used.variables,
+      [parameter, used, is_checked = !deciders.empty(),
+       why_impossible = mechanism.why_impossible]<class T>(std::span<const T> u) {
+        T value = number<T>(used.constants[parameter]);
+        std::vector<double> machine = used.constants;
+        for (std::size_t k = 0; k < u.size(); ++k) {
+          if (used.parameters[k] == parameter) value = u[k];
+          if constexpr (!std::is_same_v<T, Interval>) machine[used.parameters[k]] = value_of(u[k]);
+        }
+        if constexpr (!std::is_same_v<T, Interval>) {
+          if (is_checked && !why_impossible(machine).empty()) {
+            return number<T>(std::numeric_limits<double>::quiet_NaN());
+          }
+        }
+        return value;
+      },
+      shape_of_parameter(mechanism, binding).best());
 }
 
 }  // namespace
@@ -190,7 +239,7 @@ KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse&
 
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
-  if (name.response == nullptr) return {.ruled = Shape::Linear};
+  if (name.response == nullptr) return shape_of_parameter(mechanism, binding);
   if (!name.response->over_cases.empty()) {
     return shape_over_cases(mechanism, *name.response, binding);
   }
@@ -200,7 +249,7 @@ KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
 optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,
                               const Binding& binding) {
   if (name.response == nullptr) {
-    return {name.name, name.unit, parameter_function(name.parameter, binding)};
+    return {name.name, name.unit, parameter_function(mechanism, name.parameter, binding)};
   }
   const MechanismResponse& response = *name.response;
   const Binding used = narrowed(binding, response);

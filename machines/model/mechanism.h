@@ -96,6 +96,7 @@ struct ValidityLimit {
   std::string response;
   double upper = optim::kInfinity;  ///< in the listed unit
   double lower = -optim::kInfinity;
+  std::string only_with = {};  ///< the parameter that is 0 where there is nothing to hold
 };
 
 /// Parameters of a mechanism by their indices, increasing, each once. Those that a formula depends

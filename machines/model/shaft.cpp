@@ -84,6 +84,7 @@ class Renamed {
   }
   ValidityLimit limit(ValidityLimit own) const {
     own.response = name(own.response);
+    if (!own.only_with.empty()) own.only_with = name(own.only_with);
     return own;
   }
 

@@ -227,6 +227,23 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   return constraint;
 }
 
+/// Whether the machine has what a limit of validity is about: the parameter that brings it is not 0
+/// everywhere.
+bool concerns(const ProblemStatement& problem, const ValidityLimit& limit) {
+  if (limit.only_with.empty()) return true;
+  const std::size_t parameter = problem.mechanism->parameter(limit.only_with);
+  if (problem.constants[parameter] != 0) return true;
+  const auto is_it = [&](const auto& own) { return own.parameter == parameter; };
+  const auto sets_it = [&](const LoadCase& load) {
+    return std::any_of(load.parameters.begin(), load.parameters.end(),
+                       [&](const auto& value) { return value.first == parameter; });
+  };
+  return std::any_of(problem.variables.begin(), problem.variables.end(),
+                     [&](const auto& v) { return !v.of_law && is_it(v); }) ||
+         std::any_of(problem.ranges.begin(), problem.ranges.end(), is_it) ||
+         std::any_of(problem.cases.begin(), problem.cases.end(), sets_it);
+}
+
 /// Adds a limit of validity, where the file has none as tight.
 void add_validity(const ValidityLimit& limit, const std::string& required_by,
                   ProblemStatement& problem) {
@@ -350,7 +367,7 @@ void read_constraints(const Entry& file, ProblemStatement& problem) {
     }
   }
   for (const ValidityLimit& limit : problem.mechanism->validity) {
-    add_validity(limit, "the mechanism", problem);
+    if (concerns(problem, limit)) add_validity(limit, "the mechanism", problem);
   }
   for (const ObjectiveStatement& objective : problem.objectives) {
     add_validity_of(objective.response, as_named(objective), problem);

@@ -40,11 +40,11 @@ TEST_CASE("values that make no machine are answered with the condition that fail
 TEST_CASE("a search that ends at values that make no machine names the condition", "[program]") {
   const Folder folder;
   const std::string why =
-      "disc-cam-roller is not possible with these values: stroke = 30 mm, guide_friction = 0.3, "
-      "overhang = 20 mm; overhang must be at least stroke where guide_friction is above 0";
+      "disc-cam-roller is not possible with these values: base_radius = 40 mm, roller_radius = 10 "
+      "mm, offset = 170 mm; offset must be less in size than base_radius + roller_radius";
   const std::string cam =
-      "mechanism = 'disc-cam-roller'\n[constants]\nstroke = 30\nguide_friction = 0.3\noverhang = "
-      "20\n[variables.base_radius]\nlower = 20\nupper = 150\n";
+      "mechanism = 'disc-cam-roller'\n[constants]\nstroke = 30\nroller_radius = 10\noffset = 170\n"
+      "[variables.base_radius]\nlower = 20\nupper = 150\nstart = 40\n";
   const auto answer = [](const Words& words) { return ParsedJson::parse(run(words).out); };
   const std::string one =
       file_of(folder, cam + kProgram + "[objective]\nminimize = 'peak_torque'\n");
