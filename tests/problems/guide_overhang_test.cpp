@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <optional>
 #include <string>
 
 #include "optim/search/optimise.h"
@@ -25,7 +26,7 @@ std::string cam(const std::string& constants, double to = 1, const std::string& 
 std::optional<double> overhang_left(const std::string& text) {
   const ProblemStatement problem = read_problem(text, "f.toml");
   for (const optim::LimitReport& limit : standing(problem)) {
-    if (limit.constraint == "guide_overhang") return limit.value;
+    if (limit.name == "guide_overhang") return limit.value;
   }
   return {};
 }
