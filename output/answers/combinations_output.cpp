@@ -155,8 +155,10 @@ Json part_margins(const Answer& answer, const optim::PartFound& part) {
 
 /// How far one objective is from another, in percent of this.
 Cell share_from(double objective, double other) {
+  constexpr double kShown = 0.005;  // below which it is written as 0
   const double share = 100 * (objective - other) / std::abs(other);
-  return std::isfinite(share) ? Cell(fmt::format("{:+.2f} %", share), share)
+  const double shown = std::abs(share) < kShown ? 0 : share;
+  return std::isfinite(share) ? Cell(fmt::format("{:+.2f} %", shown), share)
                               : Cell("", std::nan(""));
 }
 

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
 
 #include "optim/crew/crew.h"
 #include "problems/statement/free_instead.h"
@@ -23,17 +26,20 @@ std::vector<Member> laws_of_designs(const Answer& answer) {
   return laws;
 }
 
-/// "a spline with 101 free coefficients", of a statement's free law.
+/// "a spline with 101 free coefficients", "2 splines with 60 free coefficients": of the segments
+/// whose law is free.
 std::string free_law_words(const problems::ProblemStatement& statement) {
+  std::set<std::string> splines;
+  std::size_t coefficients = 0;
   for (const problems::VariableStatement& v : statement.variables) {
-    if (v.law_parameter.ends_with("coefficients")) {
-      const auto count =
-          std::count_if(statement.variables.begin(), statement.variables.end(),
-                        [&](const auto& other) { return other.law_parameter == v.law_parameter; });
-      return fmt::format("a spline with {} free coefficients", count);
-    }
+    if (!v.of_law || !v.law_parameter.ends_with("coefficients")) continue;
+    splines.insert(v.law_parameter);
+    ++coefficients;
   }
-  return "a spline";
+  if (splines.empty()) return "a spline";
+  const std::string which =
+      splines.size() == 1 ? "a spline" : fmt::format("{} splines", splines.size());
+  return fmt::format("{} with {} free coefficients", which, coefficients);
 }
 
 bool is_ended(const optim::OptimiseOptions& search) {
