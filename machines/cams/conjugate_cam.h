@@ -4,6 +4,7 @@
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_cam.h"
 #include "machines/contact/crowned_roller.h"
+#include "machines/model/possibility.h"
 #include "numerics/scalar/extremes.h"
 
 namespace camlaw {

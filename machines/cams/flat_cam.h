@@ -5,6 +5,7 @@
 #include "machines/cams/sliding_guide.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/roller_cam.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 

@@ -3,6 +3,7 @@
 
 #include "machines/cams/end_cam.h"
 #include "machines/cams/roller_duty.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 

@@ -5,6 +5,7 @@
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
 #include "machines/cams/sliding_guide.h"
+#include "machines/model/possibility.h"
 
 namespace camlaw {
 
