@@ -146,37 +146,42 @@ KnownShape shape_of_parameter(const Mechanism& mechanism, const Binding& binding
   return {.ruled = Shape::Linear, .of_possible = *proof};
 }
 
+/// A parameter, as a formula generic in its scalar of the parameters that vary.
+struct ParameterFormula {
+  std::size_t parameter;
+  Binding used;
+  /// None where what varies does not decide whether there is a machine.
+  std::function<std::string(std::span<const double>)> why_impossible;
+
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    constexpr bool kEncloses =
+        std::is_same_v<T, Interval> || std::is_same_v<T, Series<Interval, 2>>;
+    T value = number<T>(used.constants[parameter]);
+    std::vector<double> machine = used.constants;
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      if (used.parameters[k] == parameter) value = u[k];
+      if constexpr (!kEncloses) machine[used.parameters[k]] = value_of(u[k]);
+    }
+    if (kEncloses || !why_impossible || why_impossible(machine).empty()) return value;
+    return number<T>(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
 /// A parameter of the mechanism as a response: not a number where there is no such machine. Its
-/// bounds over a box hold for all of its machines.
+/// bounds over a box are those of all machines there.
 optim::Function parameter_function(const Mechanism& mechanism, std::size_t parameter,
                                    const Binding& binding) {
   const std::set<std::string> deciders = deciding(mechanism, binding);
-  const auto is_own = [&](std::size_t i) { return i == parameter; };
-  if (deciders.empty() &&
-      std::any_of(binding.parameters.begin(), binding.parameters.end(), is_own)) {
-    return optim::variable_function(keeping(binding, is_own).variables.front());
-  }
   const Binding used = keeping(binding, [&](std::size_t i) {
-    return is_own(i) || deciders.contains(mechanism.parameters[i].name);
+    return i == parameter || deciders.contains(mechanism.parameters[i].name);
   });
-  return optim::function<Interval>(
-      used.variables,
-      [parameter, used, is_checked = !deciders.empty(),
-       why_impossible = mechanism.why_impossible]<class T>(std::span<const T> u) {
-        T value = number<T>(used.constants[parameter]);
-        std::vector<double> machine = used.constants;
-        for (std::size_t k = 0; k < u.size(); ++k) {
-          if (used.parameters[k] == parameter) value = u[k];
-          if constexpr (!std::is_same_v<T, Interval>) machine[used.parameters[k]] = value_of(u[k]);
-        }
-        if constexpr (!std::is_same_v<T, Interval>) {
-          if (is_checked && !why_impossible(machine).empty()) {
-            return number<T>(std::numeric_limits<double>::quiet_NaN());
-          }
-        }
-        return value;
-      },
-      shape_of_parameter(mechanism, binding).best());
+  const bool varies = std::count(used.parameters.begin(), used.parameters.end(), parameter) > 0;
+  if (deciders.empty() && varies) return optim::variable_function(used.variables.front());
+  ParameterFormula formula{parameter, used, {}};
+  if (!deciders.empty()) formula.why_impossible = mechanism.why_impossible;
+  return optim::function<Interval, Series<Interval, 2>>(
+      used.variables, std::move(formula), shape_of_parameter(mechanism, binding).best());
 }
 
 }  // namespace
