@@ -63,6 +63,18 @@ double size_of(const MotionSamples& samples, const optim::FitResult& fit) {
   return size;
 }
 
+/// Whether a law that leaves this much where its fit begins, next to its minimum, is not behind the
+/// samples, as another one leaves so little: its weight (LC2) is below e^-100.
+bool is_out(const MotionSamples& samples, const optim::Residuals& residuals,
+            const std::vector<double>& start, const LawFitOptions& options) {
+  constexpr double kFar = 200;
+  std::vector<double> r(residuals.count());
+  if (!options.least_sum || !residuals.evaluate(start, r, {})) return false;
+  const double least = std::max(*options.least_sum, least_sum_of_squares(samples));
+  const double sum = std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
+  return sum > least * (1 + kFar / static_cast<double>(r.size()));
+}
+
 /// What a fit leaves, as laws are compared by it.
 double sum_left(const MotionSamples& samples, const optim::FitResult& fit, optim::Loss loss) {
   // Under a loss what it sums, so that a far point does not decide which law is best.
@@ -134,14 +146,20 @@ Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& la
   const optim::Residuals& residuals = law_residuals.residuals();
   const FitParameters own = law_residuals.own();
   const std::size_t first = law_residuals.first(), n = samples.value.size();
-  const optim::FitOptions near = fit_options(options, FitReach::Near);
+  optim::FitOptions near = fit_options(options, FitReach::Near);
   const auto member_of = [&](const optim::FitResult& fit) {
     return with_coefficients(law, law_residuals.told(fit, options.confidence), first, options.skew);
   };
   std::optional<optim::FitResult> best;
   auto starts = law_starts(samples, law, parameters, options);
-  if (starts) starts = ends_of_means(samples, law, parameters, options, std::move(*starts));
   if (!starts) return starts.reason();
+  if (are_very_many(samples) && options.loss == optim::Loss::None) {
+    starts = end_of_means(samples, law, parameters, options, *starts);
+    if (!starts) return starts.reason();
+    if (is_out(samples, residuals, starts->front(), options)) {
+      near = fit_options(options, FitReach::Rough);
+    }
+  }
   for (const std::vector<double>& start : *starts) {
     auto fit = optim::possible_fit(starting_at(own, start), residuals, near);
     if (!fit) return fit.reason();

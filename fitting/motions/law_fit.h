@@ -31,6 +31,9 @@ struct LawFitOptions {
   Skew skew = Skew::Held;  ///< whether the crossover is fitted too
   /// A motion that another law follows well: fits of several coefficients begin there too.
   std::optional<MotionGuess> like = {};
+  /// The sum of squares that another law leaves. Of very many samples a law that leaves so much
+  /// more that it is not behind them is fitted to a millionth of its sum only.
+  std::optional<double> least_sum = {};
   /// Told what share of the whole work is done, 0 to 1.
   std::function<void(double share)> progress = {};
   /// Between which shares of the whole work this part lies.

@@ -78,6 +78,7 @@ struct LawFitOrder {
   double confidence = 0;
   Skew skew = Skew::Held;
   std::optional<MotionGuess> like;
+  std::optional<double> least_sum;
 };
 
 template <class Archive, class S>
@@ -99,9 +100,10 @@ void visit(Archive& archive, G& guess) {
 template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, LawFitOrder>
 void visit(Archive& archive, O& of) {
-  auto& [samples, family, arguments, guess, loss, loss_scale, confidence, skew, like] = of;
+  auto& [samples, family, arguments, guess, loss, loss_scale, confidence, skew, like, least_sum] =
+      of;
   archive(samples), archive(family), archive(arguments), archive(guess), archive(loss);
-  archive(loss_scale), archive(confidence), archive(skew), archive(like);
+  archive(loss_scale), archive(confidence), archive(skew), archive(like), archive(least_sum);
 }
 
 /// Without the family, which whoever ordered the fit knows.
@@ -118,7 +120,7 @@ std::string law_fit_order(const MotionSamples& samples, const Member& law, const
                           const LawFitOptions& options) {
   return optim::bytes_of(LawFitOrder{samples, law.family->name, law.arguments.values(), guess,
                                      options.loss, options.loss_scale, options.confidence,
-                                     options.skew, options.like});
+                                     options.skew, options.like, options.least_sum});
 }
 
 std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& law) {
@@ -149,6 +151,7 @@ optim::Service law_fit_service(const std::vector<Member>& laws) {
     options.confidence = of->confidence;
     options.skew = of->skew;
     options.like = of->like;
+    options.least_sum = of->least_sum;
     options.stop = bench.stop;
     const auto fit = possible_law_fit(of->samples, law, of->guess, options);
     optim::Writer writer;

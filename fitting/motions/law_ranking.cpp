@@ -76,7 +76,10 @@ class LawFits final : public optim::Errands {
     if (candidate.coefficients > step_) {
       if (under_way_ > 0) return {};
       step_ = candidate.coefficients;
-      like_ = best_so_far();
+      if (const LawFit* best = best_so_far()) {
+        like_ = motion_of(*best);
+        least_sum_ = best->fit.sum_of_squares;
+      }
     }
     if (options_.is_late() && (has_fit() || under_way_ > 0)) return {};
     if (options_.progress) options_.progress(share());
@@ -88,6 +91,7 @@ class LawFits final : public optim::Errands {
     LawFitOptions own = options_;
     own.skew = candidate.skew;
     own.like = like_;
+    own.least_sum = least_sum_;
     return law_fit_order(samples_, candidate.law, guess_, own);
   }
   void answered(std::size_t number, const std::string& answer) override {
@@ -122,14 +126,13 @@ class LawFits final : public optim::Errands {
   bool has_fit() const {
     return std::any_of(fits_.begin(), fits_.end(), [](const auto& fit) { return bool(fit); });
   }
-  std::optional<MotionGuess> best_so_far() const {
+  const LawFit* best_so_far() const {
     const LawFit* best = nullptr;
     for (const auto& fit : fits_) {
       if (!fit || fit->numbers > step_ + kEnds) continue;
       if (best == nullptr || fit->fit.sum_of_squares < best->fit.sum_of_squares) best = &*fit;
     }
-    if (best == nullptr) return {};
-    return motion_of(*best);
+    return best;
   }
 
   const MotionSamples& samples_;
@@ -140,6 +143,7 @@ class LawFits final : public optim::Errands {
   std::size_t next_ = 0, under_way_ = 0;
   std::size_t step_ = 0;  ///< coefficients
   std::optional<MotionGuess> like_;
+  std::optional<double> least_sum_;
 };
 
 }  // namespace

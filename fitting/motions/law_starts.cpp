@@ -21,6 +21,12 @@ MotionSamples means_of(MotionSamples samples, std::size_t each) {
   return samples;
 }
 
+/// Of how many neighbours the means are that a fit of very many samples is made with first.
+std::size_t samples_of_mean(const MotionSamples& samples) {
+  constexpr std::size_t kMeans = 1000;
+  return samples.value.size() / kMeans;
+}
+
 /// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
 /// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
 /// needed, which from far off would let no sample count.
@@ -145,15 +151,13 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
   return best_of(std::move(found));
 }
 
-Possible<std::vector<std::vector<double>>> ends_of_means(const MotionSamples& samples,
-                                                         const Member& law,
-                                                         const FitParameters& parameters,
-                                                         const LawFitOptions& options,
-                                                         std::vector<std::vector<double>> starts) {
-  constexpr std::size_t kMeans = 1000, kFewest = 4;
-  const std::size_t each = samples.value.size() / kMeans;
-  if (each < kFewest || options.loss != optim::Loss::None) return starts;
-  const LawResiduals means(means_of(samples, each), law, options.skew, parameters);
+bool are_very_many(const MotionSamples& samples) { return samples_of_mean(samples) >= 4; }
+
+Possible<std::vector<std::vector<double>>> end_of_means(
+    const MotionSamples& samples, const Member& law, const FitParameters& parameters,
+    const LawFitOptions& options, const std::vector<std::vector<double>>& starts) {
+  const LawResiduals means(means_of(samples, samples_of_mean(samples)), law, options.skew,
+                           parameters);
   const FitParameters own = means.own();
   const optim::FitOptions near = fit_options(options, optim::FitReach::Near);
   std::optional<optim::FitResult> best;

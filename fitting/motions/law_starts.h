@@ -15,13 +15,13 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
                                                       const FitParameters& parameters,
                                                       const LawFitOptions& options);
 
-/// Of very many samples: where the best of the fits from these starts ends, by as few means of
-/// neighbours as tell that, which is where a fit of all samples then begins. The starts themselves
-/// where there are no more samples than that, and under a loss, of which the means know nothing.
-Possible<std::vector<std::vector<double>>> ends_of_means(const MotionSamples& samples,
-                                                         const Member& law,
-                                                         const FitParameters& parameters,
-                                                         const LawFitOptions& options,
-                                                         std::vector<std::vector<double>> starts);
+/// Whether there are so many samples that means of neighbours tell nearly all that they do.
+bool are_very_many(const MotionSamples& samples);
+
+/// Where the best of the fits of such means from these starts ends, alone: a fit of all samples
+/// then begins next to its minimum.
+Possible<std::vector<std::vector<double>>> end_of_means(
+    const MotionSamples& samples, const Member& law, const FitParameters& parameters,
+    const LawFitOptions& options, const std::vector<std::vector<double>>& starts);
 
 }  // namespace camlaw::problems

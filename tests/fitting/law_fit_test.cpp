@@ -206,6 +206,33 @@ TEST_CASE("residuals of a law have the derivatives of differences", "[law-fit]")
   }
 }
 
+TEST_CASE("a fit of very many samples is the least of all of them", "[law-fit]") {
+  const MotionSamples samples = sampled(find_law("cycloidal").law(), 6000, 0.02, 12);
+  const Member law = find_law("modified-sine");
+  const LawFit exact = fit_law(samples, law, rough());
+  const auto sum_at = [&](const LawFit& fit) {
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.place.size(); ++i) {
+      sum += std::pow(samples.value[i] - fit.value(samples.place[i], 0), 2);
+    }
+    return sum;
+  };
+  CHECK(sum_at(exact) == Approx(exact.fit.sum_of_squares).epsilon(1e-12));
+  for (double LawFit::*number : {&LawFit::begin, &LawFit::end, &LawFit::from, &LawFit::to}) {
+    for (const double aside : {-1e-3, 1e-3}) {
+      LawFit other = exact;
+      other.*number += aside;
+      CHECK(sum_at(other) > exact.fit.sum_of_squares);
+    }
+  }
+  // Where another law leaves far less this one need not be exact.
+  LawFitOptions options;
+  options.least_sum = 0.5 * exact.fit.sum_of_squares;
+  const double near = fit_law(samples, law, rough(), options).fit.sum_of_squares;
+  CHECK(near == Approx(exact.fit.sum_of_squares).epsilon(2e-6));
+  CHECK(near >= exact.fit.sum_of_squares * (1 - 1e-12));
+}
+
 TEST_CASE("intervals hold as often as they say", "[law-fit][heavy]") {
   struct Case {
     const char* name;
