@@ -333,6 +333,30 @@ TEST_CASE("a search over ranges that its time limit ends tells a value of the to
   CHECK(told.value == Approx(there).epsilon(1e-8).margin(1e-6));
 }
 
+TEST_CASE("a limit over ranges without a value says why it has none", "[elastic-ranges]") {
+  const auto why = [](const std::string& constants, const std::string& ranges) {
+    const ProblemStatement problem =
+        quiet(constants, ranges + limit("elastic_force", "lower", "0 N"));
+    const auto found = standing(problem).front();
+    CHECK(std::isnan(found.value));
+    CHECK_FALSE(found.met);
+    return why_no_value(problem, problem.constraints.front().response, found.worst_angle);
+  };
+  const auto from_zero = [](const std::string& name, const std::string& upper,
+                            const std::string& unit) {
+    return "[ranges." + name + "]\nlower = '0" + unit + "'\nupper = '" + upper + unit + "'\n";
+  };
+  const std::string undamped = "train_damping = 0\n";
+  const std::string fast = "speed = '900 rpm'\n", damped = fast + "train_damping = 0.04\n";
+  CHECK_THAT(why(damped, from_zero("train_stiffness", "900", " N/mm")),
+             Contains("it does not exist at train_stiffness = 0 N/mm"));
+  CHECK_THAT(why(damped, from_zero("mass", "0.8", " kg")),
+             Contains("it does not exist at mass = 0 kg"));
+  CHECK_THAT(why(undamped, kSpeeds), Contains("it grows without bound about speed = "));
+  CHECK_THAT(why("", kSpeeds + from_zero("train_damping", "0.05", "")),
+             Contains(" speed = ") && Contains("train_damping = 0") && !Contains("e-"));
+}
+
 TEST_CASE("what a proof leaves open is told by stretch and by parameters", "[elastic-ranges]") {
   const ProblemStatement problem =
       read(valve(kDamping + kPreload + kSpeeds, limit("elastic_force", "upper", "1135.6 N")));
