@@ -93,7 +93,8 @@ void add_cut_short(const optim::Deadline& deadline, const optim::ProofTime& time
   const std::string why = time.has_ended_any() ? deadline.reason() : "";
   document.fact("cut_short", why);
   if (why.empty()) return;
-  document.say(fmt::format("proofs stopped early: {}; the values are those of a search\n", why));
+  document.say(
+      fmt::format("proofs stopped early: {}; each worst value is the worst that was seen\n", why));
 }
 
 int run_evaluate(const EvaluateOptions& options) {

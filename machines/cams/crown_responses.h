@@ -35,9 +35,9 @@ std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& u
   add(C::Fraction, {"crown_fraction", "1", "1",
                     "length of a crowned roller's contact over the face width; above 1 the "
                     "roller's edges carry load"});
-  add(C::Elongation, {"crown_elongation", "1", "1",
-                      "length over width of the ellipse in which a crowned roller touches the cam; "
-                      "its formulas are checked from 1 to 46.6"});
+  add(C::Elongation,
+      {"crown_elongation", "1", "1",
+       "length over width of the ellipse in which a crowned roller touches the cam"});
   return all;
 }
 

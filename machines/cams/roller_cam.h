@@ -104,11 +104,15 @@ struct RollerCam {
     return guide().taken(follower().force(f), share, share);
   }
   /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
-  /// where F is above 0 and its negative below. NaN where the follower jams.
+  /// where F is above 0 and its negative below. NaN where the follower jams, and where there is no
+  /// pressure angle. 1 / cos alpha = sqrt(1 + tan^2 alpha) is bounded exactly where alpha is 0,
+  /// whatever the size of the cam is.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
-    const CamCurve<X> w = pitch_curve(f);
-    return driving_force(f) * w.speed() / w.y;
+    using std::sqrt;
+    const X y = f.s + lowest_height();
+    const X slope = (f.ds - offset) / where_positive(y, y);
+    return driving_force(f) * sqrt(slope * slope + number<T>(1));
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "machines/model/highest_along_ranges.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/not_a_number.h"
+#include "optim/cycle/proof_time.h"
 
 namespace camlaw::problems {
 
@@ -187,6 +189,12 @@ HighestKernel HighestKernel::asking_proof() const {
   return result;
 }
 
+HighestKernel HighestKernel::looking_along_ranges() const {
+  HighestKernel result = *this;
+  result.looks_along_ = true;
+  return result;
+}
+
 Highest HighestKernel::highest_over(std::span<const Bounds> box) const {
   constexpr Division kDivision{.halvings = 14, .parts = 1000};
   const auto over = [&](const Box& ranges) {
@@ -267,7 +275,11 @@ Box HighestKernel::left(std::span<const double> u) const {
 Point HighestKernel::climbed_highest(const std::vector<Point>& places,
                                      const std::function<double(const Point&)>& value,
                                      std::span<const double> u) const {
-  const std::vector<Point> tops = tops_of(box_at(u), places, value);
+  const Box box = box_at(u);
+  if (optim::ProofTime::is_over()) return tops_of(box, places, value).front();
+  std::vector<Point> all = places;
+  if (looks_along_) all.push_back(highest_along_ranges(box, places, value));
+  const std::vector<Point> tops = tops_of(box, all, value);
   Point best = climb(tops.front(), u);
   if (tops.size() == 1) return best;
   const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };
@@ -347,13 +359,17 @@ std::vector<Bounds> HighestKernel::widened_box(std::span<const Bounds> u, const 
 }
 
 Function highest_of(const Function& f, const Widened& wide, double sign) {
-  auto kernel = std::make_shared<HighestKernel>(f, wide, sign);
-  std::vector<std::size_t> inputs = kernel->own_inputs();
-  return {std::move(inputs), std::move(kernel)};
+  return function_of_highest(HighestKernel(f, wide, sign));
+}
+
+Function function_of_highest(HighestKernel kernel) {
+  std::vector<std::size_t> inputs = kernel.own_inputs();
+  return {std::move(inputs), std::make_shared<const HighestKernel>(std::move(kernel))};
 }
 
 Point told(const Function& f, const Widened& wide, Design x, const Point& p) {
   constexpr double kSame = 1e-12;
+  constexpr double kNear = 1e-7;  // of a range: a climb to a pole at an end stops short of it
   const double value = f.value(wide.design(x, p));
   Point result = p;
   const Box box = wide.box_at(x);
@@ -362,7 +378,10 @@ Point told(const Function& f, const Widened& wide, Design x, const Point& p) {
     for (const double end : {box[i].lower, box[i].upper}) {
       Point other = p;
       other[i] = end;
-      is_same &= std::abs(f.value(wide.design(x, other)) - value) <= kSame * std::abs(value);
+      const double there = f.value(wide.design(x, other));
+      is_same &= std::abs(there - value) <= kSame * std::abs(value);
+      const bool is_near = std::abs(end - p[i]) <= kNear * (box[i].upper - box[i].lower);
+      if (is_near && !(std::abs(there) < std::abs(value))) result[i] = end;
     }
     if (is_same) result[i] = kNaN;
   }

@@ -74,6 +74,9 @@ class HighestKernel final : public optim::Kernel {
   /// With the place that the proof comes upon besides: a search from a grid may miss it.
   std::shared_ptr<const optim::Kernel> proved() const override;
   HighestKernel asking_proof() const;
+  /// That looks closely along each range by itself as well, for what may have tops narrower than
+  /// the grid of places_of, such as resonances.
+  HighestKernel looking_along_ranges() const;
   std::string why_undefined(std::span<const double> u) const override;
 
   /// The place in the ranges; where a value is not a number, the first such place.
@@ -114,12 +117,16 @@ class HighestKernel final : public optim::Kernel {
   double sign_;
   OwnInputs own_;
   bool asks_proof_ = false;
+  bool looks_along_ = false;
   /// What was searched: value, slopes and bends are asked for at one design after the other.
   std::shared_ptr<Recent<Point>> recent_ = std::make_shared<Recent<Point>>();
 };
 
 /// That of a function over a widened design, as a function of the design.
 optim::Function highest_of(const optim::Function& f, const Widened& wide, double sign);
+
+/// A kernel as a function of the design.
+optim::Function function_of_highest(HighestKernel kernel);
 
 /// A place in the ranges, not a number where a range does not change the value there.
 Point told(const optim::Function& f, const Widened& wide, optim::Design x, const Point& p);

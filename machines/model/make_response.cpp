@@ -127,10 +127,13 @@ KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& respons
 }
 
 /// The parameters that vary and decide whether there is a machine at all, of one that names its
-/// conditions.
-std::set<std::string> deciding(const Mechanism& mechanism, const Binding& binding) {
+/// conditions; none where `parameter` itself, whose value is asked for, does not vary.
+std::set<std::string> deciding(const Mechanism& mechanism, std::size_t parameter,
+                               const Binding& binding) {
   std::set<std::string> names;
-  if (!mechanism.why_impossible) return names;
+  const auto& varying = binding.parameters;
+  const bool varies = std::find(varying.begin(), varying.end(), parameter) != varying.end();
+  if (!varies || !mechanism.why_impossible) return names;
   for (const MechanismResponse& response : mechanism.responses) {
     if (response.is_possible) names.merge(deciding(mechanism, response, binding));
   }
@@ -138,8 +141,9 @@ std::set<std::string> deciding(const Mechanism& mechanism, const Binding& bindin
 }
 
 /// Linear, of the machines that are possible.
-KnownShape shape_of_parameter(const Mechanism& mechanism, const Binding& binding) {
-  const std::set<std::string> deciders = deciding(mechanism, binding);
+KnownShape shape_of_parameter(const Mechanism& mechanism, std::size_t parameter,
+                              const Binding& binding) {
+  const std::set<std::string> deciders = deciding(mechanism, parameter, binding);
   if (deciders.empty()) return {.ruled = Shape::Linear};
   const auto proof = convex_by(mechanism, deciders);
   if (!proof) return {};
@@ -168,20 +172,21 @@ struct ParameterFormula {
   }
 };
 
-/// A parameter of the mechanism as a response: not a number where there is no such machine. Its
-/// bounds over a box are those of all machines there.
+/// A parameter of the mechanism as a response: where it varies not a number where there is no such
+/// machine. Its bounds over a box are those of all machines there.
 optim::Function parameter_function(const Mechanism& mechanism, std::size_t parameter,
                                    const Binding& binding) {
-  const std::set<std::string> deciders = deciding(mechanism, binding);
+  const std::set<std::string> deciders = deciding(mechanism, parameter, binding);
   const Binding used = keeping(binding, [&](std::size_t i) {
     return i == parameter || deciders.contains(mechanism.parameters[i].name);
   });
-  const bool varies = std::count(used.parameters.begin(), used.parameters.end(), parameter) > 0;
-  if (deciders.empty() && varies) return optim::variable_function(used.variables.front());
+  if (deciders.empty() && !used.variables.empty()) {
+    return optim::variable_function(used.variables.front());
+  }
   ParameterFormula formula{parameter, used, {}};
   if (!deciders.empty()) formula.why_impossible = mechanism.why_impossible;
   return optim::function<Interval, Series<Interval, 2>>(
-      used.variables, std::move(formula), shape_of_parameter(mechanism, binding).best());
+      used.variables, std::move(formula), shape_of_parameter(mechanism, parameter, binding).best());
 }
 
 }  // namespace
@@ -244,7 +249,7 @@ KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse&
 
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
-  if (name.response == nullptr) return shape_of_parameter(mechanism, binding);
+  if (name.response == nullptr) return shape_of_parameter(mechanism, name.parameter, binding);
   if (!name.response->over_cases.empty()) {
     return shape_over_cases(mechanism, *name.response, binding);
   }

@@ -28,6 +28,11 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
+/// The curve at a place, as a function of the design.
+HighestKernel highest_at(const RangeParts& parts, Place place) {
+  return HighestKernel(parts.curve->at(place), parts.wide, parts.sign).looking_along_ranges();
+}
+
 class RangeTrace final : public optim::Trace {
  public:
   RangeTrace(std::shared_ptr<const RangeParts> parts, Design x)
@@ -78,7 +83,7 @@ class RangeTrace final : public optim::Trace {
   };
 
   Row row_at(Place place) const {
-    Row row{HighestKernel(parts_->curve->at(place), parts_->wide, parts_->sign), {}};
+    Row row{highest_at(*parts_, place), {}};
     for (const std::size_t input : row.highest.own_inputs()) row.u.push_back(x_[input]);
     return row;
   }
@@ -138,7 +143,7 @@ RangeCurve::RangeCurve(RangeParts parts)
     : parts_(std::make_shared<const RangeParts>(std::move(parts))) {}
 
 Function RangeCurve::at(Place place) const {
-  return highest_of(parts_->curve->at(place), parts_->wide, parts_->sign);
+  return function_of_highest(highest_at(*parts_, place));
 }
 
 std::vector<double> RangeCurve::slope_gradient(Place place, Design x) const {
@@ -175,6 +180,8 @@ Box RangeCurve::left(double from, double to, Design x) const {
 double RangeCurve::memory() const { return parts_->curve->memory(); }
 
 Point RangeCurve::worst(Place place, Design x) const {
+  const optim::Deadline none({}, nullptr);
+  const optim::ProofTime unlimited(none);  // as optim::looked_closely, whose place it is
   const RangeTrace trace(parts_, x);
   optim::enclosed_at(trace, place);  // what a proof comes upon counts
   return told(parts_->curve->at(place), parts_->wide, x, trace.worst(place));

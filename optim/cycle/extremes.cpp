@@ -223,9 +223,39 @@ Extreme summit(const Trace& trace, double sign, const Extreme& found) {
 
 }  // namespace
 
-CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
-  constexpr std::int64_t kMostParts = 400'000;
-  const std::int64_t most_parts = PartsOfBounds::looked_at() + kMostParts;
+namespace {
+
+/// With what bounds come upon, however late it is: this value is told.
+double value_in_full(const Trace& trace, Place place) {
+  const Deadline none({}, nullptr);
+  const ProofTime unlimited(none);
+  enclosed_at(trace, place);
+  return trace.at(place)[0];
+}
+
+}  // namespace
+
+Extreme looked_closely(const Trace& trace, double sign, const Extreme& peak) {
+  constexpr int kRounds = 8;
+  Extreme best = peak;
+  for (int round = 0; round < kRounds && std::isfinite(best.value); ++round) {
+    const double value = value_in_full(trace, best.place);
+    if (std::isnan(value)) return {best.place, value};
+    const double before = sign * best.value;
+    if (sign * value > before) best.value = value;
+    if (ProofTime::is_over()) return best;
+    const Extreme top = summit(trace, sign, best);
+    if (sign * top.value > sign * best.value) best = top;
+    if (!(sign * best.value > before)) return best;
+  }
+  return best;
+}
+
+namespace {
+
+/// prove_below that also ends where so many parts of bounds have been looked at.
+CycleProof prove_within(const Trace& trace, double sign, double limit, int most_boxes,
+                        std::int64_t most_parts) {
   const std::vector<double> breaks = trace.breaks();
   std::vector<Stretch> stretches;
   for (std::size_t k = breaks.size() - 1; k > 0; --k) {
@@ -271,9 +301,19 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   return proof;
 }
 
+}  // namespace
+
+CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
+  constexpr std::int64_t kMostParts = 400'000;
+  return prove_within(trace, sign, limit, most_boxes, PartsOfBounds::looked_at() + kMostParts);
+}
+
 ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
   constexpr int kRounds = 200, kMostBoxes = 20000;
   constexpr double kSlack = 1e-9;
+  // A value over ranges whose top is level can be told, but not be proved to so few digits.
+  constexpr std::int64_t kMostParts = 50'000;
+  const std::int64_t most_parts = PartsOfBounds::looked_at() + kMostParts;
   ProvedExtreme result{highest(trace, sign)};
   for (int round = 0; round < kRounds; ++round) {
     const double value = result.peak.value;
@@ -284,7 +324,8 @@ ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
     }
     // A pole on the other side is no scale for this one.
     result.slack = kSlack * std::max(std::abs(value), std::isfinite(scale) ? scale : 0);
-    const CycleProof proof = prove_below(trace, sign, sign * value + result.slack, kMostBoxes);
+    const CycleProof proof =
+        prove_within(trace, sign, sign * value + result.slack, kMostBoxes, most_parts);
     result.proved = proof.proved;
     if (!proof.broken) return result;
     result.peak = proof.worst;

@@ -61,6 +61,11 @@ ProvedExtreme proved_highest(const Trace& trace, double sign, double scale = 0);
 /// The same of a part of a curve, as extreme_of.
 ProvedExtreme proved_extreme_of(const Trace& trace, Part part);
 
+/// A peak that was searched for, with what the bounds at its place come upon: a curve over ranges
+/// may have a top there that a search from a grid has missed. The value is the curve's own at the
+/// place, and no lower than that of `peak`.
+Extreme looked_closely(const Trace& trace, double sign, const Extreme& peak);
+
 /// What can be said of sign * curve <= limit over the whole cycle.
 struct CycleProof {
   bool proved = false;

@@ -9,7 +9,8 @@ namespace camlaw::optim {
 
 /// While one of these lives, the proofs over a cycle that this thread makes end where its deadline
 /// has passed, undecided: the part of the cycle at which they are is what is left. What is searched
-/// for, such as the values that the proofs are about, is found all the same.
+/// for, such as the values that the proofs are about, is found all the same; over ranges of
+/// parameters it is then the highest of a few places, without a climb from there.
 class ProofTime {
  public:
   /// The deadline must outlive it.

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "optim/cycle/proof_time.h"
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
 #include "optim/search/convex_part.h"
@@ -20,7 +20,7 @@
 #include "optim/search/unbounded.h"
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/conditions.h"
-#include "optim/verdict/limits.h"
+#include "optim/verdict/limits_in_haste.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
@@ -221,7 +221,7 @@ void keep_start(const Setting& setting, Trail& trail) {
   trail.sizes = there;
 }
 
-/// Counts the starts that ended at designs as good as the best.
+/// How many starts ended at designs as good as the best.
 int agreed(const std::vector<double>& ends, double best, double size) {
   return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
     return std::abs(end - best) <= 1e-6 * std::max(std::abs(best), size);
@@ -304,11 +304,14 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (!trail.is_infeasible()) conclude_search(setting, ends, trail);
 }
 
-/// Ends a search that was cut short: with the best design so far, judged without a close look.
+/// Ends a search that was cut short: with the best design so far, judged soon and without proofs.
 void end_in_haste(const Setting& setting, Trail& trail) {
+  const Deadline rest(1 + 0.05 * setting.deadline.spent(), nullptr);  // s
+  const ProofTime time(rest);
   const Problem plain = remembered(setting.original);
   const bool sized = trail.sizes.constraints.size() == plain.constraints.size();
   Found& found = trail.found;
+  if (!found.x.empty()) judge_in_haste(plain, found.x, found.assessment);
   const auto take = [&](const std::vector<double>& x) {
     Assessment a = sized ? assess_in_haste(plain, trail.sizes, x) : assess_in_haste(plain, x);
     if (!found.x.empty() && !better(plain, a, found.assessment)) return;
@@ -318,8 +321,7 @@ void end_in_haste(const Setting& setting, Trail& trail) {
   if (!trail.last.empty() && trail.last != found.x) take(trail.last);
   take(plain.start());
   if (trail.is_infeasible()) return;
-  constexpr double kNothing = 1e-3;  // s, the least that a deadline says is left
-  const bool late = setting.deadline.left().value_or(kInfinity) <= kNothing;
+  const bool late = setting.deadline.left().value_or(kInfinity) <= 1e-3;  // s
   found.status = late ? Status::TimeLimit : Status::Stopped;
 }
 

@@ -54,6 +54,8 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
     if (sign * (bound - worst.value) < side.margin)
       side = {worst.value, sign * (bound - worst.value), worst.place};
   };
+  take(looked_closely(trace, sign, {*side.place, side.value}));
+  if (side.margin < -tolerance) return false;  // one place that breaks it is enough
   // A number that is told is proved as well, where that is not the same question.
   const double highest = sign * bound + tolerance;
   if (side.margin > std::max(kToldMargin * std::abs(bound), tolerance)) {
@@ -63,6 +65,7 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
   }
   const CycleProof proof = prove_below(trace, sign, highest);
   take(proof.worst);
+  if (!proof.proved) take(looked_closely(trace, sign, {*side.place, side.value}));
   side.left = proof.left;
   return proof.proved;
 }
@@ -151,7 +154,16 @@ std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& size
 void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
   MaximaAt maxima(x);
   const double sign = upper ? 1 : -1, bound = upper ? *c.upper : *c.lower;
-  show(side_of(c.response, maxima, x, sign, bound), sign, bound, report);
+  SideOfLimit side = side_of(c.response, maxima, x, sign, bound);
+  if (side.place) {
+    const Trace& trace = maxima.trace(c.response.curve());
+    const Extreme worst = looked_closely(trace, sign, {*side.place, side.value});
+    side = {worst.value, sign * (bound - worst.value), worst.place};
+  } else if (c.response.function().is_searched()) {
+    const double value = c.response.function().proved().value(x);
+    side = {value, sign * (bound - value), {}};
+  }
+  show(side, sign, bound, report);
 }
 
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
@@ -167,11 +179,12 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
   const auto trace = objective.response.curve().trace(x);
   const bool lowest = objective.part == Part::Lowest;
   const bool magnitude = objective.part == Part::Magnitude;
-  const Extreme peak = extreme_of(*trace, objective.part);
+  Extreme peak = extreme_of(*trace, objective.part);
+  result.sign = lowest || (magnitude && peak.value < 0) ? -1 : 1;
+  if (prove) peak = looked_closely(*trace, result.sign, peak);
   result.value = peak.value;
   result.angle = peak.place.angle;
   result.from_left = peak.place.from_left;
-  result.sign = lowest || (magnitude && peak.value < 0) ? -1 : 1;
   if (prove) {
     const double found = result.value;
     const double least = 1e-1 * sizes.objective_tolerance;

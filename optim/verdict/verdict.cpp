@@ -10,6 +10,7 @@
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/dual_bound.h"
 #include "optim/verdict/known_limit.h"
+#include "optim/verdict/limits_in_haste.h"
 #include "optim/verdict/unknown_prices.h"
 
 namespace camlaw::optim {
@@ -235,12 +236,21 @@ std::string_view to_string(Verdict verdict) {
 
 namespace {
 
+enum class Closeness {
+  Search,  ///< of a design on the way
+  Haste,   ///< of an answer for whose proofs there is no time
+  Proof
+};
+
 /// Where a design stands: Feasible, or Failed with the reason.
-Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
+Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x,
+                           Closeness closeness) {
+  const bool prove = closeness == Closeness::Proof;
   Assessment result;
   result.variables = variable_reports(problem, x);
   result.objective = objective_report(problem, sizes, x, prove);
   result.limits = limit_reports(problem, sizes, x, prove);
+  if (closeness == Closeness::Haste) look_in_haste(problem, x, result.limits);
   if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the answer");
   } else if (!is_feasible(result)) {
@@ -255,7 +265,7 @@ Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x,
 }  // namespace
 
 Assessment assess_in_haste(const Problem& problem, const Sizes& about, Design x) {
-  return where_it_stands(problem, judged_at(problem, about, x), x, false);
+  return where_it_stands(problem, judged_at(problem, about, x), x, Closeness::Haste);
 }
 
 Assessment assess_in_haste(const Problem& problem, Design x) {
@@ -269,7 +279,8 @@ Assessment assess_in_haste(const Problem& problem, Design x) {
 Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove,
                   const Teller& told) {
   const Sizes sizes = judged_at(problem, about, x);
-  Assessment result = where_it_stands(problem, sizes, x, prove);
+  Assessment result =
+      where_it_stands(problem, sizes, x, prove ? Closeness::Proof : Closeness::Search);
   if (result.verdict == Verdict::Failed) return result;
   const Kkt conditions = kkt(problem, sizes, x, Optimality::Objective, told, prove);
   take_conditions(problem, sizes, conditions, result);

@@ -157,6 +157,17 @@ std::vector<Cell> limit_cells(const optim::LimitReport& report,
           {text.place, report.worst_angle}};
 }
 
+namespace {
+
+/// Why a limit over ranges has no value, where it has none.
+std::string no_value_words(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                           std::size_t number) {
+  if (!std::isnan(side.value)) return {};
+  return problems::why_no_value(design, design.constraints[number].response, side.worst_angle);
+}
+
+}  // namespace
+
 std::string nearness(const optim::LimitReport& side,
                      const std::optional<optim::LimitReport>& other) {
   if (!other || std::isnan(side.margin) || std::isnan(other->margin)) return "";
@@ -182,6 +193,12 @@ Json worst_at_json(const problems::ProblemStatement& design, const problems::Res
   return object;
 }
 
+Json why_no_value_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                       std::size_t number) {
+  const std::string why = no_value_words(side, design, number);
+  return why.empty() ? Json(nullptr) : Json(why);
+}
+
 Json side_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
                std::size_t number) {
   const problems::ResponseName& of = design.constraints[number].response;
@@ -193,6 +210,7 @@ Json side_json(const optim::LimitReport& side, const problems::ProblemStatement&
           {"worst_angle_deg", json_value(side.worst_angle)},
           {"worst_at", worst_at_json(design, of, side.worst_angle)},
           {"proved", side.proved},
+          {"why_no_value", why_no_value_json(side, design, number)},
           {"undecided", undecided_json(side, design, number)},
           {"why_not_proved", why_not_proved_json(side, design, number)}};
 }
@@ -215,9 +233,8 @@ std::string why_not_proved(const problems::ProblemStatement& design,
     names.push_back(design.mechanism->parameters[range.parameter].name);
   }
   if (names.empty()) return "";
-  return fmt::format("the {} of {} {} whether the machine is possible",
-                     names.size() == 1 ? "range" : "ranges", problems::listed(names),
-                     names.size() == 1 ? "decides" : "decide");
+  return fmt::format("the {} of {} may decide whether the machine is possible",
+                     names.size() == 1 ? "range" : "ranges", problems::listed(names));
 }
 
 Json why_not_proved_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
@@ -229,6 +246,8 @@ Json why_not_proved_json(const optim::LimitReport& side, const problems::Problem
 
 std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
                            std::size_t number) {
+  const std::string why = no_value_words(side, design, number);
+  if (!why.empty()) return fmt::format("{} has no value: {}\n", side.name, why);
   if (!side.met || side.proved) return "";
   return open_line(side.name, undecided(side, design, number).words,
                    why_not_proved(design, design.constraints[number].response));
@@ -270,14 +289,14 @@ std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& te
 }  // namespace
 
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design) {
-  Table table{
-      .key = "constraints",
-      .columns = {words("limit", "name"), numbers("value", "value"), numbers("bound", "bound"),
-                  data("side"), numbers("margin", "margin"), words("unit", "unit"),
-                  numbers("at", "worst_angle_deg"), data("worst_at"), data("met"),
-                  data("tolerance"), words("proved", "proved"), data("undecided"),
-                  data("why_not_proved"), data("other_side"), data("required_by")},
-      .shown = 0};
+  Table table{.key = "constraints",
+              .columns = {words("limit", "name"), numbers("value", "value"),
+                          numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
+                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("worst_at"),
+                          data("met"), data("tolerance"), words("proved", "proved"),
+                          data("why_no_value"), data("undecided"), data("why_not_proved"),
+                          data("other_side"), data("required_by")},
+              .shown = 0};
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     const optim::LimitReport& limit = sided.limits[i];
     std::vector<Cell> cells = limit_cells(limit, design.constraints[i]);
@@ -287,6 +306,7 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
     cells.push_back(datum(limit.met));
     cells.push_back(datum(limit.tolerance));
     cells.push_back(yes_or_no(limit.proved));
+    cells.push_back(datum(why_no_value_json(limit, design, i)));
     cells.push_back(datum(undecided_json(limit, design, i)));
     cells.push_back(datum(why_not_proved_json(limit, design, i)));
     cells.push_back(

@@ -51,17 +51,23 @@ SidedLimits both_sides(const problems::ProblemStatement& design,
 Json worst_at_json(const problems::ProblemStatement& design, const problems::ResponseName& of,
                    const std::optional<double>& place);
 
+/// Why a limit over ranges has no value (problems::why_no_value), for programs; null where it has
+/// one, and where no range matters.
+Json why_no_value_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
+                       std::size_t number);
+
 /// What a proof of a limit that is met left open: by `from` and `to` the stretch of a curve's cycle
 /// at which it was given up, and `ranges`, by the parameters' names `lower`, `upper` and `unit`;
 /// null where it is proved and where nothing is known.
 Json undecided_json(const optim::LimitReport& side, const problems::ProblemStatement& design,
                     std::size_t number);
-/// The same for people, on a line, or why nothing is proved; empty where neither is known.
+/// The same for people, on a line, or why nothing is proved or there is no value; empty where none
+/// of these is known.
 std::string undecided_line(const optim::LimitReport& side, const problems::ProblemStatement& design,
                            std::size_t number);
 
-/// Why nothing is proved of a curve over ranges, "the range of stroke decides whether the machine
-/// is possible"; empty where that is not why.
+/// Why nothing is proved of a curve over ranges, "the range of offset may decide whether the
+/// machine is possible"; empty where that is not why.
 std::string why_not_proved(const problems::ProblemStatement& design,
                            const problems::ResponseName& of);
 /// The same of a limit that is met and not proved, for programs; else null.

@@ -7,6 +7,7 @@
 
 #include "machines/model/law_binding.h"
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/remembered.h"
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/added_part.h"
@@ -208,6 +209,7 @@ std::vector<optim::LimitReport> standing(const ProblemStatement& statement) {
   problem.objectives = {optim::no_objective()};
   problem.constraints = constraints_of(statement, fixed(statement));
   problem.check();
+  problem = optim::remembered(std::move(problem));  // a search over ranges takes long
   return as_stated(statement, optim::limit_reports(problem, optim::sizes(problem, {}), {}, true));
 }
 

@@ -5,6 +5,7 @@
 
 #include "machines/model/law_binding.h"
 #include "machines/model/load_case.h"
+#include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
 
@@ -42,6 +43,28 @@ std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const 
     places.push_back({p.name, p.unit, worst[i]});
   }
   return places;
+}
+
+std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
+                         const std::optional<double>& place) {
+  if (of.response == nullptr) return {};
+  if (!of.response->over_cases.empty()) {
+    const auto in = place ? place_in_case(of, *place) : std::nullopt;
+    if (!in) return {};
+    return why_no_value(design, of.response->over_cases.at(in->part), in->place);
+  }
+  const std::vector<PlaceInRange> worst = worst_in_ranges(design, of, place);
+  if (worst.empty()) return {};
+  const MechanismResponse& own = *of.response->over_ranges->of;
+  if (find_response(*design.mechanism, own.name).response == nullptr) return {};
+  ProblemStatement there = design;
+  for (const PlaceInRange& p : worst) {
+    there.constants[design.mechanism->parameter(p.parameter)] = p.value;
+  }
+  const EvaluatedResponse value = evaluate_response(there, own);
+  if (std::isfinite(value.is_curve ? value.highest : value.value))
+    return fmt::format("it grows without bound about {}", words_of(worst));
+  return fmt::format("it does not exist at {}", words_of(worst));
 }
 
 std::string words_of(const std::vector<PlaceInRange>& places) {

@@ -70,6 +70,11 @@ struct PlaceInRange {
 /// range matters.
 std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const ResponseName& of,
                                           const std::optional<double>& place);
+/// Why a limit or an objective whose value is not a number has none, by its worst place in the
+/// ranges: "it does not exist at train_stiffness = 0 N/mm", "it grows without bound about speed =
+/// 395 rpm". Empty where no range matters.
+std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
+                         const std::optional<double>& place);
 /// "speed = 400 rpm and load = 0 N".
 std::string words_of(const std::vector<PlaceInRange>& places);
 

@@ -135,6 +135,7 @@ struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   cli::SidedLimits sided;
   std::vector<problems::Json> worst_at;                 ///< of each limit (cli::worst_at_json)
+  std::vector<problems::Json> why_no_value;             ///< of each limit (why_no_value_json)
   std::vector<problems::Json> undecided;                ///< of each limit (cli::undecided_json)
   std::vector<problems::Json> why_not_proved;           ///< of each limit (why_not_proved_json)
   std::vector<problems::Json> other_side;               ///< of each limit (cli::side_json), or null
@@ -159,6 +160,7 @@ nb::dict evaluated(const StatedProblem& problem, std::optional<double> time_limi
       const auto& other = all.sided.others[i];
       all.worst_at.push_back(
           cli::worst_at_json(statement, limit.response, all.sided.limits[i].worst_angle));
+      all.why_no_value.push_back(cli::why_no_value_json(all.sided.limits[i], statement, i));
       all.undecided.push_back(cli::undecided_json(all.sided.limits[i], statement, i));
       all.why_not_proved.push_back(cli::why_not_proved_json(all.sided.limits[i], statement, i));
       all.other_side.push_back(other ? cli::side_json(*other, statement, i) : nullptr);
@@ -178,6 +180,7 @@ nb::dict evaluated(const StatedProblem& problem, std::optional<double> time_limi
     nb::dict limit = nb::cast<nb::dict>(limits[i]);
     const auto& by = found.required_by[i];
     limit["worst_at"] = python_of(found.worst_at[i]);
+    limit["why_no_value"] = python_of(found.why_no_value[i]);
     limit["undecided"] = python_of(found.undecided[i]);
     limit["why_not_proved"] = python_of(found.why_not_proved[i]);
     limit["other_side"] = python_of(found.other_side[i]);

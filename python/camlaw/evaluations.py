@@ -61,8 +61,8 @@ class Evaluation(Answer):
 
     @property
     def margins(self) -> Any:
-        """A table of the limits: value, bound, side, margin, unit, at, worst_at, met, proved, undecided,
-        why_not_proved."""
+        """A table of the limits: value, bound, side, margin, unit, at, worst_at, met, proved,
+        why_no_value, undecided, why_not_proved."""
         return tables.of_rows(self._limits, index="name")
 
     @property

@@ -123,10 +123,10 @@ TEST_CASE("why nothing is proved over a range that decides whether there is a ma
       "speed = '100 rpm'\nspring_preload = '120 N'\n"
       "[program]\nsegments = [{name = 'rise', angle = 90, law = 'modified-sine'}, "
       "{name = 'high', angle = 70}, {name = 'back', angle = 110, law = 'cycloidal'}, "
-      "{name = 'low'}]\n[ranges.stroke]\nlower = '20 mm'\nupper = '25 mm'\n"
+      "{name = 'low'}]\n[ranges.offset]\nlower = '0 mm'\nupper = '5 mm'\n"
       "[[constraints]]\nresponse = 'follower_force'\nlower = '0 N'\nupper = '2000 N'\n";
   std::ofstream(own) << cam;
-  const std::string why = "the range of stroke decides whether the machine is possible";
+  const std::string why = "the range of offset may decide whether the machine is possible";
   const ParsedJson json = json_of({"evaluate", own, "--json"});
   for (const ParsedJson& limit : json.at("constraints")) {
     INFO(limit.at("name"));

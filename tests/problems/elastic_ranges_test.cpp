@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Limits on an elastic follower train over ranges, against sums over harmonics that were made with
 // NumPy over a fine grid of speeds and angles and refined by a simplex search.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <ctime>
@@ -10,6 +12,7 @@
 
 #include "machines/model/box_traces.h"
 #include "machines/registry.h"
+#include "optim/cycle/proof_time.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -256,6 +259,102 @@ TEST_CASE("a resonance that the search misses between its places is found by the
     CHECK(worst[0].value == Approx(speed).margin(0.1));
     CHECK(worst[1].value == Approx(0.005));
   }
+}
+
+namespace {
+
+/// A valve with so little damping that its resonances are narrow.
+ProblemStatement quiet(const std::string& constants, const std::string& more = "") {
+  return read(valve("spring_preload = '200 N'\n" + constants, more));
+}
+
+/// The elastic force at one place of the turn and of the ranges.
+double force_at(const std::vector<PlaceInRange>& ranges, double angle) {
+  ProblemStatement one = quiet("speed = '900 rpm'\ntrain_damping = 0.005\n");
+  for (const PlaceInRange& p : ranges)
+    one.constants[one.mechanism->parameter(p.parameter)] = p.value;
+  for (const optim::Response& curve : curves_of(one)) {
+    if (curve.name == "elastic_force") return curve.curve().trace({})->at({angle})[0];
+  }
+  FAIL("no elastic_force");
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a worst value over ranges is that of the worst place that is told", "[elastic-ranges]") {
+  const std::string third = GENERATE("train_damping = 0.005\n", "");
+  const std::string ranges =
+      kSpeeds + "[ranges.train_stiffness]\nlower = '700 N/mm'\nupper = '900 N/mm'\n" +
+      (third.empty() ? "[ranges.train_damping]\nlower = 0.005\nupper = 0.05\n" : "");
+  const ProblemStatement problem = quiet(third, ranges + limit("elastic_force", "lower", "-890 N"));
+  const auto force_there = [&](const optim::LimitReport& found) {
+    const auto& of = problem.constraints.front().response;
+    return force_at(worst_in_ranges(problem, of, found.worst_angle), *found.worst_angle);
+  };
+  const auto found = standing(problem).front();
+  CHECK_FALSE(found.met);
+  // By sums over harmonics, at 900 rpm and 818.986 N/mm.
+  CHECK(found.value == Approx(-903.496).epsilon(1e-6));
+  CHECK(found.value == Approx(force_there(found)).epsilon(1e-9));
+
+  // Without time for a search the value is the worst that was seen, and of its place all the same.
+  const optim::Deadline passed(0.0, nullptr);
+  const optim::ProofTime none(passed);
+  optim::LimitReport seen;
+  CHECK(seconds([&] { seen = standing(problem).front(); }) < 20);
+  CHECK(none.has_ended_any());
+  CHECK_FALSE(seen.proved);
+  CHECK(seen.value == Approx(force_there(seen)).epsilon(1e-9));
+}
+
+TEST_CASE("a search over ranges that its time limit ends tells a value of the told place",
+          "[elastic-ranges]") {
+  const std::string ranges =
+      kSpeeds + "[ranges.train_stiffness]\nlower = '700 N/mm'\nupper = '900 N/mm'\n";
+  const std::string asked =
+      "[variables.spring_preload]\nlower = '0 N'\nupper = '3000 N'\nstart = '1000 N'\n"
+      "[objective]\nminimize = 'spring_preload'\n";
+  const std::string damping = "train_damping = 0.005\n",
+                    no_jump = limit("elastic_force", "lower", "0 N");
+  const BoundProblem bound(read(valve(damping + ranges, asked + no_jump)));
+  optim::OptimiseOptions soon = kOnce;
+  soon.time_limit = GENERATE(0.01, 0.5);
+  const auto found = optim::optimise(bound.space(), soon).found;
+  INFO(found.assessment.reason);
+  REQUIRE(found.x.size() == 1);
+  const auto& told = found.assessment.limits.front();
+  CHECK((told.proved || told.left || !told.met));
+  // The preload, of 200 N here, adds to the force and changes no place.
+  const ProblemStatement problem = quiet(damping, ranges + no_jump);
+  const auto place =
+      worst_in_ranges(problem, problem.constraints.front().response, told.worst_angle);
+  const double there = force_at(place, *told.worst_angle) + found.x.front() - 200;
+  CHECK(told.value == Approx(there).epsilon(1e-8).margin(1e-6));
+}
+
+TEST_CASE("a limit over ranges without a value says why it has none", "[elastic-ranges]") {
+  const auto why = [](const std::string& constants, const std::string& ranges) {
+    const ProblemStatement problem =
+        quiet(constants, ranges + limit("elastic_force", "lower", "0 N"));
+    const auto found = standing(problem).front();
+    CHECK(std::isnan(found.value));
+    CHECK_FALSE(found.met);
+    return why_no_value(problem, problem.constraints.front().response, found.worst_angle);
+  };
+  const auto from_zero = [](const std::string& name, const std::string& upper,
+                            const std::string& unit) {
+    return "[ranges." + name + "]\nlower = '0" + unit + "'\nupper = '" + upper + unit + "'\n";
+  };
+  const std::string undamped = "train_damping = 0\n";
+  const std::string fast = "speed = '900 rpm'\n", damped = fast + "train_damping = 0.04\n";
+  CHECK_THAT(why(damped, from_zero("train_stiffness", "900", " N/mm")),
+             Contains("it does not exist at train_stiffness = 0 N/mm"));
+  CHECK_THAT(why(damped, from_zero("mass", "0.8", " kg")),
+             Contains("it does not exist at mass = 0 kg"));
+  CHECK_THAT(why(undamped, kSpeeds), Contains("it grows without bound about speed = "));
+  CHECK_THAT(why("", kSpeeds + from_zero("train_damping", "0.05", "")),
+             Contains(" speed = ") && Contains("train_damping = 0") && !Contains("e-"));
 }
 
 TEST_CASE("what a proof leaves open is told by stretch and by parameters", "[elastic-ranges]") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 
 #include "machines/model/highest_in_box.h"
 #include "optim/cycle/extremes.h"
@@ -88,6 +89,23 @@ TEST_CASE("Limits from both sides are looked at each over the whole range") {
   CHECK(limits[1].value == Approx(lowest).epsilon(1e-9));
   CHECK(limits[0].proved);
   CHECK(limits[1].proved);
+}
+
+TEST_CASE("A force in a dwell, which a range does not change, is proved soon") {
+  const ProblemStatement ranged =
+      read(cam("speed = '300 rpm'\n[ranges.roller_radius]\nlower = '5 mm'\nupper = '20 mm'\n",
+               "[[constraints]]\nresponse = 'contact_force'\nlower = '119.988 N'\n"
+               "upper = '400 N'\n"));
+  std::vector<optim::LimitReport> limits;
+  const std::clock_t begin = std::clock();
+  limits = standing(ranged);
+  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 5);  // 0.3 s
+  REQUIRE(limits.size() == 2);
+  for (const auto& one : limits) {
+    INFO(one.value);
+    CHECK(one.met);
+    CHECK(one.proved);
+  }
 }
 
 TEST_CASE("A worst value inside the range is found and proved there") {
