@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "problems/statement/parameters.h"
 
@@ -43,12 +44,39 @@ std::string why_impossible(const ProblemStatement& statement) {
                      fmt::join(values, ", "), why);
 }
 
+namespace {
+
+/// The condition that fails a millionth of a variable's box beside a design; empty where none does.
+std::string condition_beside(const BoundProblem& bound, const optim::Optimum& optimum) {
+  constexpr double kBeside = 1e-6;
+  for (std::size_t i = 0; i < optimum.found.x.size(); ++i) {
+    const optim::Variable& v = optimum.problem.variables[i];
+    if (v.integer || !std::isfinite(v.upper - v.lower)) continue;
+    for (const double side : {-kBeside, kBeside}) {
+      std::vector<double> x = optimum.found.x;
+      x[i] = std::clamp(x[i] + side * (v.upper - v.lower), v.lower, v.upper);
+      const ProblemStatement there = bound.at(optimum.options, x);
+      const auto& why_impossible = there.mechanism->why_impossible;
+      if (std::string why = why_impossible ? why_impossible(there.constants) : ""; !why.empty())
+        return why;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 void say_impossible(const BoundProblem& bound, optim::Optimum& optimum) {
   optim::Assessment& assessment = optimum.found.assessment;
-  if (assessment.verdict != optim::Verdict::Failed) return;
   if (optimum.found.x.size() != optimum.problem.variables.size()) return;
-  const std::string why = why_impossible(bound.at(optimum.options, optimum.found.x));
-  if (!why.empty()) assessment.reason += ": " + why;
+  if (assessment.verdict == optim::Verdict::Failed) {
+    const std::string why = why_impossible(bound.at(optimum.options, optimum.found.x));
+    if (!why.empty()) assessment.reason += ": " + why;
+  } else if (assessment.verdict == optim::Verdict::Feasible) {
+    const std::string why = condition_beside(bound, optimum);
+    if (!why.empty())
+      assessment.reason += "; it ended beside machines that are not possible: " + why;
+  }
 }
 
 }  // namespace camlaw::problems

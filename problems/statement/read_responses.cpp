@@ -13,6 +13,7 @@
 #include "problems/statement/ranges.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
+#include "problems/statement/validity.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::problems {
@@ -227,37 +228,6 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   return constraint;
 }
 
-/// Whether the machine has what a limit of validity is about: the parameter that brings it is not 0
-/// everywhere.
-bool concerns(const ProblemStatement& problem, const ValidityLimit& limit) {
-  if (limit.only_with.empty()) return true;
-  const std::size_t parameter = problem.mechanism->parameter(limit.only_with);
-  if (problem.constants[parameter] != 0) return true;
-  const auto is_it = [&](const auto& own) { return own.parameter == parameter; };
-  const auto sets_it = [&](const LoadCase& load) {
-    return std::any_of(load.parameters.begin(), load.parameters.end(),
-                       [&](const auto& value) { return value.first == parameter; });
-  };
-  return std::any_of(problem.variables.begin(), problem.variables.end(),
-                     [&](const auto& v) { return !v.of_law && is_it(v); }) ||
-         std::any_of(problem.ranges.begin(), problem.ranges.end(), is_it) ||
-         std::any_of(problem.cases.begin(), problem.cases.end(), sets_it);
-}
-
-/// Adds a limit of validity, where the file has none as tight.
-void add_validity(const ValidityLimit& limit, const std::string& required_by,
-                  ProblemStatement& problem) {
-  for (const ConstraintStatement& c : problem.constraints) {
-    if (c.response.name != limit.response) continue;
-    const bool above = std::isinf(limit.lower) || (c.lower && *c.lower >= limit.lower);
-    const bool below = std::isinf(limit.upper) || (c.upper && *c.upper <= limit.upper);
-    if (above && below) return;
-  }
-  ConstraintStatement required = valid_limit(*problem.mechanism, limit);
-  required.required_by = required_by;
-  for (auto& side : over_ranges(problem, required)) problem.constraints.push_back(std::move(side));
-}
-
 /// Those of the responses that are sought or limited, which `as_named` the file has.
 void add_validity_of(const ResponseName& name, const std::string& as_named,
                      ProblemStatement& problem) {
@@ -366,9 +336,7 @@ void read_constraints(const Entry& file, ProblemStatement& problem) {
       }
     }
   }
-  for (const ValidityLimit& limit : problem.mechanism->validity) {
-    if (concerns(problem, limit)) add_validity(limit, "the mechanism", problem);
-  }
+  limit_to_validity(problem);
   for (const ObjectiveStatement& objective : problem.objectives) {
     add_validity_of(objective.response, as_named(objective), problem);
   }

@@ -20,6 +20,7 @@
 #include "problems/statement/reading.h"
 #include "problems/statement/restated.h"
 #include "problems/statement/table_settings.h"
+#include "problems/statement/validity.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::problems {
@@ -362,6 +363,7 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   if (has_fit) renew(changed);  // its offsets are those of the size
   check_laws(changed);          // values that are possible together only come together
   check_advancing_cycle(changed);
+  limit_to_validity(changed);
   limit_to_checks(changed);
   limit_to_laws(changed);
   changed.settings.insert(changed.settings.end(), assignments.begin(), assignments.end());

@@ -237,7 +237,10 @@ TEST_CASE("evaluate computes every response at the values that are set", "[progr
 
 TEST_CASE("evaluate tells limits from the side that was written", "[program]") {
   const std::string text = done({"evaluate", shipped("least_radius.toml")});
-  CHECK_THAT(text, Contains("met peak cam_pressure_angle = 27.17028 <= 30 deg (worst at 270 deg)"));
+  // As high at both of its peaks.
+  CHECK_THAT(text,
+             Contains("met peak cam_pressure_angle = 27.17028 <= 30 deg (worst at 270 deg)") ||
+                 Contains("met peak cam_pressure_angle = 27.17028 <= 30 deg (worst at 90 deg)"));
   const ParsedJson all = json_of({"evaluate", shipped("least_radius.toml"), "--json"});
   CHECK(all["constraints"][0]["side"] == "upper");
 }

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -23,8 +24,10 @@ std::string cam(const std::string& constants, double to = 1, const std::string& 
 }
 
 /// How far the contact stays before its guide, mm; nothing where that is no limit of the problem.
-std::optional<double> overhang_left(const std::string& text) {
-  const ProblemStatement problem = read_problem(text, "f.toml");
+std::optional<double> overhang_left(const std::string& text,
+                                    const std::vector<std::string>& settings = {}) {
+  ProblemStatement problem = read_problem(text, "f.toml");
+  for (const std::string& setting : settings) set_value(problem, setting);
   for (const optim::LimitReport& limit : standing(problem)) {
     if (limit.name == "guide_overhang") return limit.value;
   }
@@ -47,6 +50,16 @@ TEST_CASE("without friction in the guide nothing is asked of the overhang", "[bu
   CHECK_FALSE(overhang_left(cam("stroke = 30\noverhang = 20\nguide_friction = 0\n")));
   CHECK(overhang_left(
       cam("stroke = 30\noverhang = 20\n", 1, "[ranges.guide_friction]\nlower = 0\nupper = 0.1\n")));
+  CHECK(overhang_left(cam("stroke = 30\noverhang = 20\nguide_friction = 0\n", 1,
+                          "[variation.guide_friction]\nplus = 0.2\nminus = 0\n")));
+}
+
+TEST_CASE("friction in the guide that is set later brings its limit, or takes it away",
+          "[buildable]") {
+  const std::string without = cam("stroke = 30\noverhang = 20\n");
+  CHECK(*overhang_left(without, {"guide_friction=0.2"}) == Approx(-10));
+  CHECK_FALSE(overhang_left(without, {"guide_friction=0.2", "guide_friction=0"}));
+  CHECK_FALSE(overhang_left(cam(kGuided + "overhang = 20\n"), {"guide_friction=0"}));
 }
 
 TEST_CASE("the shortest guide is found where the contact may enter it", "[buildable][optimise]") {
