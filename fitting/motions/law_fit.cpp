@@ -150,7 +150,6 @@ Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& la
   const auto member_of = [&](const optim::FitResult& fit) {
     return with_coefficients(law, law_residuals.told(fit, options.confidence), first, options.skew);
   };
-  std::optional<optim::FitResult> best;
   auto starts = law_starts(samples, law, parameters, options);
   if (!starts) return starts.reason();
   if (are_very_many(samples) && options.loss == optim::Loss::None) {
@@ -160,11 +159,8 @@ Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& la
       near = fit_options(options, FitReach::Rough);
     }
   }
-  for (const std::vector<double>& start : *starts) {
-    auto fit = optim::possible_fit(starting_at(own, start), residuals, near);
-    if (!fit) return fit.reason();
-    if (!best || fit->merit < best->merit) best = std::move(*fit);
-  }
+  auto best = best_fit(own, residuals, near, *starts);
+  if (!best) return best.reason();
   const auto found = member_of(*best).possible_law();
   if (!found) return found.reason();
   const Jumps jumps = jumps_of(*found, samples.order);

@@ -151,6 +151,18 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
   return best_of(std::move(found));
 }
 
+Possible<optim::FitResult> best_fit(const FitParameters& own, const optim::Residuals& residuals,
+                                    const optim::FitOptions& options,
+                                    const std::vector<std::vector<double>>& starts) {
+  std::optional<optim::FitResult> best;
+  for (const std::vector<double>& start : starts) {
+    auto fit = optim::possible_fit(starting_at(own, start), residuals, options);
+    if (!fit) return fit.reason();
+    if (!best || fit->merit < best->merit) best = std::move(*fit);
+  }
+  return *std::move(best);
+}
+
 bool are_very_many(const MotionSamples& samples) { return samples_of_mean(samples) >= 4; }
 
 Possible<std::vector<std::vector<double>>> end_of_means(
@@ -158,14 +170,9 @@ Possible<std::vector<std::vector<double>>> end_of_means(
     const LawFitOptions& options, const std::vector<std::vector<double>>& starts) {
   const LawResiduals means(means_of(samples, samples_of_mean(samples)), law, options.skew,
                            parameters);
-  const FitParameters own = means.own();
-  const optim::FitOptions near = fit_options(options, optim::FitReach::Near);
-  std::optional<optim::FitResult> best;
-  for (const std::vector<double>& start : starts) {
-    auto fit = optim::possible_fit(starting_at(own, start), means.residuals(), near);
-    if (!fit) return fit.reason();
-    if (!best || fit->merit < best->merit) best = std::move(*fit);
-  }
+  const auto best =
+      best_fit(means.own(), means.residuals(), fit_options(options, optim::FitReach::Near), starts);
+  if (!best) return best.reason();
   return std::vector<std::vector<double>>{values_of(*best)};
 }
 

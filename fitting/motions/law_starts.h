@@ -15,6 +15,11 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
                                                       const FitParameters& parameters,
                                                       const LawFitOptions& options);
 
+/// The fit of least merit of those from each of the starts; impossible where one of them is.
+Possible<optim::FitResult> best_fit(const FitParameters& own, const optim::Residuals& residuals,
+                                    const optim::FitOptions& options,
+                                    const std::vector<std::vector<double>>& starts);
+
 /// Whether there are so many samples that means of neighbours tell nearly all that they do.
 bool are_very_many(const MotionSamples& samples);
 

@@ -140,10 +140,8 @@ std::set<std::string> deciding(const Mechanism& mechanism, std::size_t parameter
   return names;
 }
 
-/// Linear, of the machines that are possible.
-KnownShape shape_of_parameter(const Mechanism& mechanism, std::size_t parameter,
-                              const Binding& binding) {
-  const std::set<std::string> deciders = deciding(mechanism, parameter, binding);
+/// Of a parameter: linear, of the machines that are possible.
+KnownShape shape_of_parameter(const Mechanism& mechanism, const std::set<std::string>& deciders) {
   if (deciders.empty()) return {.ruled = Shape::Linear};
   const auto proof = convex_by(mechanism, deciders);
   if (!proof) return {};
@@ -186,7 +184,7 @@ optim::Function parameter_function(const Mechanism& mechanism, std::size_t param
   ParameterFormula formula{parameter, used, {}};
   if (!deciders.empty()) formula.why_impossible = mechanism.why_impossible;
   return optim::function<Interval, Series<Interval, 2>>(
-      used.variables, std::move(formula), shape_of_parameter(mechanism, parameter, binding).best());
+      used.variables, std::move(formula), shape_of_parameter(mechanism, deciders).best());
 }
 
 }  // namespace
@@ -249,7 +247,8 @@ KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse&
 
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
-  if (name.response == nullptr) return shape_of_parameter(mechanism, name.parameter, binding);
+  if (name.response == nullptr)
+    return shape_of_parameter(mechanism, deciding(mechanism, name.parameter, binding));
   if (!name.response->over_cases.empty()) {
     return shape_over_cases(mechanism, *name.response, binding);
   }

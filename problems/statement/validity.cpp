@@ -55,20 +55,13 @@ void add_validity(const ValidityLimit& limit, const std::string& required_by,
 
 void limit_to_validity(ProblemStatement& problem) {
   for (const ValidityLimit& limit : problem.mechanism->validity) {
-    if (limit.only_with.empty()) {
+    if (concerns(problem, limit)) {
       add_validity(limit, kMechanism, problem);
-      continue;
+    } else {
+      std::erase_if(problem.constraints, [&](const ConstraintStatement& c) {
+        return c.required_by == kMechanism && c.response.name == limit.response;
+      });
     }
-    const bool is_there = std::any_of(
-        problem.constraints.begin(), problem.constraints.end(), [&](const ConstraintStatement& c) {
-          return c.required_by == kMechanism && c.response.name == limit.response;
-        });
-    const bool is_wanted = concerns(problem, limit);
-    if (is_wanted && !is_there) add_validity(limit, kMechanism, problem);
-    if (is_wanted || !is_there) continue;
-    std::erase_if(problem.constraints, [&](const ConstraintStatement& c) {
-      return c.required_by == kMechanism && c.response.name == limit.response;
-    });
   }
 }
 
