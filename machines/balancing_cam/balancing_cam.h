@@ -43,13 +43,13 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   std::array<T, 2> breaks() const { return {lift_off, this->engagement()}; }
   bool moves(std::size_t section) const { return section != Locked; }
 
-  Possibility is_possible() const {
-    if (const Possibility of_drive = Drive::is_possible(); !of_drive) return of_drive;
-    if (const Possibility of_spring = spring().is_possible(); !of_spring) return of_spring;
-    return {{value_of(preload_ratio) > 0, "preload_ratio must be above 0"},
-            {value_of(springs) > 0, "springs must be above 0"},
-            {value_of(lift_off) <= value_of(this->engagement()) + kRounding,
-             lift_off_words(this->geneva())}};
+  auto conditions() const {
+    const T latest = this->engagement() + number<T>(kRounding);
+    return joined(
+        joined(Drive::conditions(), spring().conditions()),
+        std::to_array<Condition<T>>({{preload_ratio, "preload_ratio must be above 0"},
+                                     {springs, "springs must be above 0"},
+                                     {latest - lift_off, lift_off_words(this->geneva()), true}}));
   }
   static const char* lift_off_words(const PlanarGeneva<T>&) {
     return "lift_off must be at most 180 deg - 360 deg / slots";

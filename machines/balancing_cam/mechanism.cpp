@@ -289,7 +289,6 @@ Mechanism balancing_cam(const char* name, const char* title) {
        .moved_by = MovedBy::Nothing,
        .validity = {{"flattening", 1}},
        .form = Form::BalancingCam,
-       .possible = {{{"outer_diameter", "inner_diameter"}, "DS5"}},
        .why_impossible = why_impossible_as<M>},
       {undercut_checks(), stress_checks()});
 }

@@ -104,9 +104,6 @@ Mechanism conjugate_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscConjugate,
-       .possible = {{{"stroke", "roller_distance"}, "DS2"},
-                    {{"base_radius"}, "DS2"},
-                    {{"roller_radius"}, "DS2"}},
        .why_impossible = why_impossible_as<ConjugateCam>},
       {conjugate_checks(), guide_checks()});
 }

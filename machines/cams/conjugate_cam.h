@@ -56,15 +56,19 @@ struct ConjugateCam {
     const T height = second_height();
     return sqrt(offset * offset + height * height) - roller_radius;
   }
-  Possibility is_possible() const {
-    if (const Possibility of_main = main().is_possible(); !of_main) return of_main;
-    return {{value_of(base_radius) > 0, "base_radius must be above 0"},
-            {value_of(second_height()) > 0,
-             "roller_distance must be above stroke + sqrt((base_radius + roller_radius)^2 - "
-             "offset^2)"},
-            {value_of(second_base_radius()) > 0,
-             "roller_distance must be so far above stroke + sqrt((base_radius + roller_radius)^2 - "
-             "offset^2) that the second cam has a base radius"}};
+  auto conditions() const {
+    using std::sqrt;
+    const T inside = roller_radius * roller_radius - offset * offset;
+    return joined(
+        main().conditions(),
+        std::to_array<Condition<T>>(
+            {{base_radius, "base_radius must be above 0"},
+             {second_height(),
+              "roller_distance must be above stroke + sqrt((base_radius + roller_radius)^2 - "
+              "offset^2)"},
+             {second_height() - sqrt(greater_of(inside, number<T>(0))),
+              "roller_distance must be so far above stroke + sqrt((base_radius + "
+              "roller_radius)^2 - offset^2) that the second cam has a base radius"}}));
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};

@@ -35,7 +35,9 @@ struct EndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const { return {{value_of(radius) > 0, "radius must be above 0"}}; }
+  auto conditions() const {
+    return std::to_array<Condition<T>>({{radius, "radius must be above 0"}});
+  }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }

@@ -36,8 +36,8 @@ struct FlatCam {
   T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
   T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
 
-  Possibility is_possible() const {
-    return {{value_of(base_radius) > 0, "base_radius must be above 0"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>({{base_radius, "base_radius must be above 0"}});
   }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};

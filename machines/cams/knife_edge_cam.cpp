@@ -123,7 +123,6 @@ Mechanism knife_edge_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscKnifeEdge,
-       .possible = {{{"base_radius", "offset"}, "DS1"}},
        .why_impossible = why_impossible_as<KnifeEdgeCam>},
       {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }

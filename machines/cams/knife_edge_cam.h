@@ -49,10 +49,10 @@ struct KnifeEdgeCam {
             .guide_length = guide_length,
             .overhang = overhang};
   }
-  Possibility is_possible() const {
-    const double e = value_of(offset), base = value_of(base_radius);
-    return {{base > 0, "base_radius must be above 0"},
-            {e * e < base * base, "offset must be less in size than base_radius"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{base_radius, "base_radius must be above 0"},
+         {base_radius - absolute(offset), "offset must be less in size than base_radius"}});
   }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   FollowerLoad<T> follower() const { return edge().follower(); }

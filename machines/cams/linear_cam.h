@@ -35,7 +35,9 @@ struct LinearCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const { return {{value_of(travel) > 0, "travel must be above 0"}}; }
+  auto conditions() const {
+    return std::to_array<Condition<T>>({{travel, "travel must be above 0"}});
+  }
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {

@@ -65,7 +65,6 @@ Mechanism oscillating_end_cam_mechanism() {
                             peak_end_deviation(), least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::EndArm,
-                  .possible = {{{"swing", "tilt"}, "DS3"}},
                   .why_impossible = why_impossible_as<OscillatingEndCam>},
                  {roller_checks(), force_closure_checks(kOscillating), roller_stress_checks()});
 }

@@ -41,12 +41,13 @@ struct OscillatingEndCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const {
-    const double middle = value_of(tilt), half = value_of(swing) / 2, right = std::numbers::pi / 2;
-    return {{value_of(radius) > 0, "radius must be above 0"},
-            {value_of(arm_length) > 0, "arm_length must be above 0"},
-            {middle - half > -right, "tilt - swing / 2 must be above -90 deg"},
-            {middle + half < right, "tilt + swing / 2 must be below 90 deg"}};
+  auto conditions() const {
+    const T half = swing / number<T>(2), right = pi<T>() / number<T>(2);
+    return std::to_array<Condition<T>>(
+        {{radius, "radius must be above 0"},
+         {arm_length, "arm_length must be above 0"},
+         {right + tilt - half, "tilt - swing / 2 must be above -90 deg"},
+         {right - tilt - half, "tilt + swing / 2 must be below 90 deg"}});
   }
   T lowest_angle() const { return tilt - swing / number<T>(2); }
   /// What swings counts as what slides: J for m, torques for forces.

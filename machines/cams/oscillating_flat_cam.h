@@ -49,13 +49,18 @@ struct OscillatingFlatCam {
     using std::asin;
     return asin(sin_lowest());
   }
-  Possibility is_possible() const {
-    const double s = value_of(sin_lowest());
-    return {{value_of(base_radius) > 0, "base_radius must be above 0"},
-            {value_of(pivot_distance) > 0, "pivot_distance must be above 0"},
-            {s > -1 && s < 1, "base_radius + face_offset must be less in size than pivot_distance"},
-            {value_of(lowest_angle() + swing) < std::numbers::pi / 2,
-             "asin((base_radius + face_offset) / pivot_distance) + swing must be below 90 deg"}};
+  /// The last one says that the face does not reach the pivot's line of centres across, psi_0 +
+  /// swing below a right angle, in the form sin psi_0 < cos swing; swing is below half a turn.
+  auto conditions() const {
+    using std::cos;
+    const T side = base_radius + face_offset;
+    return std::to_array<Condition<T>>(
+        {{base_radius, "base_radius must be above 0"},
+         {pivot_distance, "pivot_distance must be above 0"},
+         {pivot_distance - absolute(side),
+          "base_radius + face_offset must be less in size than pivot_distance"},
+         {pivot_distance * cos(swing) - side,
+          "asin((base_radius + face_offset) / pivot_distance) + swing must be below 90 deg"}});
   }
   /// What swings counts as what slides: J for m, torques for forces.
   FollowerLoad<T> follower() const {

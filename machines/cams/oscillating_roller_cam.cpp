@@ -78,22 +78,20 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
   append(responses, blank_responses<M>());
   append(responses, extent_responses<M>());
   responses.push_back(arm_clearance_response<M>());
-  return checked(
-      {.name = name,
-       .title = title,
-       .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<M>::parameters(),
-       .responses = std::move(responses),
-       .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
-                 least_torque(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
-                 least_wall(), pivot_clearance(), peak_end_deviation(),
-                 least_elastic(kOscillating)},
-       .moved_by = MovedBy::Program,
-       .form = form,
-       .possible = {{{"base_radius", "roller_radius", "arm_length", "pivot_distance"}, "DS3"}},
-       .why_impossible = why_impossible_as<M>},
-      {roller_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
-       arm_checks(), roller_stress_checks()});
+  return checked({.name = name,
+                  .title = title,
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<M>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                            least_torque(), peak_outer_undercut(), peak_groove_stress(),
+                            outer_radius(), least_wall(), pivot_clearance(), peak_end_deviation(),
+                            least_elastic(kOscillating)},
+                  .moved_by = MovedBy::Program,
+                  .form = form,
+                  .why_impossible = why_impossible_as<M>},
+                 {roller_checks(), force_closure_checks(kOscillating), wall_checks(),
+                  pivot_checks(), arm_checks(), roller_stress_checks()});
 }
 
 }  // namespace

@@ -45,13 +45,14 @@ struct OscillatingRollerCam {
     return (arm_length * arm_length + pivot_distance * pivot_distance - rp * rp) /
            (number<T>(2) * arm_length * pivot_distance);
   }
-  Possibility is_possible() const {
-    const double c = value_of(cos_lowest());
-    return {{value_of(prime_radius()) > 0, "base_radius + roller_radius must be above 0"},
-            {c > -1, "base_radius + roller_radius must be below arm_length + pivot_distance"},
-            {c < 1,
-             "base_radius + roller_radius must be above the difference of arm_length and "
-             "pivot_distance"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{prime_radius(), "base_radius + roller_radius must be above 0"},
+         {arm_length + pivot_distance - prime_radius(),
+          "base_radius + roller_radius must be below arm_length + pivot_distance"},
+         {prime_radius() - absolute(T(arm_length - pivot_distance)),
+          "base_radius + roller_radius must be above the difference of arm_length and "
+          "pivot_distance"}});
   }
   T lowest_angle() const {
     using std::asin;

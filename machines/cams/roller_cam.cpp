@@ -59,7 +59,6 @@ Mechanism roller_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscRoller,
-       .possible = {{{"base_radius", "roller_radius", "offset"}, "DS1"}},
        .why_impossible = why_impossible_as<RollerCam>},
       {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
        guide_checks()});

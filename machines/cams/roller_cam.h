@@ -41,11 +41,11 @@ struct RollerCam {
   T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
-  Possibility is_possible() const {
-    const double e = value_of(offset), prime = value_of(prime_radius());
-    return {
-        {prime > 0, "base_radius + roller_radius must be above 0"},
-        {e * e < prime * prime, "offset must be less in size than base_radius + roller_radius"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{prime_radius(), "base_radius + roller_radius must be above 0"},
+         {prime_radius() - absolute(offset),
+          "offset must be less in size than base_radius + roller_radius"}});
   }
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).

@@ -21,13 +21,14 @@ struct ElasticFollower {
   T slowest_speed = number<T>(25.1327412287183);  ///< rad/s, where a range of speeds begins
   T fastest_speed = number<T>(37.6991118430775);  ///< rad/s, where it ends
 
-  Possibility is_possible() const {
-    const double zeta = value_of(damping_ratio);
-    return {{value_of(mass) > 0, "mass must be above 0"},
-            {value_of(stiffness) > 0, "stiffness must be above 0"},
-            {zeta >= 0 && zeta < 1, "damping_ratio must be 0 or above and below 1"},
-            {value_of(rise_angle) > 0, "rise_angle must be above 0"},
-            {value_of(angular_speed) > 0, "speed must be above 0"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{mass, "mass must be above 0"},
+         {stiffness, "stiffness must be above 0"},
+         {damping_ratio, "damping_ratio must be 0 or above", true},
+         {number<T>(1) - damping_ratio, "damping_ratio must be below 1"},
+         {rise_angle, "rise_angle must be above 0"},
+         {angular_speed, "speed must be above 0"}});
   }
   /// (U2) Undamped natural frequency, Hz: sqrt(c / m) / (2 pi).
   T natural_frequency() const {

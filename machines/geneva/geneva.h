@@ -22,7 +22,9 @@ template <class T>
 struct PlanarGeneva {
   T slots = number<T>(4);  ///< n, 3 or more
 
-  Possibility is_possible() const { return {{value_of(slots) >= 3, "slots must be 3 or more"}}; }
+  auto conditions() const {
+    return std::to_array<Condition<T>>({{slots - number<T>(3), "slots must be 3 or more", true}});
+  }
   T crank() const {
     using std::sin;
     return sin(pi<T>() / slots);
@@ -53,7 +55,9 @@ template <class T>
 struct SphericalGeneva {
   T slots = number<T>(4);  ///< n, 3 or more
 
-  Possibility is_possible() const { return {{value_of(slots) >= 3, "slots must be 3 or more"}}; }
+  auto conditions() const {
+    return std::to_array<Condition<T>>({{slots - number<T>(3), "slots must be 3 or more", true}});
+  }
   T half_engagement() const { return pi<T>() / number<T>(2); }
 
   /// (V2) tan beta = tan(pi / n) sin alpha, with k = tan(pi / n), q = 1 + k^2 sin^2 alpha and

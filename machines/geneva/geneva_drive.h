@@ -29,9 +29,9 @@ struct GenevaDrive {
   /// The drive alone, without what machines that contain one add to it.
   const GenevaDrive& drive() const { return *this; }
   Wheel<T> geneva() const { return {slots}; }
-  Possibility is_possible() const {
-    if (const Possibility of_wheel = geneva().is_possible(); !of_wheel) return of_wheel;
-    return {{value_of(friction) > 0, "friction must be above 0"}};
+  auto conditions() const {
+    return joined(geneva().conditions(),
+                  std::to_array<Condition<T>>({{friction, "friction must be above 0"}}));
   }
   /// 2 gamma, rad.
   T engagement() const { return number<T>(2) * geneva().half_engagement(); }

@@ -52,7 +52,6 @@ Mechanism barrel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},
        .form = Form::BarrelIndex,
-       .possible = {{{"cam_radius", "face_width"}, "DS13"}},
        .why_impossible = why_impossible_as<BarrelIndexCam>},
       {rib_checks(), ring_checks()});
 }

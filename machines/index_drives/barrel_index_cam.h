@@ -21,10 +21,10 @@ struct BarrelIndexCam : RibTurret<T> {
   T cam_radius = number<T>(0.060);     ///< R_c, m, of the cam at the middle of a roller
   T roller_radius = number<T>(0.012);  ///< r_r, m
 
-  Possibility is_possible() const {
-    return {
-        {value_of(distance_at(RollerPlace::Tip)) > 0, "cam_radius must be above face_width / 2"},
-        {value_of(rollers) > 2, "rollers must be 3 or more"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{distance_at(RollerPlace::Tip), "cam_radius must be above face_width / 2"},
+         {rollers - number<T>(2), "rollers must be 3 or more"}});
   }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }

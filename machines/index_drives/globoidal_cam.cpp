@@ -43,7 +43,6 @@ Mechanism globoidal_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},
        .form = Form::RollerGear,
-       .possible = {{{"axis_distance", "turret_radius", "face_width"}, "DS13"}},
        .why_impossible = why_impossible_as<GloboidalCam>},
       {rib_checks(), ring_checks()});
 }

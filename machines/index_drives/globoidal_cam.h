@@ -19,12 +19,11 @@ struct GloboidalCam : RibTurret<T> {
   T turret_radius = number<T>(0.070);  ///< R_t, m, to the middle of a roller
   T roller_radius = number<T>(0.011);  ///< r_r, m
 
-  Possibility is_possible() const {
-    return {{value_of(throat_radius()) > 0,
-             "axis_distance must be above sqrt((turret_radius + face_width / 2)^2 + "
-             "roller_radius^2)"},
-            {value_of(distance_at(RollerPlace::Root)) > 0,
-             "turret_radius must be above face_width / 2"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{throat_radius(),
+          "axis_distance must be above sqrt((turret_radius + face_width / 2)^2 + roller_radius^2)"},
+         {distance_at(RollerPlace::Root), "turret_radius must be above face_width / 2"}});
   }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }

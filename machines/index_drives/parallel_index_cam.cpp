@@ -137,7 +137,6 @@ Mechanism parallel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,
-       .possible = {{{"axis_distance", "turret_radius"}, "DS13"}},
        .why_impossible = why_impossible_as<ParallelIndexCam>},
       {conjugate_checks(), shaft_checks(), ring_checks()});
 }

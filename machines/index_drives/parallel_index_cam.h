@@ -84,9 +84,9 @@ struct ParallelIndexCam {
   T end_share = number<T>(1);                    ///< kappa, of the inertia
   T crown_radius = number<T>(0.5);               ///< R_k, m, of a roller along its axis
 
-  Possibility is_possible() const {
-    return {{value_of(axis_distance) > value_of(turret_radius),
-             "axis_distance must be above turret_radius"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{axis_distance - turret_radius, "axis_distance must be above turret_radius"}});
   }
   /// (IX4) delta, rad: what the turret turns by while a roller drives.
   T step() const { return number<T>(2) * pi<T>() / (rollers * plates); }

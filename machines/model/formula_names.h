@@ -8,6 +8,7 @@
 
 #include "machines/model/cycle.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/recorded_response.h"
 #include "numerics/formula/formula_text.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
@@ -37,7 +38,7 @@ struct NamesOfFormula {
   std::vector<InnerNumber> inner;
   std::vector<HeldCurve> held;  ///< of several cams on one shaft
   std::vector<ValidityLimit> defined_while;
-  std::vector<ParameterSet> possible_by;  ///< on a shaft
+  std::vector<PossibleBy> possible_by;  ///< on a shaft
   std::vector<IsPossible> is_possible;
 };
 

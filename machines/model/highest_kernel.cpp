@@ -8,6 +8,7 @@
 #include "machines/model/highest_along_ranges.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/not_a_number.h"
+#include "machines/model/possible_by.h"
 #include "optim/cycle/proof_time.h"
 
 namespace camlaw::problems {
@@ -26,8 +27,20 @@ Box Widened::box_at(Design x) const {
   return result;
 }
 
-Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges) {
-  Widened result{binding, design_size(binding), {}, {}};
+bool Widened::all_possible(Design x) const {
+  if (possible_by.margins.empty()) return true;
+  const Box ranges = box_at(x);
+  Box arguments;
+  for (const std::size_t variable : binding.variables) {
+    arguments.push_back(variable < first ? Bounds{x[variable], x[variable]}
+                                         : ranges[variable - first]);
+  }
+  return camlaw::problems::all_possible(possible_by, binding, arguments);
+}
+
+Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges,
+                const PossibleBy& possible_by) {
+  Widened result{binding, design_size(binding), {}, {}, {}};
   std::map<std::size_t, std::size_t> varies;
   for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
     varies[binding.parameters[k]] = binding.variables[k];
@@ -48,6 +61,10 @@ Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges) {
     result.binding.parameters.push_back(parameter);
     result.binding.variables.push_back(variable);
   }
+  const bool decide = std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
+    return possible_by.holds(range.parameter);
+  });
+  if (decide) result.possible_by = possible_by;
   return result;
 }
 
@@ -76,6 +93,7 @@ OwnInputs own_inputs(const Function& f, const Widened& wide) {
 
 HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
     : f_(std::move(f)),
+      wide_(wide),
       first_(wide.first),
       box_(wide.box),
       sign_(sign),
@@ -99,6 +117,16 @@ Box HighestKernel::box_over(std::span<const Bounds> u) const {
     result[i].upper += u[*own_.about[i]].upper;
   }
   return result;
+}
+
+bool HighestKernel::may_be_impossible(std::span<const Bounds> u) const {
+  if (wide_.possible_by.margins.empty()) return false;
+  std::vector<double> x(first_);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    if (u[k].lower != u[k].upper) return false;
+    x[own_.variables[k]] = u[k].lower;
+  }
+  return !wide_.all_possible(x);
 }
 
 bool HighestKernel::moves(std::span<const Bounds> u) const {
@@ -215,6 +243,10 @@ Highest HighestKernel::highest_over(std::span<const Bounds> box) const {
 
 optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
   optim::BoxRange result;
+  if (may_be_impossible(box)) {
+    result.slopes.resize(own_.behind.size());
+    return result;
+  }
   const Box all = box_over(box);
   Bounds highest = highest_over(box).value;
   if (moves(box)) highest.lower = largest_lower(box);

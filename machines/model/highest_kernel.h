@@ -26,6 +26,7 @@ struct Widened {
   std::size_t first = 0;  ///< variable of the first range
   Box box;                ///< of a range about a variable what is added to it
   std::vector<std::optional<std::size_t>> about = {};  ///< the variable that a range moves with
+  PossibleBy possible_by = {};                         ///< on the machines of the ranges
 
   /// The box at a design.
   Box box_at(optim::Design x) const;
@@ -36,9 +37,12 @@ struct Widened {
     all.insert(all.end(), p.begin(), p.end());
     return all;
   }
+  /// Whether every machine of the ranges is possible at a design. False where that is not proved.
+  bool all_possible(optim::Design x) const;
 };
 
-Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges);
+Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges,
+                const PossibleBy& possible_by = {});
 
 /// Which variables of a design a function over a widened one depends on.
 struct OwnInputs {
@@ -103,6 +107,9 @@ class HighestKernel final : public optim::Kernel {
   Box box_at(std::span<const double> u) const;
   /// That of all designs of a box.
   Box box_over(std::span<const optim::Bounds> u) const;
+  /// Whether the box is a design at which some machine of the ranges may be impossible: then the
+  /// bounds of the others bound nothing.
+  bool may_be_impossible(std::span<const optim::Bounds> u) const;
   /// Whether the ranges move within a box of designs.
   bool moves(std::span<const optim::Bounds> u) const;
   double largest_lower(std::span<const optim::Bounds> u) const;
@@ -112,6 +119,7 @@ class HighestKernel final : public optim::Kernel {
   bool is_beside_pole(std::span<const double> u, const Point& p) const;
 
   optim::Function f_;
+  Widened wide_;
   std::size_t first_;
   Box box_;
   double sign_;

@@ -7,6 +7,7 @@
 #include "machines/model/cycle.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/kept_parameters.h"
+#include "machines/model/possible_by.h"
 #include "numerics/formula/expression.h"
 #include "optim/cycle/joined_curve.h"
 #include "optim/cycle/peak_function.h"
@@ -48,6 +49,12 @@ Write in(const Write& write, const Set& set) {
   };
 }
 
+PossibleBy in(const PossibleBy& possible_by, const Set& set) {
+  PossibleBy result{left(possible_by.parameters, set), possible_by.margins};
+  for (Margin& margin : result.margins) margin.write = in(margin.write, set);
+  return result;
+}
+
 IsPossible in(const IsPossible& is_possible, const Set& set) {
   if (!is_possible) return {};
   return [is_possible, set](std::span<const double> parameters) {
@@ -79,7 +86,7 @@ MechanismResponse in_case(const MechanismResponse& response, const LoadCase& loa
   result.name = load.name + "." + response.name;
   result.in_case = InCase{load.name, response.name};
   result.uses = left(response.uses, set);
-  result.possible_by = left(response.possible_by, set);
+  result.possible_by = in(response.possible_by, set);
   result.is_possible = in(response.is_possible, set);
   result.write = in(response.write, set);
   result.domain = in(response.domain, set);
@@ -124,9 +131,9 @@ double apart(const MechanismResponse& response) {
   return response.curve && response.along == "deg" ? 720 : 2;
 }
 
-ParameterSet united_over(const std::vector<ResponseName>& parts,
-                         ParameterSet MechanismResponse::*of) {
-  std::vector<ParameterSet> sets;
+template <class Set>
+Set united_over(const std::vector<ResponseName>& parts, Set MechanismResponse::*of) {
+  std::vector<Set> sets;
   for (const ResponseName& part : parts) sets.push_back(part.response->*of);
   return united(std::move(sets));
 }

@@ -3,10 +3,12 @@
 #include <limits>
 #include <set>
 #include <type_traits>
+#include <utility>
 
 #include "machines/model/kept_parameters.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/possible_by.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/windowed.h"
 #include "numerics/scalar/interval.h"
@@ -75,42 +77,12 @@ bool nothing_varies(const MechanismResponse& response, const Binding& binding) {
   return !moves && !(response.sees_law && !binding.law->variables().empty());
 }
 
-/// The parameters that vary and decide which machines are possible: those that do among typical
-/// machines, and all that a statement about them names.
-std::set<std::string> deciding(const Mechanism& mechanism, const MechanismResponse& response,
-                               const Binding& binding) {
-  std::set<std::string> names;
-  for (const std::size_t i : binding.parameters) {
-    const std::string& name = mechanism.parameters[i].name;
-    const bool is_named =
-        std::any_of(mechanism.possible.begin(), mechanism.possible.end(),
-                    [&](const PossibleSet& stated) { return covers(stated.varying, {name}); });
-    if (is_named || response.possible_by.holds(i)) names.insert(name);
-  }
-  return names;
-}
-
-/// The number of the proof that the machines which are possible are a convex set, where these
-/// parameters vary that decide on it; nothing where that is not known.
-std::optional<std::string> convex_by(const Mechanism& mechanism,
-                                     const std::set<std::string>& deciders) {
-  const auto set =
-      std::find_if(mechanism.possible.begin(), mechanism.possible.end(),
-                   [&](const PossibleSet& stated) { return covers(stated.varying, deciders); });
-  if (set == mechanism.possible.end()) return {};
-  return std::string(set->proof.number());
-}
-
 /// The shape in what varies of a narrowed binding.
 KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& response,
                     const Binding& used) {
   KnownShape known;
-  const std::set<std::string> deciders = deciding(mechanism, response, used);
-  if (!deciders.empty()) {
-    const auto proof = convex_by(mechanism, deciders);
-    if (!proof) return known;
-    known.of_possible = *proof;
-  }
+  known.of_possible = !deciding(response.possible_by, used).empty();
+  if (!is_convex_by_rules(response.possible_by, used)) return known;
   if (nothing_varies(response, used)) {
     known.ruled = Shape::Linear;
     return known;
@@ -126,26 +98,30 @@ KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& respons
   return known;
 }
 
-/// The parameters that vary and decide whether there is a machine at all, of one that names its
-/// conditions; none where `parameter` itself, whose value is asked for, does not vary.
-std::set<std::string> deciding(const Mechanism& mechanism, std::size_t parameter,
-                               const Binding& binding) {
-  std::set<std::string> names;
+/// What decides whether there is a machine at all, as the value of `parameter` is asked for;
+/// nothing where it does not vary.
+PossibleBy possible_where(const Mechanism& mechanism, std::size_t parameter,
+                          const Binding& binding) {
   const auto& varying = binding.parameters;
   const bool varies = std::find(varying.begin(), varying.end(), parameter) != varying.end();
-  if (!varies || !mechanism.why_impossible) return names;
+  if (!varies || !mechanism.why_impossible) return {};
+  std::vector<PossibleBy> all;
+  std::set<std::pair<std::optional<std::size_t>, std::string>> seen;  // all responses of one agree
   for (const MechanismResponse& response : mechanism.responses) {
-    if (response.is_possible) names.merge(deciding(mechanism, response, binding));
+    const std::string of_case = response.in_case ? response.in_case->name : "";
+    if (response.is_possible && seen.emplace(response.cam, of_case).second) {
+      all.push_back(response.possible_by);
+    }
   }
-  return names;
+  return united(std::move(all));
 }
 
 /// Of a parameter: linear, of the machines that are possible.
-KnownShape shape_of_parameter(const Mechanism& mechanism, const std::set<std::string>& deciders) {
-  if (deciders.empty()) return {.ruled = Shape::Linear};
-  const auto proof = convex_by(mechanism, deciders);
-  if (!proof) return {};
-  return {.ruled = Shape::Linear, .of_possible = *proof};
+KnownShape shape_of_parameter(const Mechanism& mechanism, std::size_t parameter,
+                              const Binding& binding) {
+  const PossibleBy possible_by = possible_where(mechanism, parameter, binding);
+  if (!is_convex_by_rules(possible_by, binding)) return {};
+  return {.ruled = Shape::Linear, .of_possible = !deciding(possible_by, binding).empty()};
 }
 
 /// A parameter, as a formula generic in its scalar of the parameters that vary.
@@ -174,9 +150,10 @@ struct ParameterFormula {
 /// machine. Its bounds over a box are those of all machines there.
 optim::Function parameter_function(const Mechanism& mechanism, std::size_t parameter,
                                    const Binding& binding) {
-  const std::set<std::string> deciders = deciding(mechanism, parameter, binding);
+  const std::vector<std::size_t> deciders =
+      deciding(possible_where(mechanism, parameter, binding), binding);
   const Binding used = keeping(binding, [&](std::size_t i) {
-    return i == parameter || deciders.contains(mechanism.parameters[i].name);
+    return i == parameter || std::binary_search(deciders.begin(), deciders.end(), i);
   });
   if (deciders.empty() && !used.variables.empty()) {
     return optim::variable_function(used.variables.front());
@@ -184,14 +161,16 @@ optim::Function parameter_function(const Mechanism& mechanism, std::size_t param
   ParameterFormula formula{parameter, used, {}};
   if (!deciders.empty()) formula.why_impossible = mechanism.why_impossible;
   return optim::function<Interval, Series<Interval, 2>>(
-      used.variables, std::move(formula), shape_of_parameter(mechanism, deciders).best());
+      used.variables, std::move(formula), shape_of_parameter(mechanism, parameter, binding).best());
 }
 
 }  // namespace
 
 Binding narrowed(const Binding& binding, const MechanismResponse& response) {
+  const std::vector<std::size_t> deciders = deciding(response.possible_by, binding);
   Binding result = keeping(binding, [&](std::size_t parameter) {
-    return response.uses.holds(parameter) || response.possible_by.holds(parameter);
+    return response.uses.holds(parameter) ||
+           std::binary_search(deciders.begin(), deciders.end(), parameter);
   });
   result.law = law_of_cam(binding.law, response.cam);
   return result;
@@ -217,18 +196,21 @@ std::string KnownShape::reason() const {
   const std::string own = !found         ? "theory.md (" + proof + ")"
                           : by_enclosure ? "enclosure"
                                          : "rules";
-  return of_possible.empty() ? own : own + ", possible machines by theory.md (" + of_possible + ")";
+  return of_possible ? own + ", possible machines by rules" : own;
 }
 
 namespace {
 
-/// What the shapes in all cases have in common; of a mean of curves nothing is known.
+/// What the shapes in all cases have in common; a mean of curves is that of their peaks.
 KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse& response,
                             const Binding& binding) {
   KnownShape all;
   for (const ResponseName& part : response.over_cases) {
-    if (!response.curve && part.response->curve) return {};
-    const KnownShape own = known_shape(mechanism, part, binding);
+    KnownShape own = known_shape(mechanism, part, binding);
+    if (!response.curve && part.response->curve) {
+      own.declared = optim::peak_shape(own.declared, part.part);
+      own.ruled = optim::peak_shape(own.ruled, part.part);
+    }
     const bool is_first = &part == response.over_cases.data();
     const Shape common = is_first ? own.best() : optim::common_shape(all.best(), own.best());
     const bool is_declared = own.best() != own.ruled || !all.proof.empty();
@@ -236,7 +218,7 @@ KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse&
     all.declared = is_declared ? common : Shape::General;
     all.ruled = is_declared ? Shape::General : common;
     all.by_enclosure |= own.by_enclosure;
-    if (all.of_possible.empty()) all.of_possible = own.of_possible;
+    all.of_possible |= own.of_possible;
   }
   const bool is_sum = !response.curve;
   const bool adds = is_convex(all.best()) || is_concave(all.best());
@@ -247,8 +229,7 @@ KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse&
 
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
-  if (name.response == nullptr)
-    return shape_of_parameter(mechanism, deciding(mechanism, name.parameter, binding));
+  if (name.response == nullptr) return shape_of_parameter(mechanism, name.parameter, binding);
   if (!name.response->over_cases.empty()) {
     return shape_over_cases(mechanism, *name.response, binding);
   }

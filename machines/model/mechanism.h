@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinematics/peaks.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/problem.h"
 
 namespace camlaw {
@@ -74,13 +75,6 @@ struct ShapeStatement {
   Proof proof;
 };
 
-/// A statement about which machines there are: where these parameters vary together, the others at
-/// rest, those that are possible are a convex set.
-struct PossibleSet {
-  std::vector<std::string> varying;
-  Proof proof;
-};
-
 /// What of a design varies, and what the rest is: a mechanism and a law bound to design variables.
 struct Binding {
   std::vector<double> constants;  ///< of every parameter, in its listed unit; variables overwrite
@@ -130,13 +124,29 @@ struct InnerNumber {
 
 struct Cycle;
 
-/// Whether there is such a machine, of values of its parameters. None: always.
-using IsPossible = std::function<bool(std::span<const double>)>;
-
 /// Writes a formula of all parameters, in listed units, and some other inputs into the one that is
 /// being recorded (numerics/formula).
 using Write = std::function<Expression(std::span<const Expression> parameters,
                                        std::span<const Expression> others)>;
+
+/// Whether there is such a machine, of values of its parameters. None: always.
+using IsPossible = std::function<bool(std::span<const double>)>;
+
+/// A condition of there being a machine, as how far it is from being broken.
+struct Margin {
+  Write write;                                              ///< above 0 where the condition holds
+  bool may_be_zero = false;                                 ///< it holds at 0 too
+  std::function<Interval(std::size_t parameter)> accepted;  ///< what a parameter may be, as listed
+};
+
+/// What decides whether there is a machine: a response is a number only where there is
+/// (machines/model/possible_by.h).
+struct PossibleBy {
+  ParameterSet parameters = {};  ///< that decide, whatever the others are
+  std::vector<Margin> margins = {};
+
+  bool holds(std::size_t parameter) const { return parameters.holds(parameter); }
+};
 
 /// What makes a curve over the turn of a shaft that no law moves.
 struct ShaftTurn {
@@ -185,9 +195,7 @@ struct MechanismResponse {
   std::string meaning;
   std::vector<ShapeStatement> shapes = {};
   ParameterSet uses = {};  ///< the parameters that it depends on
-  /// The parameters that decide whether there is such a machine: it is a number only where there
-  /// is.
-  ParameterSet possible_by = {};
+  PossibleBy possible_by = {};
   IsPossible is_possible = {};  ///< of all parameters, in their listed units
   std::string along = {};       ///< of a curve: the unit of its places, "deg" of cam angle
   std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law
@@ -327,7 +335,6 @@ struct Mechanism {
   Form form = Form::Other;
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run
   std::vector<BuildableInput> inputs = {};  ///< of these checks
-  std::vector<PossibleSet> possible = {};   ///< where a set is not stated, nothing is known of it
   /// The condition that a machine of these values, in their listed units, does not meet, in the
   /// names of its parameters; empty where it meets all. None of a machine that names no conditions.
   std::function<std::string(std::span<const double>)> why_impossible = {};
@@ -352,13 +359,13 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response);
 /// are possible and these are not known to be a convex set.
 struct KnownShape {
   optim::Shape declared = optim::Shape::General, ruled = optim::Shape::General;
-  bool by_enclosure = false;     ///< how the second was found; else by rules
-  std::string proof = {};        ///< of the first: "DS4"
-  std::string of_possible = {};  ///< of the set of machines, where what varies decides on it: "DS1"
+  bool by_enclosure = false;  ///< how the second was found; else by rules
+  std::string proof = {};     ///< of the first: "DS4"
+  bool of_possible = false;   ///< what varies decides on which machines are possible
   /// The stronger one, the declared one where they are as strong.
   optim::Shape best() const;
-  /// How the best one is known: "rules", "enclosure", "theory.md (DS4)", and behind it ", possible
-  /// machines by theory.md (DS1)"; empty where none is.
+  /// How the best one is known: "rules", "enclosure", "theory.md (DS6)", and behind it ", possible
+  /// machines by rules" where these matter; empty where none is.
   std::string reason() const;
 };
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,

@@ -54,6 +54,9 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   auto over = std::make_shared<OverRanges>();
   over->ranges = ranges;
   over->of = std::make_shared<MechanismResponse>(response);
+  over->all_possible = [ranges, by = response.possible_by](const Binding& binding, Design x) {
+    return widened(without_ranges(binding, ranges), ranges, by).all_possible(x);
+  };
   if (response.curve) {
     result->curve = [response, ranges, sign](const Binding& binding, optim::Shape) {
       return range_curve(response, ranges, sign, without_ranges(binding, ranges));
@@ -69,7 +72,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
     };
   } else {
     const auto kernel = [response, ranges, sign](const Binding& binding) {
-      const Widened wide = widened(without_ranges(binding, ranges), ranges);
+      const Widened wide = widened(without_ranges(binding, ranges), ranges, response.possible_by);
       return std::pair(response.number(wide.binding, optim::Shape::General), wide);
     };
     result->number = [kernel, sign](const Binding& binding, optim::Shape) {
@@ -106,7 +109,7 @@ std::shared_ptr<const MechanismResponse> number_over_ranges(
                     sign = highest ? 1.0 : -1.0](const Binding& binding, optim::Shape) {
     ResponseName own = name;
     own.response = of.get();
-    const Widened wide = widened(without_ranges(binding, ranges), ranges);
+    const Widened wide = widened(without_ranges(binding, ranges), ranges, of->possible_by);
     const optim::Response curve = make_response(*mechanism, own, wide.binding);
     return highest_of(optim::peak_function(curve, own.part, wide.first + ranges.size()), wide,
                       sign);

@@ -23,6 +23,8 @@ struct OverRanges {
   /// The part of the ranges that a proof leaves open, at a design and a stretch of it (of a number
   /// none); empty where none is.
   std::function<Box(const Binding&, optim::Design, const optim::Bounds*)> left = {};
+  /// Whether every machine of the ranges is possible at a design; false where that is not proved.
+  std::function<bool(const Binding&, optim::Design)> all_possible = {};
 };
 
 /// Takes from a response what only a formula or a curve of the mechanism has, for a number that is

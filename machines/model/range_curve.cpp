@@ -42,7 +42,7 @@ class RangeTrace final : public optim::Trace {
         places_(places_of(box_)) {
     for (const Point& p : places_) at_place(p);
     breaks_ = at_place(places_.front()).breaks();
-    if (!parts_->bounds) return;
+    if (!parts_->bounds || !parts_->wide.all_possible(x_)) return;
     over_ = parts_->bounds->over_boxes(
         parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
   }
@@ -190,12 +190,9 @@ Point RangeCurve::worst(Place place, Design x) const {
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
                                               const std::vector<TakenRange>& ranges, double sign,
                                               const Binding& binding) {
-  Widened wide = widened(binding, ranges);
+  Widened wide = widened(binding, ranges, response.possible_by);
   RangeParts parts{response.curve(wide.binding, optim::Shape::General), wide, sign, {}};
-  const bool decides = std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
-    return response.possible_by.holds(range.parameter);
-  });
-  if (!decides) parts.bounds = bounded_over_boxes(response, parts.curve, wide);
+  parts.bounds = bounded_over_boxes(response, parts.curve, wide);
   return std::make_shared<RangeCurve>(std::move(parts));
 }
 

@@ -35,7 +35,7 @@ class RangeCurve final : public optim::Curve {
 
 /// The curve over the ranges for a binding in which they do not vary; `sign` is below 0 for the
 /// lowest value. Nothing is proved of a curve that bounded_over_boxes knows nothing of, nor where
-/// the ranges decide whether there is such a machine.
+/// some machine of the ranges may be impossible.
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
                                               const std::vector<TakenRange>& ranges, double sign,
                                               const Binding& binding);

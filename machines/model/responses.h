@@ -10,6 +10,8 @@
 #include "machines/model/arguments.h"
 #include "machines/model/machine.h"
 #include "machines/model/not_a_number.h"
+#include "machines/model/possibility.h"
+#include "machines/model/possible_by.h"
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
 
@@ -53,9 +55,11 @@ PlaceOf<T> as_place(std::span<const T> u) {
 template <template <class> class M>
 const BoundMachine<M>& free_machine() {
   static const BoundMachine<M> free = [] {
-    std::vector<std::size_t> all(MachineTraits<M>::parameters().size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    return typical_machine<M>(std::move(all));
+    const std::size_t count = MachineTraits<M>::parameters().size();
+    Binding binding;
+    binding.constants.resize(count);
+    for (std::size_t i = 0; i < count; ++i) binding.parameters.push_back(i);
+    return BoundMachine<M>(binding);
   }();
   return free;
 }
@@ -87,6 +91,33 @@ class CurveFormulaOf final : public RecordedCurveFormula {
   OfMotion of_motion_;
 };
 
+/// The margins of a machine's conditions.
+template <template <class> class M>
+std::vector<Margin> margins_of() {
+  std::vector<Margin> result;
+  if constexpr (requires(const M<double>& machine) { machine.conditions(); }) {
+    const auto conditions = M<double>().conditions();
+    for (std::size_t k = 0; k < conditions.size(); ++k) {
+      const auto write = [k](std::span<const Expression> parameters, std::span<const Expression>) {
+        return machine_of<M>(parameters).conditions()[k].margin;
+      };
+      result.push_back({write, conditions[k].may_be_zero, [](std::size_t parameter) {
+                          const MechanismParameter& p = MachineTraits<M>::parameters()[parameter];
+                          return Interval(p.low, p.high);
+                        }});
+    }
+  }
+  return result;
+}
+
+/// What decides whether there is such a machine.
+template <template <class> class M>
+const PossibleBy& possible_machines() {
+  static const PossibleBy kept =
+      possible_by(margins_of<M>(), MachineTraits<M>::parameters().size());
+  return kept;
+}
+
 /// What its describer says of a machine's response, and what decides whether it is a number.
 template <template <class> class M>
 MechanismResponse described(ResponseAbout about) {
@@ -94,7 +125,7 @@ MechanismResponse described(ResponseAbout about) {
           .unit = std::move(about.unit),
           .meaning = std::move(about.meaning),
           .shapes = std::move(about.shapes),
-          .possible_by = ParameterSet(parameters_of_possibility<M>),
+          .possible_by = possible_machines<M>(),
           .is_possible = [](std::span<const double> parameters) {
             return is_possible(machine_of<M>(parameters));
           }};

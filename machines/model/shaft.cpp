@@ -82,6 +82,19 @@ class Renamed {
       return result;
     });
   }
+  PossibleBy possible_by(const PossibleBy& own) const {
+    PossibleBy result{places(own.parameters), {}};
+    for (const Margin& margin : own.margins) {
+      result.margins.push_back(
+          {for_shaft(margin.write, cam_.parameters), margin.may_be_zero,
+           [accepted = margin.accepted, places = cam_.parameters](std::size_t parameter) {
+             const auto at = std::find(places.begin(), places.end(), parameter);
+             return at == places.end() ? Interval::whole()
+                                       : accepted(static_cast<std::size_t>(at - places.begin()));
+           }});
+    }
+    return result;
+  }
   ValidityLimit limit(ValidityLimit own) const {
     own.response = name(own.response);
     if (!own.only_with.empty()) own.only_with = name(own.only_with);
@@ -126,7 +139,7 @@ MechanismResponse Renamed::response(const MechanismResponse& own) const {
   result.cam = number_;
   for (ShapeStatement& shape : result.shapes) shape.varying = names(shape.varying);
   result.uses = places(own.uses);
-  result.possible_by = places(own.possible_by);
+  result.possible_by = possible_by(own.possible_by);
   if (own.is_possible) {
     result.is_possible = [is_possible = own.is_possible,
                           places = cam_.parameters](std::span<const double> all) {
@@ -238,10 +251,6 @@ void add_cam(const ShaftCam& cam, std::size_t number, Mechanism& shaft) {
   for (BuildableInput input : own.inputs) {
     input.name = renamed.name(input.name);
     shaft.inputs.push_back(std::move(input));
-  }
-  for (PossibleSet set : own.possible) {
-    set.varying = renamed.names(set.varying);
-    shaft.possible.push_back(std::move(set));
   }
 }
 

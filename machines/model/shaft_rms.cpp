@@ -8,6 +8,7 @@
 #include "machines/model/enclosed.h"
 #include "machines/model/kernel_of.h"
 #include "machines/model/not_a_number.h"
+#include "machines/model/possible_by.h"
 #include "machines/model/turn_sections.h"
 #include "numerics/scalar/by_side.h"
 
@@ -170,7 +171,8 @@ class MeanSquareOnShaft {
 }  // namespace
 
 MechanismResponse shaft_rms(MechanismResponse response, const std::vector<HeldCurve>& curves) {
-  std::vector<ParameterSet> used, possible_by;
+  std::vector<ParameterSet> used;
+  std::vector<PossibleBy> possible_by;
   for (const HeldCurve& held : curves) {
     const MechanismResponse& own = *held.response;
     used.insert(used.end(), {own.uses, {held.phase}});

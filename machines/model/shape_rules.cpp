@@ -34,6 +34,7 @@ constexpr Curvature kLinearShape{true, true, true, true};
 struct Ruled : Curvature {
   bool is_constant = false;
   Interval range;
+  bool is_sum_of_squares = false;  ///< of linear functions; constants of 0 or above count
 
   bool is_not_negative() const { return range.lower() >= 0; }
   bool is_not_positive() const { return range.upper() <= 0; }
@@ -70,6 +71,33 @@ Curvature product(const Ruled& a, const Ruled& b) {
   if (b.is_constant) return scaled(b, a);
   if (!a.is_not_negative() || !b.is_not_negative()) return {};
   return {false, false, false, a.concave && b.concave, a.rises && b.rises, a.falls && b.falls};
+}
+
+/// Whether a step gives a sum of squares of linear functions, whose root is a norm.
+bool gives_sum_of_squares(Operation operation, bool same, const Ruled& a, const Ruled& b) {
+  const auto counts = [](const Ruled& x) {
+    return x.is_constant ? x.is_not_negative() : x.is_sum_of_squares;
+  };
+  switch (operation) {
+    case Operation::Add:
+      return counts(a) && counts(b);
+    case Operation::Multiply:
+      return same ? a.is_linear() : (a.is_constant || b.is_constant) && counts(a) && counts(b);
+    case Operation::Divide:
+      return b.is_constant && b.is_positive() && counts(a);
+    case Operation::Power:
+      return a.is_linear() && value_of(b.range) == 2;
+    default:
+      return false;
+  }
+}
+
+/// The root. A norm of linear functions is convex.
+Curvature root_of(const Ruled& a, const Curvature& increasing) {
+  Curvature result = increasing;
+  result.convex |= a.is_sum_of_squares;
+  result.quasiconvex |= a.is_sum_of_squares;
+  return result;
 }
 
 /// An increasing function of a. It keeps quasiconvex and quasiconcave; `is_convex` and `is_concave`
@@ -241,7 +269,8 @@ class Rules {
     const std::size_t used = operands(step.operation);
     const bool is_constant =
         a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
-    return {is_constant ? kLinearShape : curvature(step, a, b, c), is_constant, range};
+    return {is_constant ? kLinearShape : curvature(step, a, b, c), is_constant, range,
+            !is_constant && gives_sum_of_squares(step.operation, step.a == step.b, a, b)};
   }
 
   Curvature curvature(const Step& step, const Ruled& a, const Ruled& b, const Ruled& c) const {
@@ -257,7 +286,7 @@ class Rules {
       case Operation::Divide:
         return ratio(a, b);
       case Operation::Sqrt:
-        return from_zero_on(a, increasing(a, false, true));
+        return root_of(a, from_zero_on(a, increasing(a, false, true)));
       case Operation::Log:  // at 0 it is infinite, and the set above need not be convex
         return a.is_positive() || a.convex_above() ? increasing(a, false, true) : Curvature{};
       case Operation::Exp:

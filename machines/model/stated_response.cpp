@@ -10,6 +10,7 @@
 
 #include "machines/model/formula_names.h"
 #include "machines/model/inner_numbers.h"
+#include "machines/model/possible_by.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/shaft.h"
 #include "machines/model/shaft_curve.h"

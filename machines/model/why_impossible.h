@@ -6,11 +6,11 @@
 
 namespace camlaw::problems {
 
-/// Mechanism::why_impossible of a machine M whose is_possible() is a Possibility.
+/// Mechanism::why_impossible of a machine M that has conditions().
 template <template <class> class M>
 std::string why_impossible_as(std::span<const double> values) {
-  const Possibility possibility = detail::machine_of<M>(values).is_possible();
-  return possibility ? "" : possibility.why();
+  const char* const broken = broken_condition(detail::machine_of<M>(values));
+  return broken == nullptr ? "" : broken;
 }
 
 }  // namespace camlaw::problems

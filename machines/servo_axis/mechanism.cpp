@@ -305,7 +305,6 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
                  "greatest torque over the available torque; above 1 the motor cannot follow"}},
       .moved_by = MovedBy::Program,
       .keeps_times = true,
-      .possible = {{{"corner_speed", "maximum_speed"}, "DS12"}},
       .why_impossible = why_impossible_as<M>};
 }
 

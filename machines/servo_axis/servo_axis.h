@@ -21,10 +21,10 @@ struct ServoMotor {
   T maximum_speed;      ///< omega_max, rad/s
   T end_torque;         ///< M_e, N m, at the maximum speed
 
-  Possibility is_possible() const {
-    return {{value_of(corner_speed) >= 0, "corner_speed must be 0 or above"},
-            {value_of(corner_speed) < value_of(maximum_speed),
-             "corner_speed must be below maximum_speed"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{corner_speed, "corner_speed must be 0 or above", true},
+         {maximum_speed - corner_speed, "corner_speed must be below maximum_speed"}});
   }
   /// (SV7) Greatest torque at a speed of either sense, N m: M_max up to the corner speed, from
   /// there on the line down to M_e at the maximum speed.
@@ -124,7 +124,7 @@ struct MotorOfAxis {
     return {motor_inertia, continuous_torque, maximum_torque,
             corner_speed,  maximum_speed,     end_torque};
   }
-  Possibility is_possible() const { return motor().is_possible(); }
+  auto conditions() const { return motor().conditions(); }
 };
 
 /// An axis that turns its load. Fields in SI units.

@@ -42,10 +42,10 @@ struct SheetDelivery {
   T joint_radius_B = number<T>(0.1);         ///< r_B, over the rod's length
   T joint_radius_O = number<T>(0.1);         ///< r_O, over the sprocket's radius
 
-  Possibility is_possible() const {
-    const double angle = value_of(rod_angle_max);
-    return {{angle > 0, "rod_angle_max must be above 0"},
-            {angle < std::numbers::pi / 2, "rod_angle_max must be below 90 deg"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{rod_angle_max, "rod_angle_max must be above 0"},
+         {pi<T>() / number<T>(2) - rod_angle_max, "rod_angle_max must be below 90 deg"}});
   }
 
   /// (N1) sin alpha = s sin(alpha_max), tan beta = lambda s'.

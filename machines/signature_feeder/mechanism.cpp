@@ -123,7 +123,6 @@ Mechanism signature_feeder_mechanism() {
                      "greatest angular acceleration of the cylinder"}},
           .moved_by = MovedBy::Nothing,
           .form = Form::SignatureFeeder,
-          .possible = {{{"crank_radius", "centre_distance", "offset", "pinion_radius"}, "DS4"}},
           .why_impossible = why_impossible_as<SignatureFeeder>};
 }
 

@@ -26,14 +26,14 @@ struct SignatureFeeder {
 
   /// Whether the rack stays in its guide all round, its pitch line also where it meshes with the
   /// pinion: e and r_p less than the crank pin's least distance from O2.
-  Possibility is_possible() const {
-    const double nearest = value_of(centre_distance) - value_of(crank_radius);
-    return {{value_of(crank_radius) > 0, "crank_radius must be above 0"},
-            {value_of(pinion_radius) > 0, "pinion_radius must be above 0"},
-            {std::abs(value_of(offset)) < nearest,
-             "offset must be less in size than centre_distance - crank_radius"},
-            {value_of(pinion_radius) < nearest,
-             "pinion_radius must be below centre_distance - crank_radius"}};
+  auto conditions() const {
+    const T nearest = centre_distance - crank_radius;
+    return std::to_array<Condition<T>>(
+        {{crank_radius, "crank_radius must be above 0"},
+         {pinion_radius, "pinion_radius must be above 0"},
+         {nearest - absolute(offset),
+          "offset must be less in size than centre_distance - crank_radius"},
+         {nearest - pinion_radius, "pinion_radius must be below centre_distance - crank_radius"}});
   }
   /// The same drive with its rack meshing with a pinion on the guide's centre: e = r_p.
   SignatureFeeder meshing() const {

@@ -120,7 +120,6 @@ Mechanism spine_cutter_mechanism() {
                      "least cam radius at the permissible pressure angle"},
                     {"peak_inertia_force", "inertia_force", Part::Magnitude, "peak inertia force"},
                     {"peak_drive_torque", "drive_torque", Part::Magnitude, "peak drive torque"}},
-          .possible = {{{"depth", "cutter_diameter"}, "DS4"}},
           .why_impossible = why_impossible_as<SpineCutter>};
 }
 

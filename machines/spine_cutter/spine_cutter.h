@@ -27,10 +27,10 @@ struct SpineCutter {
   T cam_radius = number<T>(0.035);            ///< R, m, of the cam that is built
 
   /// Whether the cutter reaches into the block, and less than half of it does.
-  Possibility is_possible() const {
-    return {{value_of(depth) > 0, "depth must be above 0"},
-            {value_of(depth) < value_of(cutter_diameter) / 2,
-             "depth must be below cutter_diameter / 2"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{depth, "depth must be above 0"},
+         {cutter_diameter / number<T>(2) - depth, "depth must be below cutter_diameter / 2"}});
   }
 
   /// (1) Chord of contact, m: S = 2 sqrt((D_f/2)^2 - (D_f/2 - h)^2), as 2 sqrt(h (D_f - h)).

@@ -28,15 +28,15 @@ struct DiscSpring {
   T reduced_thickness() const { return thickness * thickness_ratio; }
   /// h_0' = l_0 - t', the deflection to flat.
   T flat_deflection() const { return cone_height + thickness * (number<T>(1) - thickness_ratio); }
-  Possibility is_possible() const {
-    return {{value_of(inner_diameter) > 0, "inner_diameter must be above 0"},
-            {value_of(outer_diameter) > value_of(inner_diameter),
-             "outer_diameter must be above inner_diameter"},
-            {value_of(thickness) > 0, "thickness must be above 0"},
-            {value_of(cone_height) >= 0, "cone_height must be 0 or above"},
-            {value_of(thickness_ratio) > 0, "thickness_ratio must be above 0"},
-            {value_of(flat_deflection()) >= 0,
-             "cone_height + thickness * (1 - thickness_ratio) must be 0 or above"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{inner_diameter, "inner_diameter must be above 0"},
+         {outer_diameter - inner_diameter, "outer_diameter must be above inner_diameter"},
+         {thickness, "thickness must be above 0"},
+         {cone_height, "cone_height must be 0 or above", true},
+         {thickness_ratio, "thickness_ratio must be above 0"},
+         {flat_deflection(), "cone_height + thickness * (1 - thickness_ratio) must be 0 or above",
+          true}});
   }
 
   /// (W1) K_1 = ((delta - 1) / delta)^2 / (pi ((delta + 1) / (delta - 1) - 2 / ln delta)).

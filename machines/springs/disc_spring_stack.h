@@ -17,12 +17,13 @@ struct DiscSpringStack {
   T surface_friction = number<T>(0);  ///< w_M, between nested springs
   T edge_friction = number<T>(0);     ///< w_R, where the force enters
 
-  Possibility is_possible() const {
-    if (const Possibility of_spring = spring.is_possible(); !of_spring) return of_spring;
-    return {{value_of(parallel) > 0, "parallel must be above 0"},
-            {value_of(series) > 0, "series must be above 0"},
-            {value_of(friction()) < 1,
-             "surface_friction * (parallel - 1) + edge_friction must be below 1"}};
+  auto conditions() const {
+    return joined(spring.conditions(),
+                  std::to_array<Condition<T>>(
+                      {{parallel, "parallel must be above 0"},
+                       {series, "series must be above 0"},
+                       {number<T>(1) - friction(),
+                        "surface_friction * (parallel - 1) + edge_friction must be below 1"}}));
   }
   /// n i.
   T springs() const { return parallel * series; }

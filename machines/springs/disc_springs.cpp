@@ -17,7 +17,7 @@ struct DiscSprings : DiscSpring<T> {
   DiscSpringStack<T> stack() const {
     return {*this, parallel, series, surface_friction, edge_friction};
   }
-  Possibility is_possible() const { return stack().is_possible(); }
+  auto conditions() const { return stack().conditions(); }
 };
 
 }  // namespace
@@ -202,9 +202,6 @@ Mechanism disc_springs_mechanism() {
           .peaks = {},
           .moved_by = MovedBy::Nothing,
           .validity = {{"flattening", 1}},
-          .possible = {{{"outer_diameter", "inner_diameter", "parallel", "edge_friction"}, "DS5"},
-                       {{"outer_diameter", "inner_diameter", "surface_friction", "edge_friction"},
-                        "DS5"}},
           .why_impossible = why_impossible_as<DiscSprings>};
 }
 

@@ -174,7 +174,6 @@ Mechanism helical_spring_mechanism() {
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
-          .possible = {{{"wire_diameter", "mean_diameter"}, "DS5"}},
           .why_impossible = why_impossible_as<WorkingSpring>};
 }
 

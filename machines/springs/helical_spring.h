@@ -23,11 +23,11 @@ struct HelicalSpring {
   T end_coils = number<T>(2);             ///< n_t - n, those that do not move
   T youngs_modulus = number<T>(2.06e11);  ///< E, Pa
 
-  Possibility is_possible() const {
-    return {{value_of(wire_diameter) > 0, "wire_diameter must be above 0"},
-            {value_of(mean_diameter) > value_of(wire_diameter),
-             "mean_diameter must be above wire_diameter"},
-            {value_of(active_coils) > 0, "active_coils must be above 0"}};
+  auto conditions() const {
+    return std::to_array<Condition<T>>(
+        {{wire_diameter, "wire_diameter must be above 0"},
+         {mean_diameter - wire_diameter, "mean_diameter must be above wire_diameter"},
+         {active_coils, "active_coils must be above 0"}});
   }
   /// Spring index w = D / d.
   T index() const { return mean_diameter / wire_diameter; }

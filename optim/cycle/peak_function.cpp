@@ -107,7 +107,8 @@ class PeakKernel final : public Kernel {
 Function peak_function(const Response& response, Part part, std::size_t variables) {
   std::vector<std::size_t> all(variables);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return {std::move(all), std::make_shared<PeakKernel>(response, part, Look::Sampled)};
+  return {std::move(all), std::make_shared<PeakKernel>(response, part, Look::Sampled),
+          peak_shape(response.shape(), part)};
 }
 
 SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes) {

@@ -85,25 +85,22 @@ void check_objective(const Objective& objective) {
   }
 }
 
-/// The objective's shape, turned so that it is minimised; of a curve the shape of its peak: the
-/// highest of convex functions is convex, of quasiconvex ones quasiconvex.
+/// The objective's shape, turned so that it is minimised.
 Shape objective_shape(const Objective& objective) {
-  Shape shape = objective.response.shape();
-  if (objective.sense == Sense::Maximize) shape = negated(shape);
-  if (objective.part == Part::Value) return shape;
-  const bool both_ways = objective.part != Part::Magnitude || convex_above(shape);
-  if (!both_ways) return Shape::General;
-  if (objective.part == Part::Magnitude) {
-    return shape == Shape::Linear ? Shape::Convex
-           : convex_below(shape)  ? Shape::Quasiconvex
-                                  : Shape::General;
-  }
-  return is_convex(shape)      ? Shape::Convex
-         : convex_below(shape) ? Shape::Quasiconvex
-                               : Shape::General;
+  const Shape shape = peak_shape(objective.response.shape(), objective.part);
+  return objective.sense == Sense::Maximize ? negated(shape) : shape;
 }
 
 }  // namespace
+
+Shape peak_shape(Shape curve, Part part) {
+  if (part == Part::Value) return curve;
+  if (part == Part::Lowest) return negated(peak_shape(negated(curve), Part::Highest));
+  const bool both_ways = part == Part::Magnitude;
+  if (!convex_below(curve) || (both_ways && !convex_above(curve))) return Shape::General;
+  const bool is_sharp = both_ways ? curve == Shape::Linear : is_convex(curve);
+  return is_sharp ? Shape::Convex : Shape::Quasiconvex;
+}
 
 Objective no_objective() { return {.response = {"", "1", Function()}}; }
 

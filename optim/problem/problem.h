@@ -42,6 +42,10 @@ enum class Sense { Minimize, Maximize };
 /// What is taken of a curve over the cycle; a number is taken as it is (Value).
 enum class Part { Value, Highest, Lowest, Magnitude };
 
+/// The shape of a curve's peak as a function of the design, from that of the curve: the highest of
+/// convex functions is convex, of quasiconvex ones quasiconvex. A value keeps the shape.
+Shape peak_shape(Shape curve, Part part);
+
 /// What theory says that no design passes, whatever the variables.
 struct KnownLimit {
   double value;

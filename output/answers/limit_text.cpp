@@ -11,6 +11,7 @@
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::cli {
@@ -222,16 +223,11 @@ Json undecided_json(const optim::LimitReport& side, const problems::ProblemState
 
 std::string why_not_proved(const problems::ProblemStatement& design,
                            const problems::ResponseName& of) {
-  if (of.response == nullptr || !of.response->curve) return "";
+  if (of.response == nullptr) return "";
   for (const problems::ResponseName& in_case : of.response->over_cases) {
     if (std::string why = why_not_proved(design, in_case); !why.empty()) return why;
   }
-  if (!of.response->over_ranges) return "";
-  std::vector<std::string> names;
-  for (const problems::TakenRange& range : of.response->over_ranges->ranges) {
-    if (!of.response->possible_by.holds(range.parameter)) continue;
-    names.push_back(design.mechanism->parameters[range.parameter].name);
-  }
+  const std::vector<std::string> names = problems::ranges_that_may_decide(design, of);
   if (names.empty()) return "";
   return fmt::format("the {} of {} may decide whether the machine is possible",
                      names.size() == 1 ? "range" : "ranges", problems::listed(names));

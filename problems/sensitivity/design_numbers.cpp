@@ -99,7 +99,8 @@ Dependence dependence_of(const ProblemStatement& design) {
       continue;
     }
     result.of_machine.insert(response->uses.begin(), response->uses.end());
-    result.of_machine.insert(response->possible_by.begin(), response->possible_by.end());
+    const ParameterSet& deciding = response->possible_by.parameters;
+    result.of_machine.insert(deciding.begin(), deciding.end());
     result.on_law = result.on_law || response->sees_law;
   }
   return result;

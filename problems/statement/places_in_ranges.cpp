@@ -75,6 +75,19 @@ std::string words_of(const std::vector<PlaceInRange>& places) {
   return listed(parts);
 }
 
+std::vector<std::string> ranges_that_may_decide(const ProblemStatement& design,
+                                                const ResponseName& of) {
+  if (of.response == nullptr || !of.response->over_ranges || design.laws.empty()) return {};
+  const OverRanges& over = *of.response->over_ranges;
+  if (over.all_possible(whole_binding(design), {})) return {};
+  std::vector<std::string> names;
+  for (const TakenRange& range : over.ranges) {
+    if (!of.response->possible_by.holds(range.parameter)) continue;
+    names.push_back(design.mechanism->parameters[range.parameter].name);
+  }
+  return names;
+}
+
 std::vector<PartOfRange> left_in_ranges(const ProblemStatement& design, const ResponseName& of,
                                         const std::optional<optim::Bounds>& stretch) {
   if (of.response == nullptr || design.laws.empty()) return {};

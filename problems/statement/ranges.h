@@ -78,6 +78,11 @@ std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
 /// "speed = 400 rpm and load = 0 N".
 std::string words_of(const std::vector<PlaceInRange>& places);
 
+/// The ranges of a response that may decide whether there is a machine at a design: it is not
+/// proved that every machine of theirs is possible. Empty where it is.
+std::vector<std::string> ranges_that_may_decide(const ProblemStatement& design,
+                                                const ResponseName& of);
+
 /// A part of the range of a parameter, in its listed unit.
 struct PartOfRange {
   std::string parameter, unit;

@@ -112,7 +112,7 @@ TEST_CASE("no arm and pivot on a grid have a smaller pressure angle", "[cams]") 
     for (double pivot = 0.08; pivot <= 0.1401; pivot += 0.00025) {
       cam.arm_length = arm;
       cam.pivot_distance = pivot;
-      if (!cam.is_possible()) continue;
+      if (!is_possible(cam)) continue;
       double peak = 0;
       for (int i = 0; i < 360; ++i) {
         const auto f = cam.over_angle(law(i / 360.0));

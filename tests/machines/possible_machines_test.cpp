@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "machines/model/machine.h"
 #include "machines/registry.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -32,6 +31,18 @@ std::vector<double> some_parameters(const Mechanism& mechanism, std::mt19937& ra
     result.push_back(std::clamp(typical * std::exp(1.5 * even(random)), p.low, p.high));
   }
   return result;
+}
+
+/// Places of what a parameter accepts, even and, where it holds one sign, by orders of magnitude.
+std::vector<double> places_of_range(const MechanismParameter& p) {
+  constexpr int kPlaces = 24;
+  std::vector<double> places;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double share = static_cast<double>(i) / kPlaces;
+    places.push_back(p.low + share * (p.high - p.low));
+    if (p.low > 0) places.push_back(p.low * std::pow(p.high / p.low, share));
+  }
+  return places;
 }
 
 /// Parameters from anywhere that they accept, even or by orders of magnitude.
@@ -96,7 +107,7 @@ TEST_CASE("every machine says in its parameters' names why it is impossible", "[
       CHECK(std::any_of(mechanism.parameters.begin(), mechanism.parameters.end(),
                         [&](const auto& p) { return why.find(p.name) != std::string::npos; }));
     }
-    CHECK((impossible > 0) == !response.possible_by.indices().empty());
+    CHECK((impossible > 0) == !response.possible_by.parameters.indices().empty());
   }
 }
 

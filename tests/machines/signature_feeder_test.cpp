@@ -151,15 +151,15 @@ TEST_CASE("the cylinder swings by 2 r1 / r_p, and the guide between its common t
 
 TEST_CASE("a rack that leaves its guide is not a design", "[signature-feeder]") {
   SignatureFeeder<double> m;
-  CHECK(m.is_possible());
+  CHECK(is_possible(m));
   m.offset = 0.6101;  // L - r1 = 0.610
-  CHECK_FALSE(m.is_possible());
+  CHECK_FALSE(is_possible(m));
   m = {};
   m.crank_radius = 0.702;
-  CHECK_FALSE(m.is_possible());
+  CHECK_FALSE(is_possible(m));
   m = {};
   m.pinion_radius = 0.61;
-  CHECK_FALSE(m.is_possible());
+  CHECK_FALSE(is_possible(m));
   const TestDesign design = design_of(feeder(), "constant-velocity", {}, {"offset"});
   const auto length = response_of(feeder(), "guide_length", design.binding);
   CHECK(std::isfinite(length.curve().at({10}).value(std::vector{600.0})));

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "machines/model/load_case.h"
 #include "optim/cycle/sizes.h"
@@ -159,6 +161,29 @@ TEST_CASE("A least worst case of numbers stands where two cases are equal") {
   CHECK(one.found.x[0] == Approx(0).margin(1e-9));
   const auto least = solved(read(own + "[objective]\nmaximize = 'f'\n"));  // of the lower one
   CHECK(least.found.x[0] == Approx(3).epsilon(1e-9));
+}
+
+TEST_CASE("A least mean of convex peaks is the least anywhere") {
+  // The force grows with the square of the speed, so the mean's best law is that of one speed.
+  const ProblemStatement alone =
+      read_problem_file(testing::source("problems/spine_cutter/least_force.toml"));
+  std::ifstream file(testing::source("problems/spine_cutter/least_force.toml"));
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::string own = text.str();
+  const std::string asked = "minimize = \"peak_inertia_force\"\n";
+  own.insert(own.find(asked) + asked.size(), "cases = 'mean'\n");
+  own +=
+      "\n[[cases]]\nname = 'slow'\nblock_speed = '0.15 m/s'\nweight = 3\n"
+      "[[cases]]\nname = 'fast'\nblock_speed = '0.3 m/s'\n";
+  const auto one = solved(alone), mean = solved(read(own));
+  REQUIRE(one.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(mean.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(mean.found.assessment.global);
+  CHECK(mean.found.x[0] == Approx(one.found.x[0]).epsilon(1e-6));
+  const double factor = (3 * 0.25 + 1) / 4;
+  CHECK(mean.found.assessment.objective.value ==
+        Approx(factor * one.found.assessment.objective.value).epsilon(1e-8));
 }
 
 TEST_CASE("The worst of two curves is found, proved and told with its case") {

@@ -190,7 +190,7 @@ RowResponse Model::make_response_of(const RowModel& model, const std::string& na
     });
     return result;
   }
-  result.uses = united({response->uses, response->possible_by});
+  result.uses = united({response->uses, response->possible_by.parameters});
   result.sees_law = response->sees_law;
   check_place(*model.row, result.name, where);
   if (!response->curve && response->write) {

@@ -114,11 +114,11 @@ TEST_CASE("the second cam of a pair stands on its base circle when the carriage 
   const FollowerMotion<double> top{0.018, 0, 0, 0};
   CHECK(cam.second().pitch_curve(cam.second_motion(top)).curvature() ==
         Approx(1 / (0.14 - 0.05 - 0.018)).epsilon(1e-12));
-  CHECK(cam.is_possible());
+  CHECK(is_possible(cam));
   cam.roller_distance = 0.07;  // the second roller would stand on the shaft
-  CHECK_FALSE(cam.is_possible());
+  CHECK_FALSE(is_possible(cam));
   cam.roller_distance = 0.077;  // its cam would have no radius
-  CHECK_FALSE(cam.is_possible());
+  CHECK_FALSE(is_possible(cam));
 }
 
 }  // namespace camlaw::conjugate_cam_test

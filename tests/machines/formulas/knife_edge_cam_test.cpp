@@ -44,7 +44,7 @@ TEST_CASE("a roller that shrinks becomes a knife edge", "[cams]") {
           Approx(roller.roller().tool_fit(roller.pitch_curve(f).curvature())).epsilon(1e-6));
   }
   cam.offset = cam.base_radius;
-  CHECK_FALSE(cam.is_possible());
+  CHECK_FALSE(is_possible(cam));
 }
 
 }  // namespace camlaw::knife_edge_cam_test
