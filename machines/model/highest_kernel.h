@@ -3,56 +3,15 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "machines/model/highest_in_box.h"
-#include "machines/model/mechanism.h"
 #include "machines/model/recent.h"
+#include "machines/model/widened.h"
 
 /// The highest value that a function of a design has over ranges of parameters, as a function of
 /// the design (docs/theory.md, "Ranges of parameters").
 namespace camlaw::problems {
-
-/// A range as a response is taken over it.
-struct TakenRange : ParameterRange {
-  bool is_offset = false;  ///< its ends are added to the value that the parameter has
-};
-
-/// A binding in which the parameters of the ranges vary too: their variables come behind those that
-/// it has.
-struct Widened {
-  Binding binding;
-  std::size_t first = 0;  ///< variable of the first range
-  Box box;                ///< of a range about a variable what is added to it
-  std::vector<std::optional<std::size_t>> about = {};  ///< the variable that a range moves with
-  PossibleBy possible_by = {};                         ///< on the machines of the ranges
-
-  /// The box at a design.
-  Box box_at(optim::Design x) const;
-
-  /// A design of the widened binding.
-  std::vector<double> design(optim::Design x, const Point& p) const {
-    std::vector<double> all(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(first));
-    all.insert(all.end(), p.begin(), p.end());
-    return all;
-  }
-  /// Whether every machine of the ranges is possible at a design. False where that is not proved.
-  bool all_possible(optim::Design x) const;
-};
-
-Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges,
-                const PossibleBy& possible_by = {});
-
-/// Which variables of a design a function over a widened one depends on.
-struct OwnInputs {
-  std::vector<std::size_t>
-      variables;                    ///< those of the function, and those that its ranges move with
-  std::vector<std::size_t> behind;  ///< the function's input behind each of these
-  std::vector<std::size_t> moved;   ///< its inputs that are ranges
-  std::vector<std::optional<std::size_t>> about;  ///< of each range which of the variables it is
-};
-OwnInputs own_inputs(const optim::Function& f, const Widened& wide);
 
 /// The bounds of sign * f, from those of f.
 optim::Bounds times(double sign, const optim::Bounds& bounds);
@@ -135,8 +94,5 @@ optim::Function highest_of(const optim::Function& f, const Widened& wide, double
 
 /// A kernel as a function of the design.
 optim::Function function_of_highest(HighestKernel kernel);
-
-/// A place in the ranges, not a number where a range does not change the value there.
-Point told(const optim::Function& f, const Widened& wide, optim::Design x, const Point& p);
 
 }  // namespace camlaw::problems

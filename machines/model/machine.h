@@ -23,55 +23,44 @@ namespace camlaw::problems {
 template <template <class> class M>
 struct MachineTraits;
 
-/// A machine of a binding: constants with some parameters that vary.
+namespace detail {
+
+/// The field of a machine behind a parameter.
+template <template <class> class M, class T>
+T& field_of(M<T>& machine, std::size_t parameter) {
+  using Traits = MachineTraits<M>;
+  constexpr auto& fields = Traits::template fields<T>;
+  if constexpr (requires { Traits::template part<T>; }) {
+    auto& part = machine.*Traits::template part<T>;
+    return parameter < fields.size() ? machine.*fields[parameter]
+                                     : part.*part.fields[parameter - fields.size()];
+  } else {
+    return machine.*fields[parameter];
+  }
+}
+
+/// From listed units to those of the formulas, for each parameter.
 template <template <class> class M>
-class BoundMachine {
- public:
-  explicit BoundMachine(const Binding& binding)
-      : constants_(binding.constants), varying_(binding.parameters) {}
+const std::vector<UnitFactor>& unit_factors() {
+  static const std::vector<UnitFactor> kept = [] {
+    std::vector<UnitFactor> result;
+    for (const auto& p : MachineTraits<M>::parameters()) result.emplace_back(p.unit, p.stored);
+    return result;
+  }();
+  return kept;
+}
 
-  /// How many of its parameters vary.
-  std::size_t arguments() const { return varying_.size(); }
-
-  /// The machine with its varying parameters at u, in their listed units.
-  template <class T>
-  M<T> at(std::span<const T> u) const {
-    M<T> machine;
-    const auto& factor = factors();
-    for (std::size_t i = 0; i < factor.size(); ++i) {
-      field(machine, i) = factor[i].template as<T>() * number<T>(constants_[i]);
-    }
-    for (std::size_t k = 0; k < varying_.size(); ++k) {
-      field(machine, varying_[k]) = factor[varying_[k]].template as<T>() * u[k];
-    }
-    return machine;
+/// The machine of these parameters, in listed units.
+template <template <class> class M, class T>
+M<T> machine_of(std::span<const T> parameters) {
+  M<T> machine;
+  const auto& factor = unit_factors<M>();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    field_of<M, T>(machine, i) = factor[i].template as<T>() * parameters[i];
   }
+  return machine;
+}
 
- private:
-  template <class T>
-  static T& field(M<T>& machine, std::size_t i) {
-    using Traits = MachineTraits<M>;
-    constexpr auto& fields = Traits::template fields<T>;
-    if constexpr (requires { Traits::template part<T>; }) {
-      auto& part = machine.*Traits::template part<T>;
-      return i < fields.size() ? machine.*fields[i] : part.*part.fields[i - fields.size()];
-    } else {
-      return machine.*fields[i];
-    }
-  }
-
-  /// From listed units to those of the formulas.
-  static const std::vector<UnitFactor>& factors() {
-    static const std::vector<UnitFactor> kept = [] {
-      std::vector<UnitFactor> result;
-      for (const auto& p : MachineTraits<M>::parameters()) result.emplace_back(p.unit, p.stored);
-      return result;
-    }();
-    return kept;
-  }
-
-  std::vector<double> constants_;
-  std::vector<std::size_t> varying_;
-};
+}  // namespace detail
 
 }  // namespace camlaw::problems

@@ -51,25 +51,6 @@ PlaceOf<T> as_place(std::span<const T> u) {
   return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
 }
 
-/// The machine as a function of all its parameters.
-template <template <class> class M>
-const BoundMachine<M>& free_machine() {
-  static const BoundMachine<M> free = [] {
-    const std::size_t count = MachineTraits<M>::parameters().size();
-    Binding binding;
-    binding.constants.resize(count);
-    for (std::size_t i = 0; i < count; ++i) binding.parameters.push_back(i);
-    return BoundMachine<M>(binding);
-  }();
-  return free;
-}
-
-/// The machine of these parameters, in listed units.
-template <template <class> class M, class T>
-M<T> machine_of(std::span<const T> parameters) {
-  return free_machine<M>().template at<T>(parameters);
-}
-
 /// The curve for one machine: compiled over the angle, enclosed by its record.
 template <template <class> class M, class F>
 class CurveFormulaOf final : public RecordedCurveFormula {
