@@ -71,7 +71,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
       return range_curve(response, ranges, sign, own)->left(stretch->lower, stretch->upper, x);
     };
   } else {
-    const auto kernel = [response, ranges, sign](const Binding& binding) {
+    const auto kernel = [response, ranges](const Binding& binding) {
       const Widened wide = widened(without_ranges(binding, ranges), ranges, response.possible_by);
       return std::pair(response.number(wide.binding, optim::Shape::General), wide);
     };

@@ -173,7 +173,7 @@ WorstPart proved_part(const VariedDesign& varied, const LimitSide& side, double 
 /// A limit's report at one part.
 class OnePart {
  public:
-  OnePart(const VariedDesign& varied, const LimitSide& side) : side_(side) {
+  OnePart(const VariedDesign& varied, const LimitSide& side) {
     problem_.variables = varied.problem.variables;
     problem_.objectives = {optim::no_objective()};
     optim::Constraint limit = varied.problem.constraints[side.limit];
@@ -197,7 +197,6 @@ class OnePart {
   }
 
  private:
-  LimitSide side_;
   optim::Problem problem_;
   optim::RoomSlopes slopes_;
   optim::Sizes sizes_;
