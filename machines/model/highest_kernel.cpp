@@ -43,14 +43,20 @@ Box HighestKernel::box_over(std::span<const Bounds> u) const {
   return result;
 }
 
-bool HighestKernel::may_be_impossible(std::span<const Bounds> u) const {
-  if (wide_.possible_by.margins.empty()) return false;
+std::vector<double> HighestKernel::own_design(std::span<const double> u) const {
   std::vector<double> x(first_);
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    if (u[k].lower != u[k].upper) return false;
-    x[own_.variables[k]] = u[k].lower;
+  for (std::size_t k = 0; k < own_.behind.size(); ++k) x[own_.variables[k]] = u[k];
+  return x;
+}
+
+bool HighestKernel::may_be_impossible(std::span<const Bounds> u) const {
+  if (!wide_.margins) return false;
+  std::vector<double> design;
+  for (const Bounds& b : u) {
+    if (b.lower != b.upper) return false;
+    design.push_back(b.lower);
   }
-  return !wide_.all_possible(x);
+  return !wide_.machines_at(own_design(design)).all_possible;
 }
 
 bool HighestKernel::moves(std::span<const Bounds> u) const {
@@ -231,6 +237,10 @@ Box HighestKernel::left(std::span<const double> u) const {
 Point HighestKernel::climbed_highest(const std::vector<Point>& places,
                                      const std::function<double(const Point&)>& value,
                                      std::span<const double> u) const {
+  if (wide_.margins) {
+    Point impossible = wide_.machines_at(own_design(u)).impossible;
+    if (!impossible.empty()) return impossible;
+  }
   const Box box = box_at(u);
   if (optim::ProofTime::is_over()) return tops_of(box, places, value).front();
   std::vector<Point> all = places;

@@ -42,7 +42,7 @@ class HighestKernel final : public optim::Kernel {
   HighestKernel looking_along_ranges() const;
   std::string why_undefined(std::span<const double> u) const override;
 
-  /// The place in the ranges; where a value is not a number, the first such place.
+  /// The place in the ranges; where a value is not a number, or a machine impossible, such a place.
   Point worst(std::span<const double> u) const;
   /// The part of the ranges that its bounds leave open (Highest::left).
   Box left(std::span<const double> u) const;
@@ -61,6 +61,8 @@ class HighestKernel final : public optim::Kernel {
   Point climb(const Point& from, std::span<const double> u) const;
   Highest highest_over(std::span<const optim::Bounds> box) const;
   std::vector<double> design(std::span<const double> u, const Point& p) const;
+  /// Without the ranges.
+  std::vector<double> own_design(std::span<const double> u) const;
   /// The value at a place, turned so that the highest is sought, and its slopes by the ranges.
   double uphill(const Point& p, std::span<const double> u, Point& slopes) const;
   Box box_at(std::span<const double> u) const;

@@ -50,7 +50,8 @@ Write in(const Write& write, const Set& set) {
 }
 
 PossibleBy in(const PossibleBy& possible_by, const Set& set) {
-  PossibleBy result{left(possible_by.parameters, set), possible_by.margins};
+  PossibleBy result{left(possible_by.parameters, set), possible_by.margins,
+                    left(possible_by.ranges, set)};
   for (Margin& margin : result.margins) margin.write = in(margin.write, set);
   return result;
 }

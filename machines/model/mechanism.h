@@ -144,6 +144,8 @@ struct Margin {
 struct PossibleBy {
   ParameterSet parameters = {};  ///< that decide, whatever the others are
   std::vector<Margin> margins = {};
+  /// Parameters that vary besides those of a binding: ranges that a response is taken over.
+  ParameterSet ranges = {};
 
   bool holds(std::size_t parameter) const { return parameters.holds(parameter); }
 };

@@ -51,11 +51,12 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   result->turn = {};
   result->inner = {};
   result->shapes = {};
+  result->possible_by.ranges = parameters_of(ranges);
   auto over = std::make_shared<OverRanges>();
   over->ranges = ranges;
   over->of = std::make_shared<MechanismResponse>(response);
   over->all_possible = [ranges, by = response.possible_by](const Binding& binding, Design x) {
-    return widened(without_ranges(binding, ranges), ranges, by).all_possible(x);
+    return widened(without_ranges(binding, ranges), ranges, by).machines_at(x).all_possible;
   };
   if (response.curve) {
     result->curve = [response, ranges, sign](const Binding& binding, optim::Shape) {
@@ -104,6 +105,7 @@ std::shared_ptr<const MechanismResponse> number_over_ranges(
   if (!name.response->curve) return over_ranges(*name.response, std::move(ranges), highest);
   auto result = std::make_shared<MechanismResponse>(*name.response);
   make_plain_number(*result);
+  result->possible_by.ranges = parameters_of(ranges);
   result->number = [mechanism = std::move(mechanism), name, ranges = std::move(ranges),
                     of = std::make_shared<const MechanismResponse>(*name.response),
                     sign = highest ? 1.0 : -1.0](const Binding& binding, optim::Shape) {

@@ -2,6 +2,8 @@
 #include "machines/model/possible_by.h"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <set>
 
 #include "machines/model/recorded_response.h"
@@ -14,26 +16,13 @@ using optim::Bounds;
 
 namespace {
 
-/// A margin as a formula of what varies of a binding.
-struct RecordedMargin {
-  Formula formula;
-  bool may_be_zero;
-
-  std::vector<Interval> box_of(std::span<const Bounds> bounds) const {
-    std::vector<Interval> box;
-    for (const Bounds& b : bounds) box.emplace_back(b.lower, b.upper);
-    return box;
-  }
-  /// What the margin lies between over a box.
-  Interval over(std::span<const Interval> box) const { return formula(box); }
-  bool holds_over(const Interval& margin) const {
-    return margin.lower() > 0 || (may_be_zero && margin.lower() == 0);
-  }
-};
-
-RecordedMargin recorded(const Margin& margin, const Binding& binding) {
-  return {recorded_for(binding, margin.write, 0, {}).formula, margin.may_be_zero};
+/// Whether a condition holds wherever its margin lies within these bounds.
+bool holds_within(const Interval& margin, bool may_be_zero) {
+  return margin.lower() > 0 || (may_be_zero && margin.lower() == 0);
 }
+
+/// The same in plain numbers.
+bool holds(double margin, bool may_be_zero) { return margin > 0 || (may_be_zero && margin == 0); }
 
 /// What the varying parameters of a binding accept.
 std::vector<Interval> accepted(const Margin& margin, const Binding& binding) {
@@ -42,21 +31,32 @@ std::vector<Interval> accepted(const Margin& margin, const Binding& binding) {
   return box;
 }
 
-/// The margins that decide in a binding, each of which depends on something that varies.
+/// The binding in which these parameters vary too.
+Binding with_varying(const Binding& binding, const ParameterSet& parameters) {
+  Binding result = binding;
+  result.parameters.insert(result.parameters.end(), parameters.begin(), parameters.end());
+  std::sort(result.parameters.begin(), result.parameters.end());
+  result.parameters.erase(std::unique(result.parameters.begin(), result.parameters.end()),
+                          result.parameters.end());
+  return result;
+}
+
+/// The margins that decide, each of which depends on something that varies.
 template <class Visit>
 void for_deciding(const std::vector<Margin>& margins, const Binding& binding, const Visit& visit) {
   for (const Margin& margin : margins) {
-    const RecordedMargin record = recorded(margin, binding);
-    if (record.formula.uses().empty()) continue;
+    const Formula formula = recorded_for(binding, margin.write, 0, {}).formula;
+    if (formula.uses().empty()) continue;
     const std::vector<Interval> box = accepted(margin, binding);
-    if (!record.holds_over(record.over(box))) visit(record, box);
+    const Interval value = formula(std::span<const Interval>(box));
+    if (!holds_within(value, margin.may_be_zero)) visit(formula, box);
   }
 }
 
 std::vector<std::size_t> deciding_of(const std::vector<Margin>& margins, const Binding& binding) {
   std::set<std::size_t> found;
-  for_deciding(margins, binding, [&](const RecordedMargin& margin, const auto&) {
-    for (const std::size_t k : margin.formula.uses()) found.insert(binding.parameters[k]);
+  for_deciding(margins, binding, [&](const Formula& margin, const auto&) {
+    for (const std::size_t k : margin.uses()) found.insert(binding.parameters[k]);
   });
   return {found.begin(), found.end()};
 }
@@ -82,25 +82,31 @@ std::optional<std::size_t> widest(const std::vector<Bounds>& box, std::span<cons
   return found;
 }
 
-/// Whether a condition holds all over a box, which is halved where its bounds leave that open.
-bool holds_all_over(const RecordedMargin& margin, std::span<const Bounds> whole) {
+/// Looks at one condition all over a box, which is halved where its bounds leave open whether it
+/// holds.
+MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const Bounds> whole) {
   constexpr int kParts = 500;
   std::vector<std::vector<Bounds>> left{{whole.begin(), whole.end()}};
   for (int parts = 0; !left.empty(); ++parts) {
     const std::vector<Bounds> box = std::move(left.back());
     left.pop_back();
-    const Interval value = margin.over(margin.box_of(box));
-    if (margin.holds_over(value)) continue;
-    const bool is_broken = value.upper() < 0 || (!margin.may_be_zero && value.upper() == 0);
-    const auto halved = widest(box, whole, margin.formula.uses());
-    if (is_broken || !halved || parts >= kParts) return false;
-    const double middle = std::midpoint(box[*halved].lower, box[*halved].upper);
+    std::vector<Interval> within;
+    std::vector<double> middle;
+    for (const Bounds& b : box) {
+      within.emplace_back(b.lower, b.upper);
+      middle.push_back(std::midpoint(b.lower, b.upper));
+    }
+    if (holds_within(margin(std::span<const Interval>(within)), may_be_zero)) continue;
+    if (!holds(margin(std::span<const double>(middle)), may_be_zero)) return {false, middle};
+    const auto halved = widest(box, whole, margin.uses());
+    if (!halved) continue;  // a single machine, which is possible
+    if (parts >= kParts) return {false, {}};
     for (const bool is_upper : {false, true}) {
       left.push_back(box);
-      (is_upper ? left.back()[*halved].lower : left.back()[*halved].upper) = middle;
+      (is_upper ? left.back()[*halved].lower : left.back()[*halved].upper) = middle[*halved];
     }
   }
-  return true;
+  return {};
 }
 
 /// A binding in which all parameters vary; its constants do not matter.
@@ -128,40 +134,61 @@ PossibleBy possible_by(std::vector<Margin> margins, std::size_t parameters) {
 
 PossibleBy united(std::vector<PossibleBy> all) {
   PossibleBy result;
-  std::vector<ParameterSet> parameters;
+  std::vector<ParameterSet> parameters, ranges;
   for (PossibleBy& one : all) {
     parameters.push_back(one.parameters);
+    ranges.push_back(one.ranges);
     std::move(one.margins.begin(), one.margins.end(), std::back_inserter(result.margins));
   }
   result.parameters = united(std::move(parameters));
+  result.ranges = united(std::move(ranges));
   return result;
 }
 
 std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& binding) {
   if (!may_decide(possible_by, binding)) return {};
-  return deciding_of(possible_by.margins, binding);
+  std::vector<std::size_t> found =
+      deciding_of(possible_by.margins, with_varying(binding, possible_by.ranges));
+  std::erase_if(found, [&](std::size_t parameter) {
+    return !std::binary_search(binding.parameters.begin(), binding.parameters.end(), parameter);
+  });
+  return found;
 }
 
 bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding) {
   if (!may_decide(possible_by, binding)) return true;
   bool is_convex = true;
-  for_deciding(possible_by.margins, binding, [&](const RecordedMargin& margin, const auto& box) {
+  const Binding whole = with_varying(binding, possible_by.ranges);
+  for_deciding(possible_by.margins, whole, [&](const Formula& margin, const auto& box) {
     std::vector<RuledInput> inputs;
-    for (const Interval& range : box) inputs.push_back({Varies::Linearly, range});
-    const optim::Shape shape = shape_by_rules(margin.formula, inputs).shape;
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      const bool varies = std::binary_search(binding.parameters.begin(), binding.parameters.end(),
+                                             whole.parameters[k]);
+      inputs.push_back({varies ? Varies::Linearly : Varies::Not, box[k]});
+    }
+    const optim::Shape shape = shape_by_rules(margin, inputs).shape;
     is_convex &= shape == optim::Shape::Linear || shape == optim::Shape::Concave ||
                  shape == optim::Shape::Quasilinear || shape == optim::Shape::Quasiconcave;
   });
   return is_convex;
 }
 
-bool all_possible(const PossibleBy& possible_by, const Binding& binding,
-                  std::span<const Bounds> box) {
-  return std::all_of(possible_by.margins.begin(), possible_by.margins.end(),
-                     [&](const Margin& margin) {
-                       const RecordedMargin record = recorded(margin, binding);
-                       return record.formula.uses().empty() || holds_all_over(record, box);
-                     });
+RecordedMargins::RecordedMargins(const PossibleBy& possible_by, const Binding& binding) {
+  for (const Margin& margin : possible_by.margins) {
+    Formula formula = recorded_for(binding, margin.write, 0, {}).formula;
+    if (formula.uses().empty()) continue;
+    margins_.push_back({std::move(formula), margin.may_be_zero});
+  }
+}
+
+MachinesOfBox RecordedMargins::over(std::span<const Bounds> box) const {
+  MachinesOfBox result;
+  for (const Recorded& margin : margins_) {
+    MachinesOfBox of_one = looked_at(margin.formula, margin.may_be_zero, box);
+    if (!of_one.impossible.empty()) return of_one;
+    result.all_possible &= of_one.all_possible;
+  }
+  return result;
 }
 
 }  // namespace camlaw::problems

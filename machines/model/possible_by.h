@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "machines/model/mechanism.h"
+#include "numerics/formula/formula.h"
 
 /// Which machines there are: the set of parameters at which every margin is above 0, by the
 /// margins' records (docs/theory.md, "Which machines there are").
@@ -26,9 +26,27 @@ std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& 
 /// margin is concave or quasiconcave in what varies.
 bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding);
 
-/// Whether every machine of a box is possible, in which each varying parameter of the binding lies
-/// within its bounds: proved by enclosures of the margins. False where that is not found.
-bool all_possible(const PossibleBy& possible_by, const Binding& binding,
-                  std::span<const optim::Bounds> box);
+/// What is known of the machines of a box.
+struct MachinesOfBox {
+  bool all_possible = true;             ///< proved
+  std::vector<double> impossible = {};  ///< one that is not, if it was met: the varying parameters
+};
+
+/// The margins that depend on what varies of a binding, recorded.
+class RecordedMargins {
+ public:
+  RecordedMargins(const PossibleBy& possible_by, const Binding& binding);
+
+  /// Looks at all machines in which each varying parameter lies within its bounds: by enclosures of
+  /// the margins over the box and its parts, and at the middles of these.
+  MachinesOfBox over(std::span<const optim::Bounds> box) const;
+
+ private:
+  struct Recorded {
+    Formula formula;
+    bool may_be_zero;
+  };
+  std::vector<Recorded> margins_;
+};
 
 }  // namespace camlaw::problems

@@ -42,7 +42,7 @@ class RangeTrace final : public optim::Trace {
         places_(places_of(box_)) {
     for (const Point& p : places_) at_place(p);
     breaks_ = at_place(places_.front()).breaks();
-    if (!parts_->bounds || !parts_->wide.all_possible(x_)) return;
+    if (!parts_->bounds || !parts_->wide.machines_at(x_).all_possible) return;
     over_ = parts_->bounds->over_boxes(
         parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
   }

@@ -270,6 +270,7 @@ std::shared_ptr<const MechanismResponse> robust_number(std::shared_ptr<const Mec
   result->meaning = robust.text() + " over the parts as manufactured: " + of.response->meaning;
   std::vector<TakenRange> ranges;
   for (const VaryingParameter& v : varying) ranges.push_back({{v.parameter, 0, 0}, true});
+  result->possible_by.ranges = parameters_of(ranges);
   result->number = [mechanism = std::move(mechanism), of, ranges, robust,
                     offsets = offsets_of(varying, robust.parts())](const Binding& binding,
                                                                    optim::Shape) {

@@ -83,7 +83,7 @@ class Renamed {
     });
   }
   PossibleBy possible_by(const PossibleBy& own) const {
-    PossibleBy result{places(own.parameters), {}};
+    PossibleBy result{places(own.parameters), {}, places(own.ranges)};
     for (const Margin& margin : own.margins) {
       result.margins.push_back(
           {for_shaft(margin.write, cam_.parameters), margin.may_be_zero,

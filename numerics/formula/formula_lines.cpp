@@ -64,7 +64,8 @@ class LineWriter {
   FormulaLines operator()(std::uint32_t value) {
     count_uses(value);
     FormulaLines result;
-    for (std::uint32_t i = 0; i < value; ++i) {
+    for (const std::uint32_t i : order_) {
+      if (i == value) continue;
       const bool is_named = uses_[i] > 1 && operands(steps_[i].operation) > 0 && !name(i);
       if (!is_named || roots_.has_inside(i)) continue;  // an unknown has a name in its root alone
       std::string text = written(i).text;
@@ -82,13 +83,19 @@ class LineWriter {
     return name_of_(steps_[i]);
   }
 
+  /// Counts how often each step is used, and puts them in the order in which they are needed. (In
+  /// which order they were recorded may depend on the compiler, as that of a call's arguments.)
   void count_uses(std::uint32_t i) {
     if (++uses_[i] > 1 || name_of_(steps_[i])) return;
     const Step& step = steps_[i];
     const std::uint32_t from[] = {step.a, step.b, step.c};
     // A power by multiplication is one step to its reader.
-    if (const auto [base, exponent] = power_of(i); exponent > 1) return count_uses(base);
-    for (std::size_t k = 0; k < operands(step.operation); ++k) count_uses(from[k]);
+    if (const auto [base, exponent] = power_of(i); exponent > 1) {
+      count_uses(base);
+    } else {
+      for (std::size_t k = 0; k < operands(step.operation); ++k) count_uses(from[k]);
+    }
+    order_.push_back(i);
   }
 
   /// x and n where a step is x * x * ... * x, n times; n is 1 elsewhere.
@@ -169,6 +176,7 @@ class LineWriter {
   const FormulaRoots& roots_;
   const NameOfStep& name_of_;
   std::vector<int> uses_;
+  std::vector<std::uint32_t> order_;  ///< of the steps that the value needs, itself the last
   std::map<std::uint32_t, std::string> names_;
 };
 

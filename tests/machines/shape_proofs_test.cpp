@@ -265,7 +265,17 @@ TEST_CASE(
         box.push_back({std::max(p.low, middle - half), std::min(p.high, middle + half)});
       }
       if (!is_possible(mechanism, binding.constants)) continue;
-      const bool all = all_possible(possible_by, binding, box);
+      const MachinesOfBox machines = RecordedMargins(possible_by, binding).over(box);
+      const bool all = machines.all_possible;
+      if (!machines.impossible.empty()) {
+        std::vector<double> machine = binding.constants;
+        for (std::size_t k = 0; k < box.size(); ++k) {
+          CHECK(machines.impossible[k] >= box[k].lower);
+          CHECK(machines.impossible[k] <= box[k].upper);
+          machine[binding.parameters[k]] = machines.impossible[k];
+        }
+        CHECK(!is_possible(mechanism, machine));
+      }
       bool some_impossible = false;
       for (int i = 0; i < 400 && !some_impossible; ++i) {
         std::vector<double> machine = binding.constants;
