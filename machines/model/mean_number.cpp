@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <type_traits>
 
 #include "machines/model/arguments.h"
@@ -98,11 +97,12 @@ class MeanOfRecord {
   /// Plain numbers at all places together.
   double mean(std::size_t i, const Law<double>& law, std::span<const double> machine) const {
     const auto in_pieces = decisions_[i].in_pieces(law, machine);
-    const MeanPlaces at = mean_places(law, [&](std::size_t piece) {
+    const auto values_at = [&](const std::vector<double>& x) {
+      return value_rows(blocks_[i], 1, machine, motion_rows(law, x)).front();
+    };
+    return cycle_mean_together(law, values_at, [&](std::size_t piece) {
       return places_in(decisions_[i], in_pieces[piece], machine, law.pieces()[piece]);
     });
-    const auto values = value_rows(blocks_[i], 1, machine, motion_rows(law, at.x));
-    return std::inner_product(at.weights.begin(), at.weights.end(), values[0].begin(), 0.0);
   }
 
   MeanFormulas formulas_;

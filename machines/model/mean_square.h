@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "machines/model/cycle_mean.h"
@@ -135,17 +136,24 @@ T polynomial_square(const Piece<T>& piece, int order) {
 template <class T>
 Possible<T> mean_square(const Law<T>& law, int order) {
   if (detail::jumps_between(law, order - 1)) return Impossible{detail::kJumps};
+  const auto square = [order](const auto& motion, const auto&) {
+    const auto& f = order == 1 ? motion.v : order == 2 ? motion.a : motion.j;
+    return f * f;
+  };
   T sum = number<T>(0);
-  for (const Piece<T>& piece : law.pieces()) {
+  std::vector<MeanStep<T>> steps;  // of the other pieces
+  for (std::size_t p = 0; p < law.pieces().size(); ++p) {
+    const Piece<T>& piece = law.pieces()[p];
     if (piece.harmonics.empty() && piece.curves.empty()) {
       sum = sum + detail::polynomial_square(piece, order);
-      continue;
+    } else if constexpr (std::is_same_v<T, Interval>) {
+      sum = sum + detail::piece_integral(piece, square);
+    } else {
+      detail::add_steps(piece, piece.begin, piece.end, p, steps);
     }
-    const auto square = [order](const auto& motion, const auto&) {
-      const auto& f = order == 1 ? motion.v : order == 2 ? motion.a : motion.j;
-      return f * f;
-    };
-    sum = sum + detail::piece_integral(piece, square);
+  }
+  if constexpr (!std::is_same_v<T, Interval>) {
+    if (!steps.empty()) sum = sum + detail::integral_over(law, steps, square);
   }
   return sum;
 }

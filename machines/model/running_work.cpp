@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/polynomial/gauss_legendre.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -79,51 +81,15 @@ double RunningWork::at(double share) const {
 }
 
 EnclosedWork::EnclosedWork(TurnSections<Interval> turn)
-    : turn_(std::move(turn)), whole_(detail::turned(turn_)) {
+    : turn_(std::move(turn)), whole_(detail::turned(turn_, steps_)) {
   Interval sum(0.0);
-  for (std::size_t k = 0; k < turn_.sections().size(); ++k) {
-    const auto& section = turn_.sections()[k];
-    const Interval length = section.end - section.begin;
-    const int steps = turn_steps(section.rate, value_of(length), detail::kMeanBoxes);
-    const auto edge = [&](int i) {
-      return section.begin + length * Interval(double(i)) / Interval(double(steps));
-    };
-    steps_.emplace_back();
-    for (int i = 0; i < steps; ++i) {
-      steps_.back().push_back(step(k, edge(i), edge(i + 1), sum));
-      sum = sum + part(k, steps_.back().back(), edge(i + 1));
+  for (const Steps& steps : steps_) {
+    before_.emplace_back();
+    for (const detail::EnclosedStep& step : steps) {
+      before_.back().push_back(sum);
+      sum = sum + step.integral;
     }
   }
-}
-
-EnclosedWork::Step EnclosedWork::step(std::size_t section, const Interval& begin,
-                                      const Interval& end, const Interval& before) const {
-  const Interval box = boost::numeric::hull(begin, end);
-  Step step{begin, end, before, Interval(boost::numeric::median(box))};
-  const detail::TaylorTerms torque = turn_.terms(turn_.sections()[section], step.middle, box);
-  step.terms = torque.at.c;
-  step.terms.back() = torque.over.c.back();
-  step.is_bounded = std::all_of(step.terms.begin(), step.terms.end(), [](const Interval& term) {
-    return std::isfinite(term.lower()) && std::isfinite(term.upper());
-  });
-  return step;
-}
-
-/// (R2), as over whole steps.
-Interval EnclosedWork::part(std::size_t section, const Step& step, const Interval& place) const {
-  if (!step.is_bounded) {
-    const auto terms = [&](const Interval& c, const Interval& box) {
-      return turn_.terms(turn_.sections()[section], c, box);
-    };
-    return detail::StepEnclosure(terms)(step.begin, place);
-  }
-  const Interval left = step.begin - step.middle, right = place - step.middle;
-  Interval sum(0.0), from = left, to = right;
-  for (std::size_t k = 0; k < step.terms.size(); ++k) {
-    sum += step.terms[k] * (to - from) / Interval(static_cast<double>(k + 1));
-    from *= left, to *= right;
-  }
-  return sum;
 }
 
 Interval EnclosedWork::at(const Interval& share, double inside) const {
@@ -137,13 +103,17 @@ Interval EnclosedWork::at(const Interval& share, double inside) const {
                                                  : own.begin;
   // A place that rounding has set on two steps may be in either.
   const auto& steps = steps_[section];
-  auto step = std::partition_point(steps.begin(), steps.end() - 1,
-                                   [&](const Step& s) { return s.end.upper() < place.lower(); });
+  auto step = std::partition_point(
+      steps.begin(), steps.end() - 1,
+      [&](const detail::EnclosedStep& s) { return s.end.upper() < place.lower(); });
   Interval result = Interval::empty();
   for (; step != steps.end() && step->begin.lower() <= place.upper(); ++step) {
     const Interval inner(std::max(place.lower(), step->begin.lower()),
                          std::min(place.upper(), step->end.upper()));
-    const Interval before = step->before + part(section, *step, inner);
+    const auto number = static_cast<std::size_t>(step - steps.begin());
+    const Interval by_all = step->by_terms(detail::kTaylorTerms, inner);
+    const Interval before =
+        before_[section][number] + (detail::is_bounded(by_all) ? by_all : step->to(inner));
     result = boost::numeric::hull(result, detail::work_at(whole_, inner, before));
   }
   return result;

@@ -47,22 +47,13 @@ class EnclosedWork {
   Interval at(const Interval& share, double inside) const;
 
  private:
-  /// The torque's Taylor terms about the middle, the last one over the whole step, serve for every
-  /// part of it; where that one has no bounds, as over a kink, a part is enclosed anew.
-  struct Step {
-    Interval begin, end, before;
-    Interval middle = {};
-    std::array<Interval, detail::kTaylorTerms> terms = {};
-    bool is_bounded = false;
-  };
-  Step step(std::size_t section, const Interval& begin, const Interval& end,
-            const Interval& before) const;
-  /// From a step's beginning to a place in it.
-  Interval part(std::size_t section, const Step& step, const Interval& place) const;
+  /// The terms of a step serve for every part of it.
+  using Steps = std::vector<detail::EnclosedStep>;
 
   TurnSections<Interval> turn_;
+  std::vector<Steps> steps_;  ///< of each section
   detail::Turned<Interval> whole_;
-  std::vector<std::vector<Step>> steps_;  ///< of each section
+  std::vector<std::vector<Interval>> before_;  ///< each step
 };
 
 }  // namespace camlaw::problems

@@ -55,6 +55,13 @@ class MeanSquareOnShaft {
   template <class T>
   using Beginnings = std::vector<Beginning<T>>;
 
+  /// From a beginning to the next, and where each cam is.
+  template <class T>
+  struct Stretch {
+    T begin, end;
+    Beginnings<T> at;
+  };
+
   template <class T>
   std::span<const T> own(const CamOnShaft& cam, std::span<const T> u) const {
     return u.subspan(cam.first, cam.record->variables.size());
@@ -86,16 +93,18 @@ class MeanSquareOnShaft {
     Beginnings<T> at(turns.size());  // where each cam is
     for (const Beginning<T>& one : all) at[one.cam] = one;
     for (Beginning<T>& one : at) one.turns += 1;
-    T sum = number<T>(0);
-    double largest = 0;
+    std::vector<Stretch<T>> stretches;
     for (std::size_t i = 0; i < all.size(); ++i) {
       at[all[i].cam] = all[i];
       const bool is_last = i + 1 == all.size();
       const T end = is_last ? all[0].place + number<T>(1) : all[i + 1].place;
-      sum = sum + square_over(turns, phases, at, all[i].place, end, largest);
+      stretches.push_back({all[i].place, end, at});
     }
-    if constexpr (std::is_same_v<T, Interval>) sum = both_ways(sum, all, largest);
-    return sum;
+    if constexpr (std::is_same_v<T, Interval>) {
+      return both_ways(turns, phases, all, stretches);
+    } else {
+      return square_over(turns, phases, stretches);
+    }
   }
 
   template <class T>
@@ -109,23 +118,31 @@ class MeanSquareOnShaft {
 
   template <class T>
   static T square_over(const Sections<T>& turns, const std::vector<T>& phases,
-                       const Beginnings<T>& at, const T& begin, const T& end, double&) {
-    const auto square = [&](const T& place) {
+                       const std::vector<Stretch<T>>& stretches) {
+    const auto square = [&](std::size_t stretch, const T& place) {
       T torque = number<T>(0);
-      for (const Beginning<T>& one : at) {
+      for (const Beginning<T>& one : stretches[stretch].at) {
         const TurnSections<T>& turn = turns[one.cam];
         const T share = place - phases[one.cam] + number<T>(one.turns);
         torque = torque + turn.at(turn.sections()[one.section], share);
       }
       return torque * torque;
     };
-    return turn_integral(square, begin, end, rate_of(turns, at));
+    std::vector<MeanStep<T>> steps;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const Stretch<T>& own = stretches[i];
+      add_turn_steps(own.begin, own.end, rate_of(turns, own.at), i, steps);
+    }
+    const auto evaluate = [&](std::span<const MeanStep<T>> at, const auto& take) {
+      at_each_place(at, square, take);
+    };
+    return Quadrature<T>(steps, evaluate).sum();
   }
 
   /// `largest` becomes a bound of the sum of the curves' sizes.
   static Interval square_over(const Sections<Interval>& turns, const std::vector<Interval>& phases,
-                              const Beginnings<Interval>& at, const Interval& begin,
-                              const Interval& end, double& largest) {
+                              const Stretch<Interval>& stretch, double& largest) {
+    const auto& [begin, end, at] = stretch;
     const auto terms = [&](const Interval& c, const Interval& box) {
       detail::TaylorTerms torque;
       Interval size(0.0);
@@ -147,8 +164,13 @@ class MeanSquareOnShaft {
 
   /// Where rounding leaves open which of two cams goes over first, the other order changes the
   /// square by twice the product of what both jump by, no more than 8 largest^2.
-  static Interval both_ways(Interval sum, const Beginnings<Interval>& all, double largest) {
+  static Interval both_ways(const Sections<Interval>& turns, const std::vector<Interval>& phases,
+                            const Beginnings<Interval>& all,
+                            const std::vector<Stretch<Interval>>& stretches) {
     constexpr double kWide = 1e-9;
+    Interval sum(0.0);
+    double largest = 0;
+    for (const auto& stretch : stretches) sum += square_over(turns, phases, stretch, largest);
     Interval open(0.0);
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t k = i + 1; k < i + all.size(); ++k) {

@@ -39,7 +39,6 @@ class MeanOfTurn {
 template <class T>
 struct WorkBefore {
   std::optional<TurnSections<T>> turn;
-  std::vector<T> before = {};
   detail::Turned<T> whole = {};
 };
 
@@ -47,7 +46,7 @@ template <class T>
 WorkBefore<T> work_before(const TurnRecord& record, std::span<const T> u) {
   WorkBefore<T> result{TurnSections<T>::of(record, u)};
   if (!result.turn) return result;
-  result.whole = detail::turned(*result.turn, &result.before);
+  result.whole = detail::turned(*result.turn);
   return result;
 }
 
@@ -106,9 +105,8 @@ class WorkAtPlace {
     const auto joint = static_cast<std::size_t>(place_.joint);
     if (place_.joint >= 0 && joint < turn.joints().size()) share = turn.joints()[joint];
     const std::size_t k = detail::section_at(turn, value_of(share), place_.from_left);
-    const auto& section = turn.sections()[k];
-    const T here = detail::weighted(turn, section, section.begin, share, detail::Plain());
-    return detail::work_at(known->whole, share, T(known->before[k] + here));
+    const T here = detail::integral_to(turn, k, share, known->whole.size);
+    return detail::work_at(known->whole, share, T(known->whole.before[k] + here));
   }
 
  private:

@@ -119,16 +119,12 @@ inline int turn_steps(double rate, double length, double whole) {
   return std::max(detail::kLeastSteps, static_cast<int>(std::ceil(steps)));
 }
 
-/// The integral of integrand(share) -> T between two places of one section, or several that lie
-/// side by side.
-template <class T, class F>
-T turn_integral(const F& integrand, const T& begin, const T& end, double rate) {
-  const int steps = turn_steps(rate, value_of(T(end - begin)), detail::kMeanSteps);
-  T sum = number<T>(0);
-  detail::each_mean_place(begin, end, steps, [&](const T& share, const T& weight) {
-    sum = sum + weight * integrand(share);
-  });
-  return sum;
+/// The steps of a quadrature between two places of section `section`, added to others.
+template <class T>
+void add_turn_steps(const T& begin, const T& end, double rate, std::size_t section,
+                    std::vector<MeanStep<T>>& steps) {
+  const int count = turn_steps(rate, value_of(T(end - begin)), detail::kMeanSteps);
+  add_even_steps(begin, end, count, section, steps);
 }
 
 // ---------------------------------------------------------------------------------------------

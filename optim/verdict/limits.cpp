@@ -32,6 +32,14 @@ SideOfLimit side_of(const Response& response, MaximaAt& maxima, Design x, double
 /// With less room than this share of its bound a limit's value is as good as the limit.
 constexpr double kToldMargin = 1e-6;
 
+/// `side` takes a worse value that a proof has come upon; what is not a number is worst of all, and
+/// stays.
+void take_worse(double value, const std::optional<Place>& place, double sign, double bound,
+                SideOfLimit& side) {
+  const double margin = sign * (bound - value);
+  if (!std::isnan(side.margin) && !(margin >= side.margin)) side = {value, margin, place};
+}
+
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
@@ -40,27 +48,27 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
   if (!response.is_curve()) {
     const Function& f = response.function();
     if (f.is_searched()) {
-      const double value = f.proved().value(x);
-      if (sign * (bound - value) < side.margin) side = {value, sign * (bound - value), {}};
+      take_worse(f.proved().value(x), {}, sign, bound, side);
     }
     const Bounds exact = f.enclose(x);
-    const bool proved =
+    const bool within =
         sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
+    const bool proved = within && !std::isnan(side.margin);
     if (!proved && f.is_enclosed()) side.left = Bounds{};
     return proved;
   }
   const Trace& trace = maxima.trace(response.curve());
   const auto take = [&](const Extreme& worst) {
-    if (sign * (bound - worst.value) < side.margin)
-      side = {worst.value, sign * (bound - worst.value), worst.place};
+    take_worse(worst.value, worst.place, sign, bound, side);
   };
   take(looked_closely(trace, sign, {*side.place, side.value}));
-  if (side.margin < -tolerance) return false;  // one place that breaks it is enough
+  if (!(side.margin >= -tolerance)) return false;  // one place that breaks it is enough
   // A number that is told is proved as well, where that is not the same question.
   const double highest = sign * bound + tolerance;
   if (side.margin > std::max(kToldMargin * std::abs(bound), tolerance)) {
     const ProvedExtreme found = proved_highest(trace, sign, std::max(std::abs(bound), size.size));
     take(found.peak);
+    if (std::isnan(side.margin)) return false;
     if (found.proved && sign * found.peak.value + found.slack <= highest) return true;
   }
   const CycleProof proof = prove_below(trace, sign, highest);

@@ -87,6 +87,12 @@ LimitText limit_text(const optim::LimitReport& report, const problems::ProblemSt
 
 namespace {
 
+/// A stretch that is divided beside the cycle's beginning may end at the least of all numbers.
+double zero_if_tiny(double place) {
+  constexpr double kTiny = 1e-12;
+  return std::abs(place) < kTiny ? 0 : place;
+}
+
 /// What a proof left open.
 struct Undecided {
   std::string words;  ///< "from 99.8 deg to 99.9 deg, speed from 810 rpm to 820 rpm"; or empty
@@ -105,6 +111,7 @@ Undecided left_open(const problems::ProblemStatement& design, const problems::Re
     const auto to = problems::place_in_case(of, left.upper);
     const problems::ResponseName& one = from ? of.response->over_cases.at(from->part) : of;
     if (from && to) open.stretch = optim::Bounds{from->place, to->place};
+    for (double* end : {&open.stretch->lower, &open.stretch->upper}) *end = zero_if_tiny(*end);
     const std::string unit = one.response != nullptr ? one.response->along : "";
     const std::string begin = with_digits(open.stretch->lower, unit);
     const std::string end = with_digits(open.stretch->upper, unit);

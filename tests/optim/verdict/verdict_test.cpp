@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -548,6 +550,47 @@ TEST_CASE("slopes that are not numbers certify nothing", "[verdict]") {
   problem.constraints = {
       {.response = {"edge", "mm", Function({0}, std::make_shared<Edge>(kNan))}, .lower = 0.5}};
   CHECK(judge(problem, {0.5}).verdict == Verdict::Feasible);
+}
+
+namespace {
+
+/// -1, but for places within 1e-6 of one between those that a search looks at: there it has no
+/// value.
+class Gap final : public Curve {
+ public:
+  Function at(Place) const override {
+    return function<Interval>({0}, [](const auto& u) { return 0.0 * u[0] - 1.0; });
+  }
+  std::unique_ptr<Trace> trace(Design) const override { return std::make_unique<Own>(); }
+  Shape shape() const override { return Shape::General; }
+
+ private:
+  static constexpr double kMiddle = 0.123456, kHalf = 1e-6;
+  class Own final : public Trace {
+   public:
+    std::vector<double> breaks() const override { return {0, 1}; }
+    std::array<double, 3> at(Place place) const override {
+      const bool is_gap = std::abs(place.angle - kMiddle) <= kHalf;
+      return {is_gap ? kNan : -1, 0, 0};
+    }
+    Bounds enclose(double from, double to) const override {
+      const bool is_apart = to < kMiddle - kHalf || from > kMiddle + kHalf;
+      return is_apart ? Bounds{-1, -1} : Bounds{};
+    }
+  };
+};
+
+}  // namespace
+
+TEST_CASE("a limit on a curve that has no value at some place is not met", "[verdict]") {
+  Problem problem = projection();
+  problem.constraints = {{.response = {"gap", "mm", std::make_shared<Gap>()}, .upper = 0}};
+  const Assessment a = judge(problem, {2, 1});
+  CHECK_FALSE(a.limits[0].met);
+  CHECK_FALSE(a.limits[0].proved);
+  CHECK(std::isnan(a.limits[0].value));
+  CHECK(a.verdict != Verdict::Certified);
+  CHECK_FALSE(is_feasible(a));
 }
 
 }  // namespace camlaw::optim::verdict_test
