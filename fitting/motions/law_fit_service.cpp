@@ -2,16 +2,41 @@
 #include "fitting/motions/law_fit_service.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "fitting/motions/law_fit_samples.h"
 #include "optim/crew/bytes.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/sweeps/sweep_worker.h"
 #include "problems/tolerance/tolerance_worker.h"
+
+namespace camlaw::problems {
+namespace {
+
+// Numbers of samples go as one text of bytes: there are many, and between processes of one version
+// no other form is needed.
+
+void visit_many(optim::Writer& archive, const std::vector<double>& numbers) {
+  std::string bytes(numbers.size() * sizeof(double), '\0');
+  if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  archive(bytes);
+}
+
+void visit_many(optim::Reader& archive, std::vector<double>& numbers) {
+  std::string bytes;
+  archive(bytes);
+  numbers.resize(bytes.size() / sizeof(double));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+}
+
+}  // namespace
+}  // namespace camlaw::problems
 
 namespace camlaw::optim {
 
@@ -57,7 +82,8 @@ void visit(Archive& archive, F& fit) {
   auto& [parameters, covariance, residuals, weights, sum_of_squares, rms, largest,
          degrees_of_freedom, sigma, loss_scale, merit, converged, followed, rank, condition,
          free_directions, iterations, evaluations, reason, reason_but_bounds] = fit;
-  archive(parameters), archive(covariance), archive(residuals), archive(weights);
+  archive(parameters), archive(covariance);
+  problems::visit_many(archive, residuals), problems::visit_many(archive, weights);
   archive(sum_of_squares), archive(rms), archive(largest), archive(degrees_of_freedom);
   archive(sigma), archive(loss_scale), archive(merit), archive(converged), archive(followed);
   archive(rank), archive(condition), archive(free_directions), archive(iterations);
@@ -68,14 +94,18 @@ void visit(Archive& archive, F& fit) {
 
 namespace camlaw::problems {
 
-struct LawFitOrder {
+struct SamplesOfOrders {
   MotionSamples samples;
-  std::string family;
-  std::vector<std::vector<double>> arguments;
   MotionGuess guess;
   optim::Loss loss = optim::Loss::None;
   std::optional<double> loss_scale;
   double confidence = 0;
+};
+
+struct LawFitOrder {
+  std::string samples;  ///< bytes of SamplesOfOrders
+  std::string family;
+  std::vector<std::vector<double>> arguments;
   Skew skew = Skew::Held;
   std::optional<MotionGuess> like;
   std::optional<double> least_sum;
@@ -86,7 +116,8 @@ requires std::is_same_v<std::remove_const_t<S>, MotionSamples>
 void visit(Archive& archive, S& samples) {
   auto& [place, value, order, place_unit, unit, length_unit, resolution, each, left_out, lacking] =
       samples;
-  archive(place), archive(value), archive(order), archive(place_unit), archive(unit);
+  visit_many(archive, place), visit_many(archive, value);
+  archive(order), archive(place_unit), archive(unit);
   archive(length_unit), archive(resolution), archive(each), archive(left_out), archive(lacking);
 }
 
@@ -98,12 +129,18 @@ void visit(Archive& archive, G& guess) {
 }
 
 template <class Archive, class O>
+requires std::is_same_v<std::remove_const_t<O>, SamplesOfOrders>
+void visit(Archive& archive, O& of) {
+  auto& [samples, guess, loss, loss_scale, confidence] = of;
+  archive(samples), archive(guess), archive(loss), archive(loss_scale), archive(confidence);
+}
+
+template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, LawFitOrder>
 void visit(Archive& archive, O& of) {
-  auto& [samples, family, arguments, guess, loss, loss_scale, confidence, skew, like, least_sum] =
-      of;
-  archive(samples), archive(family), archive(arguments), archive(guess), archive(loss);
-  archive(loss_scale), archive(confidence), archive(skew), archive(like), archive(least_sum);
+  auto& [samples, family, arguments, skew, like, least_sum] = of;
+  archive(samples), archive(family), archive(arguments), archive(skew), archive(like);
+  archive(least_sum);
 }
 
 /// Without the family, which whoever ordered the fit knows.
@@ -116,10 +153,15 @@ void visit(Archive& archive, F& of) {
   archive(inflation);
 }
 
-std::string law_fit_order(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+std::string samples_of_orders(const MotionSamples& samples, const MotionGuess& guess,
+                              const LawFitOptions& options) {
+  return optim::bytes_of(
+      SamplesOfOrders{samples, guess, options.loss, options.loss_scale, options.confidence});
+}
+
+std::string law_fit_order(const std::string& samples, const Member& law,
                           const LawFitOptions& options) {
-  return optim::bytes_of(LawFitOrder{samples, law.family->name, law.arguments.values(), guess,
-                                     options.loss, options.loss_scale, options.confidence,
+  return optim::bytes_of(LawFitOrder{samples, law.family->name, law.arguments.values(),
                                      options.skew, options.like, options.least_sum});
 }
 
@@ -136,24 +178,46 @@ std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& la
   return fit;
 }
 
-optim::Service law_fit_service(const std::vector<Member>& laws) {
-  std::map<std::string, FamilyOf> own;
-  for (const Member& law : laws) own.emplace(law.family->name, law.family);
-  return [own](const std::string& order, const optim::Bench& bench) -> std::optional<std::string> {
-    auto of = optim::value_of_bytes<LawFitOrder>(order);
-    if (!of) return "";
-    const auto at = own.find(of->family);
-    const Member law{at != own.end() ? at->second : FamilyOf(&find_family(of->family)),
-                     Arguments<double>(std::move(of->arguments))};
-    LawFitOptions options;
+namespace {
+
+/// The samples of the order before, which most orders have too.
+struct Kept {
+  std::string bytes;
+  LawFitOptions options;
+  std::unique_ptr<const LawFitSamples> samples;
+
+  /// False where the bytes are not such samples.
+  bool take(std::string own) {
+    if (samples && own == bytes) return true;
+    const auto of = optim::value_of_bytes<SamplesOfOrders>(own);
+    if (!of || of->samples.place.size() != of->samples.value.size()) return false;
+    bytes = std::move(own);
     options.loss = of->loss;
     options.loss_scale = of->loss_scale;
     options.confidence = of->confidence;
+    samples = std::make_unique<LawFitSamples>(of->samples, of->guess, of->loss);
+    return true;
+  }
+};
+
+}  // namespace
+
+optim::Service law_fit_service(const std::vector<Member>& laws) {
+  std::map<std::string, FamilyOf> own;
+  for (const Member& law : laws) own.emplace(law.family->name, law.family);
+  return [own, kept = std::make_shared<Kept>()](
+             const std::string& order, const optim::Bench& bench) -> std::optional<std::string> {
+    auto of = optim::value_of_bytes<LawFitOrder>(order);
+    if (!of || !kept->take(std::move(of->samples))) return "";
+    const auto at = own.find(of->family);
+    const Member law{at != own.end() ? at->second : FamilyOf(&find_family(of->family)),
+                     Arguments<double>(std::move(of->arguments))};
+    LawFitOptions options = kept->options;
     options.skew = of->skew;
     options.like = of->like;
     options.least_sum = of->least_sum;
     options.stop = bench.stop;
-    const auto fit = possible_law_fit(of->samples, law, of->guess, options);
+    const auto fit = possible_law_fit(*kept->samples, law, options);
     optim::Writer writer;
     writer(bool(fit));
     if (fit) writer(*fit);

@@ -9,6 +9,12 @@
 
 namespace camlaw::problems {
 
+/// Between which places a motion is looked for.
+struct MotionRange {
+  double low, high;
+};
+MotionRange range_of(const MotionGuess& guess);
+
 /// Begin, end, stroke, of displacements the zero shift, and a law's coefficients, as MotionLayout
 /// has them.
 FitParameters parameters_of(const MotionSamples& samples, const Member& law,
@@ -17,8 +23,7 @@ FitParameters parameters_of(const MotionSamples& samples, const Member& law,
 /// The residuals of one law as they are fitted: with what its coefficients must meet together.
 class LawResiduals {
  public:
-  LawResiduals(const MotionSamples& samples, const Member& law, Skew skew,
-               FitParameters parameters);
+  LawResiduals(StandIns samples, const Member& law, Skew skew, FitParameters parameters);
   LawResiduals(const LawResiduals&) = delete;
   LawResiduals& operator=(const LawResiduals&) = delete;
 
@@ -27,6 +32,8 @@ class LawResiduals {
   const optim::Residuals& residuals() const;
   /// The parameters as they are fitted.
   FitParameters own() const;
+  /// Where derivatives of the law at values of own() may jump.
+  std::vector<double> breaks(std::span<const double> values) const;
   /// A fit of own() as one of the parameters that were given.
   optim::FitResult told(optim::FitResult fit, double confidence) const;
 

@@ -22,8 +22,22 @@ struct AtPoint {
 
 }  // namespace
 
+std::vector<double> breaks_of(const Law<double>& law, double begin, double end) {
+  std::vector<double> result;
+  for (const auto& piece : law.pieces()) result.push_back(begin + piece.begin * (end - begin));
+  result.push_back(end);
+  return result;
+}
+
 MotionResiduals::MotionResiduals(MotionSamples samples, const Member& law, Skew skew)
-    : samples_(std::move(samples)), binding_(law, variables_of(law, layout(), skew)) {
+    : MotionResiduals(StandIns(std::move(samples)), law, skew) {}
+
+MotionResiduals::MotionResiduals(StandIns few, const Member& law, Skew skew)
+    : samples_(std::move(few.samples)),
+      roots_(std::move(few.roots)),
+      measurements_(few.all),
+      rest_(few.rest),
+      binding_(law, variables_of(law, layout(), skew)) {
   for (const LawVariable& v : binding_.variables()) {
     own_.push_back(law.arguments.list(v.parameter)[v.element]);
   }
@@ -77,6 +91,12 @@ std::optional<MotionResiduals::LawAt> MotionResiduals::law_at(std::span<const do
   return law;
 }
 
+std::vector<double> MotionResiduals::breaks(std::span<const double> p) const {
+  const auto law = binding_.possible_law_at<double>(p);
+  if (!law) return {};
+  return breaks_of(*law, p[MotionLayout::kBegin], p[MotionLayout::kEnd]);
+}
+
 bool MotionResiduals::evaluate(std::span<const double> p, std::span<double> r,
                                std::span<double> jacobian) const {
   if (!(p[MotionLayout::kEnd] > p[MotionLayout::kBegin])) return false;
@@ -122,6 +142,11 @@ bool MotionResiduals::evaluated(std::span<const double> p, std::span<double> r,
     const double stretch = static_cast<double>(K) * own / length;
     row[MotionLayout::kBegin] = size * (at.slope * (u - 1) / length + stretch);
     row[MotionLayout::kEnd] = size * (-at.slope * u / length - stretch);
+  }
+  for (std::size_t i = 0; i < roots_.size(); ++i) {
+    r[i] *= roots_[i];
+    if (jacobian.empty()) continue;
+    for (double& d : jacobian.subspan(i * p.size(), p.size())) d *= roots_[i];
   }
   return true;
 }
