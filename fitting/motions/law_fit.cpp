@@ -108,6 +108,27 @@ struct FitOf {
   std::vector<double> left = {};  ///< of all samples
 };
 
+/// The law with the coefficients of a fit of own(), where they make one.
+Possible<Law<double>> law_of(const LawResiduals& residuals, const optim::FitResult& fit,
+                             const Member& law, const LawFitOptions& options) {
+  const optim::FitResult told = residuals.told(fit, options.confidence);
+  return with_coefficients(law, told, residuals.first(), options.skew).possible_law();
+}
+
+/// The best fit of these residuals, of all samples or of their stand-ins, with what jumps of the
+/// samples at the motion's ends tell.
+Possible<optim::FitResult> best_with_jumps(const LawFitSamples& samples, const Member& law,
+                                           const LawResiduals& residuals,
+                                           const LawFitOptions& options, const Starts& starts) {
+  const auto near = fit_options(options, FitReach::Near);
+  auto best = best_fit(residuals.own(), residuals.residuals(), near, starts);
+  if (!best) return best;
+  const auto found = law_of(residuals, *best, law, options);
+  if (!found) return found.reason();
+  return fit_with_jumps(samples.all(), residuals.residuals(), residuals.own(),
+                        jumps_of(*found, samples.all().order), near, std::move(*best));
+}
+
 /// The best fit of the samples' stand-ins, which are those for the law that was found; none where
 /// they do not settle.
 Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, const Member& law,
@@ -120,8 +141,7 @@ Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, co
     FitOf found{
         std::make_unique<LawResiduals>(samples.standing_for(breaks), law, options.skew, parameters),
         {}};
-    auto fit = best_fit(found.stand_ins->own(), found.stand_ins->residuals(),
-                        fit_options(options, FitReach::Near), starts);
+    auto fit = best_with_jumps(samples, law, *found.stand_ins, options, starts);
     if (!fit) return fit.reason();
     const std::vector<double> values = values_of(*fit), now = all.breaks(values);
     found.fit = std::move(*fit);
@@ -143,13 +163,6 @@ bool is_of_all(const MotionSamples& samples, const optim::FitResult& fit,
   return std::abs(own - sum) <= kSame * sum || is_out(samples, sum, options);
 }
 
-/// The law with the coefficients of a fit of own(), where they make one.
-Possible<Law<double>> law_of(const LawResiduals& residuals, const optim::FitResult& fit,
-                             const Member& law, const LawFitOptions& options) {
-  const optim::FitResult told = residuals.told(fit, options.confidence);
-  return with_coefficients(law, told, residuals.first(), options.skew).possible_law();
-}
-
 /// The best fit of all samples from these starts; by stand-ins where these tell the same.
 Possible<FitOf> best_of_all(const LawFitSamples& samples, const Member& law,
                             const FitParameters& parameters, const LawFitOptions& options,
@@ -158,26 +171,17 @@ Possible<FitOf> best_of_all(const LawFitSamples& samples, const Member& law,
     auto few = fit_of_stand_ins(samples, law, parameters, options, all, starts);
     if (!few) return few.reason();
     if (*few) {
-      const auto found = law_of(all, (*few)->fit, law, options);
-      if (!found) return found.reason();
       auto left = left_of(all, (*few)->fit);
-      if (left && !jumps_of(*found, samples.all().order).any() &&
-          is_of_all(samples.all(), (*few)->fit, *left, options)) {
+      if (left && is_of_all(samples.all(), (*few)->fit, *left, options)) {
         (*few)->left = std::move(*left);
         return std::move(**few);
       }
       starts = {values_of((*few)->fit)};
     }
   }
-  const auto near = fit_options(options, FitReach::Near);
-  auto best = best_fit(all.own(), all.residuals(), near, starts);
+  auto best = best_with_jumps(samples, law, all, options, starts);
   if (!best) return best.reason();
-  const auto found = law_of(all, *best, law, options);
-  if (!found) return found.reason();
-  const Jumps jumps = jumps_of(*found, samples.all().order);
-  FitOf result;
-  result.fit =
-      fit_with_jumps(samples.all(), all.residuals(), all.own(), jumps, near, std::move(*best));
+  FitOf result{nullptr, std::move(*best)};
   result.left = result.fit.residuals;
   return result;
 }

@@ -2,11 +2,13 @@
 #include "fitting/motions/law_fit_service.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "fitting/motions/law_fit_samples.h"
@@ -19,20 +21,51 @@
 namespace camlaw::problems {
 namespace {
 
-// Numbers of samples go as one text of bytes: there are many, and between processes of one version
-// no other form is needed.
+// Numbers of samples, of which there are many, go as they lie in memory: between processes of one
+// version no other form is needed.
 
-void visit_many(optim::Writer& archive, const std::vector<double>& numbers) {
+std::string as_bytes(const std::vector<double>& numbers) {
   std::string bytes(numbers.size() * sizeof(double), '\0');
   if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  archive(bytes);
+  return bytes;
+}
+
+std::vector<double> as_numbers(std::string_view bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
+void visit_many(optim::Writer& archive, const std::vector<double>& numbers) {
+  archive(as_bytes(numbers));
 }
 
 void visit_many(optim::Reader& archive, std::vector<double>& numbers) {
   std::string bytes;
   archive(bytes);
-  numbers.resize(bytes.size() / sizeof(double));
-  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  numbers = as_numbers(bytes);
+}
+
+/// Two texts as one, of which the first need not be parsed.
+struct Pair {
+  std::string_view first, second;
+};
+
+std::string joined(const std::string& first, const std::string& second) {
+  const std::uint64_t size = first.size();
+  std::string result(sizeof size, '\0');
+  std::memcpy(result.data(), &size, sizeof size);
+  return result + first + second;
+}
+
+/// None where the text is not such a pair.
+std::optional<Pair> pair_of(std::string_view text) {
+  std::uint64_t size = 0;
+  if (text.size() < sizeof size) return {};
+  std::memcpy(&size, text.data(), sizeof size);
+  text.remove_prefix(sizeof size);
+  if (size > text.size()) return {};
+  return Pair{text.substr(0, size), text.substr(size)};
 }
 
 }  // namespace
@@ -83,7 +116,7 @@ void visit(Archive& archive, F& fit) {
          degrees_of_freedom, sigma, loss_scale, merit, converged, followed, rank, condition,
          free_directions, iterations, evaluations, reason, reason_but_bounds] = fit;
   archive(parameters), archive(covariance);
-  problems::visit_many(archive, residuals), problems::visit_many(archive, weights);
+  static_cast<void>(residuals), static_cast<void>(weights);  // they go before the bytes
   archive(sum_of_squares), archive(rms), archive(largest), archive(degrees_of_freedom);
   archive(sigma), archive(loss_scale), archive(merit), archive(converged), archive(followed);
   archive(rank), archive(condition), archive(free_directions), archive(iterations);
@@ -102,8 +135,8 @@ struct SamplesOfOrders {
   double confidence = 0;
 };
 
+/// What is asked beside these.
 struct LawFitOrder {
-  std::string samples;  ///< bytes of SamplesOfOrders
   std::string family;
   std::vector<std::vector<double>> arguments;
   Skew skew = Skew::Held;
@@ -138,8 +171,8 @@ void visit(Archive& archive, O& of) {
 template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, LawFitOrder>
 void visit(Archive& archive, O& of) {
-  auto& [samples, family, arguments, skew, like, least_sum] = of;
-  archive(samples), archive(family), archive(arguments), archive(skew), archive(like);
+  auto& [family, arguments, skew, like, least_sum] = of;
+  archive(family), archive(arguments), archive(skew), archive(like);
   archive(least_sum);
 }
 
@@ -161,12 +194,14 @@ std::string samples_of_orders(const MotionSamples& samples, const MotionGuess& g
 
 std::string law_fit_order(const std::string& samples, const Member& law,
                           const LawFitOptions& options) {
-  return optim::bytes_of(LawFitOrder{samples, law.family->name, law.arguments.values(),
-                                     options.skew, options.like, options.least_sum});
+  return joined(samples,
+                optim::bytes_of(LawFitOrder{law.family->name, law.arguments.values(), options.skew,
+                                            options.like, options.least_sum}));
 }
 
 std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& law) {
-  optim::Reader reader(answer);
+  const auto pair = pair_of(answer);
+  optim::Reader reader(pair ? pair->second : "");
   bool is_possible = false;
   reader(is_possible);
   LawFit fit{law, {}};
@@ -175,6 +210,12 @@ std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& la
     throw std::runtime_error("the process of this fit answered with something that is not a fit");
   }
   if (!is_possible) return std::nullopt;
+  // Residuals first, then as many weights.
+  fit.fit.residuals = as_numbers(pair->first);
+  const auto middle =
+      fit.fit.residuals.begin() + static_cast<std::ptrdiff_t>(fit.fit.residuals.size() / 2);
+  fit.fit.weights.assign(middle, fit.fit.residuals.end());
+  fit.fit.residuals.erase(middle, fit.fit.residuals.end());
   return fit;
 }
 
@@ -187,11 +228,11 @@ struct Kept {
   std::unique_ptr<const LawFitSamples> samples;
 
   /// False where the bytes are not such samples.
-  bool take(std::string own) {
+  bool take(std::string_view own) {
     if (samples && own == bytes) return true;
     const auto of = optim::value_of_bytes<SamplesOfOrders>(own);
     if (!of || of->samples.place.size() != of->samples.value.size()) return false;
-    bytes = std::move(own);
+    bytes = own;
     options.loss = of->loss;
     options.loss_scale = of->loss_scale;
     options.confidence = of->confidence;
@@ -207,8 +248,9 @@ optim::Service law_fit_service(const std::vector<Member>& laws) {
   for (const Member& law : laws) own.emplace(law.family->name, law.family);
   return [own, kept = std::make_shared<Kept>()](
              const std::string& order, const optim::Bench& bench) -> std::optional<std::string> {
-    auto of = optim::value_of_bytes<LawFitOrder>(order);
-    if (!of || !kept->take(std::move(of->samples))) return "";
+    const auto pair = pair_of(order);
+    auto of = optim::value_of_bytes<LawFitOrder>(pair ? pair->second : "");
+    if (!of || !kept->take(pair->first)) return "";
     const auto at = own.find(of->family);
     const Member law{at != own.end() ? at->second : FamilyOf(&find_family(of->family)),
                      Arguments<double>(std::move(of->arguments))};
@@ -220,8 +262,9 @@ optim::Service law_fit_service(const std::vector<Member>& laws) {
     const auto fit = possible_law_fit(*kept->samples, law, options);
     optim::Writer writer;
     writer(bool(fit));
-    if (fit) writer(*fit);
-    return writer.take();
+    if (!fit) return joined("", writer.take());
+    writer(*fit);
+    return joined(as_bytes(fit->fit.residuals) + as_bytes(fit->fit.weights), writer.take());
   };
 }
 

@@ -39,16 +39,16 @@ FitParameters parameters_of(const MotionSamples& samples, const Member& law,
 
 LawResiduals::LawResiduals(StandIns samples, const Member& law, Skew skew, FitParameters parameters)
     : given_(std::move(parameters)), motion_(std::move(samples), law, skew) {
-  const auto limit = limit_of(law);
-  if (!limit) return;
-  std::vector<double> start;
-  for (const auto& p : given_) start.push_back(p.start);
-  limited_.emplace(motion_, *limit, first(), start);
-}
-
-const optim::Residuals& LawResiduals::residuals() const {
-  if (limited_) return *limited_;
-  return motion_;
+  if (const auto limit = limit_of(law)) {
+    std::vector<double> start;
+    for (const auto& p : given_) start.push_back(p.start);
+    limited_.emplace(motion_, *limit, first(), start);
+  }
+  if (limited_) {
+    remembered_.emplace(*limited_);
+  } else {
+    remembered_.emplace(motion_);
+  }
 }
 
 FitParameters LawResiduals::own() const { return limited_ ? limited_->limited(given_) : given_; }

@@ -6,6 +6,7 @@
 #include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/law_limits.h"
 #include "fitting/motions/motion_residuals.h"
+#include "optim/fit/remembered_residuals.h"
 
 namespace camlaw::problems {
 
@@ -29,7 +30,7 @@ class LawResiduals {
 
   /// How many parameters stand before the coefficients.
   std::size_t first() const { return motion_.layout().first(); }
-  const optim::Residuals& residuals() const;
+  const optim::Residuals& residuals() const { return *remembered_; }
   /// The parameters as they are fitted.
   FitParameters own() const;
   /// Where derivatives of the law at values of own() may jump.
@@ -41,6 +42,7 @@ class LawResiduals {
   FitParameters given_;
   MotionResiduals motion_;
   std::optional<LimitedResiduals> limited_;
+  std::optional<optim::RememberedResiduals> remembered_;
 };
 
 /// How such residuals are fitted.

@@ -56,8 +56,9 @@ class MotionResiduals final : public optim::Residuals {
   std::size_t measurements_;
   double rest_ = 0;
   LawBinding binding_;
-  std::vector<double> own_;          ///< the member's coefficients
-  std::vector<Law<Dual>> constant_;  ///< of a law linear in all of them: at own_, for every p
+  std::vector<double> own_;               ///< the member's coefficients
+  std::optional<Law<double>> at_own_;     ///< of a law linear in all of them: at these
+  std::vector<Law<double>> derivatives_;  ///< of such a law, by each of them, the same for every p
 };
 
 }  // namespace camlaw::problems
