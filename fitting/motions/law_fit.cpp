@@ -158,9 +158,8 @@ Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, co
 bool is_of_all(const MotionSamples& samples, const optim::FitResult& fit,
                const std::vector<double>& left, const LawFitOptions& options) {
   constexpr double kSame = 1e-5;
-  const double sum = sum_left(samples, fit, left, optim::Loss::None);
-  const double own = std::max(fit.sum_of_squares, least_sum_of_squares(samples));
-  return std::abs(own - sum) <= kSame * sum || is_out(samples, sum, options);
+  const double sum = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
+  return std::abs(fit.sum_of_squares - sum) <= kSame * sum || is_out(samples, sum, options);
 }
 
 /// The best fit of all samples from these starts; by stand-ins where these tell the same.
