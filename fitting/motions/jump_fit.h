@@ -19,7 +19,8 @@ struct Jumps {
 /// function of that end, which descent does not follow: between two neighbouring places the end may
 /// lie anywhere as far as the jump goes. So gaps between places are tried, and what the jump tells
 /// of an end (LC5) joins what the other samples tell. `fit` are parameters whose first two are
-/// begin and end, as they were fitted to `residuals` without that.
+/// begin and end, as they were fitted to `residuals` without that: to those of the samples, or of
+/// their stand-ins that are for a law which jumps there.
 optim::FitResult fit_with_jumps(const MotionSamples& samples, const optim::Residuals& residuals,
                                 const std::vector<optim::FitParameter>& parameters, Jumps jumps,
                                 const optim::FitOptions& options, optim::FitResult fit);

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
 
 #include "fitting/motions/jump_fit.h"
+#include "fitting/motions/law_fit_samples.h"
 #include "fitting/motions/law_residuals.h"
 #include "fitting/motions/law_starts.h"
 #include "fitting/motions/occam.h"
@@ -23,11 +25,17 @@ namespace {
 
 using optim::FitReach;
 
+/// Of a law that was fitted, with stand-ins that are for the law as it was found.
+LawResiduals residuals_near(const LawFitSamples& samples, const LawFit& fit) {
+  const auto breaks = breaks_of(fit.law.law(), fit.begin, fit.end);
+  return {samples.standing_for(breaks), fit.law, fit.skew,
+          parameters_of(samples.all(), fit.law, samples.guess(), fit.skew)};
+}
+
 /// From the fit of other samples, within the bounds that it had.
-Possible<optim::FitResult> fitted_near(const MotionSamples& samples, const LawFit& fit,
-                                       const MotionGuess& guess, const LawFitOptions& options) {
-  const LawResiduals residuals(samples, fit.law, fit.skew,
-                               parameters_of(samples, fit.law, guess, fit.skew));
+Possible<optim::FitResult> fitted_near(const LawFitSamples& samples, const LawFit& fit,
+                                       const LawFitOptions& options) {
+  const LawResiduals residuals = residuals_near(samples, fit);
   const std::vector<double> found = values_of(fit.fit);
   const auto own = starting_at(residuals.own(), std::span(found).first(residuals.first()));
   auto refit =
@@ -63,27 +71,129 @@ double size_of(const MotionSamples& samples, const optim::FitResult& fit) {
   return size;
 }
 
-/// Whether a law that leaves this much where its fit begins, next to its minimum, is not behind the
-/// samples, as another one leaves so little: its weight (LC2) is below e^-100.
-bool is_out(const MotionSamples& samples, const optim::Residuals& residuals,
-            const std::vector<double>& start, const LawFitOptions& options) {
+/// Whether a law that leaves this much is not behind the samples, as another one leaves so little:
+/// its weight (LC2) is below e^-100.
+bool is_out(const MotionSamples& samples, double sum, const LawFitOptions& options) {
   constexpr double kFar = 200;
-  std::vector<double> r(residuals.count());
-  if (!options.least_sum || !residuals.evaluate(start, r, {})) return false;
+  if (!options.least_sum) return false;
   const double least = std::max(*options.least_sum, least_sum_of_squares(samples));
-  const double sum = std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
-  return sum > least * (1 + kFar / static_cast<double>(r.size()));
+  return sum > least * (1 + kFar / static_cast<double>(samples.value.size()));
 }
 
-/// What a fit leaves, as laws are compared by it.
-double sum_left(const MotionSamples& samples, const optim::FitResult& fit, optim::Loss loss) {
+/// What a fit leaves of all samples; none where that is undefined.
+std::optional<std::vector<double>> left_of(const LawResiduals& all, const optim::FitResult& fit) {
+  std::vector<double> r(all.residuals().count());
+  if (!all.residuals().evaluate(values_of(fit), r, {})) return {};
+  return r;
+}
+
+/// The sum by which laws are compared.
+double sum_left(const MotionSamples& samples, const optim::FitResult& fit,
+                const std::vector<double>& left, optim::Loss loss) {
   // Under a loss what it sums, so that a far point does not decide which law is best.
   double sum = 0;
-  for (const double r : fit.residuals) {
+  for (const double r : left) {
     sum +=
         loss == optim::Loss::None ? r * r : optim::loss_at(loss, fit.loss_scale.value_or(1), r).rho;
   }
   return std::max(sum, least_sum_of_squares(samples));
+}
+
+using Starts = std::vector<std::vector<double>>;
+
+/// A fit of all samples or of their stand-ins.
+struct FitOf {
+  std::unique_ptr<const LawResiduals> stand_ins;  ///< none: of all
+  optim::FitResult fit;
+  std::vector<double> left = {};  ///< of all samples
+};
+
+/// The law with the coefficients of a fit of own(), where they make one.
+Possible<Law<double>> law_of(const LawResiduals& residuals, const optim::FitResult& fit,
+                             const Member& law, const LawFitOptions& options) {
+  const optim::FitResult told = residuals.told(fit, options.confidence);
+  return with_coefficients(law, told, residuals.first(), options.skew).possible_law();
+}
+
+/// The best fit of these residuals, of all samples or of their stand-ins, with what jumps of the
+/// samples at the motion's ends tell.
+Possible<optim::FitResult> best_with_jumps(const LawFitSamples& samples, const Member& law,
+                                           const LawResiduals& residuals,
+                                           const LawFitOptions& options, const Starts& starts) {
+  const auto near = fit_options(options, FitReach::Near);
+  auto best = best_fit(residuals.own(), residuals.residuals(), near, starts);
+  if (!best) return best;
+  const auto found = law_of(residuals, *best, law, options);
+  if (!found) return found.reason();
+  return fit_with_jumps(samples.all(), residuals.residuals(), residuals.own(),
+                        jumps_of(*found, samples.all().order), near, std::move(*best));
+}
+
+/// The best fit of the samples' stand-ins, which are those for the law that was found; none where
+/// they do not settle.
+Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, const Member& law,
+                                                const FitParameters& parameters,
+                                                const LawFitOptions& options,
+                                                const LawResiduals& all, Starts starts) {
+  constexpr int kRounds = 5;
+  std::vector<double> breaks = all.breaks(starts.front());
+  for (int round = 0; round < kRounds; ++round) {
+    FitOf found{
+        std::make_unique<LawResiduals>(samples.standing_for(breaks), law, options.skew, parameters),
+        {}};
+    auto fit = best_with_jumps(samples, law, *found.stand_ins, options, starts);
+    if (!fit) return fit.reason();
+    const std::vector<double> values = values_of(*fit), now = all.breaks(values);
+    found.fit = std::move(*fit);
+    if (samples.blocks()->are_for(breaks, now)) return std::optional(std::move(found));
+    starts = {values};
+    // Where they were too, so that two places do not take turns.
+    breaks.insert(breaks.end(), now.begin(), now.end());
+  }
+  return std::optional<FitOf>();
+}
+
+/// Whether a fit of stand-ins is that of all samples: they leave as much of it. Of a law that is
+/// not behind the samples that need not be so.
+bool is_of_all(const MotionSamples& samples, const optim::FitResult& fit,
+               const std::vector<double>& left, const LawFitOptions& options) {
+  constexpr double kSame = 1e-5;
+  const double sum = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
+  return std::abs(fit.sum_of_squares - sum) <= kSame * sum || is_out(samples, sum, options);
+}
+
+/// The best fit of all samples from these starts; by stand-ins where these tell the same.
+Possible<FitOf> best_of_all(const LawFitSamples& samples, const Member& law,
+                            const FitParameters& parameters, const LawFitOptions& options,
+                            const LawResiduals& all, Starts starts) {
+  if (samples.blocks()) {
+    auto few = fit_of_stand_ins(samples, law, parameters, options, all, starts);
+    if (!few) return few.reason();
+    if (*few) {
+      auto left = left_of(all, (*few)->fit);
+      if (left && is_of_all(samples.all(), (*few)->fit, *left, options)) {
+        (*few)->left = std::move(*left);
+        return std::move(**few);
+      }
+      starts = {values_of((*few)->fit)};
+    }
+  }
+  auto best = best_with_jumps(samples, law, all, options, starts);
+  if (!best) return best.reason();
+  FitOf result{nullptr, std::move(*best)};
+  result.left = result.fit.residuals;
+  return result;
+}
+
+/// Tells of all samples what a fit of their stand-ins leaves.
+void tell_left(std::vector<double> left, optim::FitResult& fit) {
+  fit.sum_of_squares = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
+  fit.rms = std::sqrt(fit.sum_of_squares / static_cast<double>(left.size()));
+  const auto largest = std::max_element(
+      left.begin(), left.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  fit.largest = static_cast<std::size_t>(largest - left.begin());
+  if (fit.weights.size() != left.size()) fit.weights.assign(left.size(), 1.0);
+  fit.residuals = std::move(left);
 }
 
 }  // namespace
@@ -140,40 +250,35 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
 
 Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& law,
                                   const MotionGuess& guess, const LawFitOptions& options) {
+  return possible_law_fit(LawFitSamples(samples, guess, options.loss), law, options);
+}
+
+Possible<LawFit> possible_law_fit(const LawFitSamples& of, const Member& law,
+                                  const LawFitOptions& options) {
   if (const auto made = law.possible_law(); !made) return made.reason();
-  const auto parameters = parameters_of(samples, law, guess, options.skew);
-  const LawResiduals law_residuals(samples, law, options.skew, parameters);
-  const optim::Residuals& residuals = law_residuals.residuals();
-  const FitParameters own = law_residuals.own();
-  const std::size_t first = law_residuals.first(), n = samples.value.size();
-  optim::FitOptions near = fit_options(options, FitReach::Near);
-  const auto member_of = [&](const optim::FitResult& fit) {
-    return with_coefficients(law, law_residuals.told(fit, options.confidence), first, options.skew);
-  };
-  auto starts = law_starts(samples, law, parameters, options);
+  const MotionSamples& samples = of.all();
+  const auto parameters = parameters_of(samples, law, of.guess(), options.skew);
+  auto starts = law_starts(of.means(), law, parameters, options);
   if (!starts) return starts.reason();
-  if (are_very_many(samples) && options.loss == optim::Loss::None) {
-    starts = end_of_means(samples, law, parameters, options, *starts);
-    if (!starts) return starts.reason();
-    if (is_out(samples, residuals, starts->front(), options)) {
-      near = fit_options(options, FitReach::Rough);
-    }
-  }
-  auto best = best_fit(own, residuals, near, *starts);
-  if (!best) return best.reason();
-  const auto found = member_of(*best).possible_law();
+  const LawResiduals all(samples, law, options.skew, parameters);
+  auto found = best_of_all(of, law, parameters, options, all, std::move(*starts));
   if (!found) return found.reason();
-  const Jumps jumps = jumps_of(*found, samples.order);
-  best = fit_with_jumps(samples, residuals, own, jumps, near, std::move(*best));
-  LawFit result{member_of(*best), {}, options.skew, first};
-  result.inflation = count_rounding(samples, residuals, own, options.confidence, *best);
-  const double sum = sum_left(samples, *best, options.loss);
-  const Occam occam = occam_of(residuals, own, first, size_of(samples, *best),
-                               std::sqrt(sum / static_cast<double>(n)), *best);
-  result.criterion = optim::evidence(n, best->rank, occam.count, sum, occam.logarithm);
+  auto& [few, best, left] = *found;
+  const optim::Residuals& residuals = (few ? *few : all).residuals();
+  const FitParameters own = all.own();
+  const std::size_t first = all.first(), n = samples.value.size();
+  LawFit result{law, {}, options.skew, first};
+  result.inflation =
+      count_rounding(samples, residuals, all.residuals(), own, options.confidence, best);
+  const double sum = sum_left(samples, best, left, options.loss);
+  const Occam occam = occam_of(residuals, own, first, size_of(samples, best),
+                               std::sqrt(sum / static_cast<double>(n)), best);
+  result.criterion = optim::evidence(n, best.rank, occam.count, sum, occam.logarithm);
   result.numbers =
       own.size() - static_cast<std::size_t>(std::count_if(own.begin(), own.end(), is_held));
-  result.fit = law_residuals.told(std::move(*best), options.confidence);
+  tell_left(std::move(left), best);
+  result.fit = all.told(std::move(best), options.confidence);
+  result.law = with_coefficients(law, result.fit, first, options.skew);
   const std::vector<double> x = values_of(result.fit);
   result.begin = x[MotionLayout::kBegin];
   result.end = x[MotionLayout::kEnd];
@@ -185,8 +290,8 @@ Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& la
 void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
                   const LawFitOptions& options, LawFit& fit) {
   if (options.loss != optim::Loss::None) return;
-  const LawResiduals residuals(samples, fit.law, fit.skew,
-                               parameters_of(samples, fit.law, guess, fit.skew));
+  const LawFitSamples of(samples, guess, options.loss);
+  const LawResiduals residuals = residuals_near(of, fit);
   const std::vector<double> found = values_of(fit.fit);
   const auto own = starting_at(residuals.own(), std::span(found).first(fit.base));
   profile_intervals(residuals.residuals(), own, fit.base, fit.inflation, options.confidence,
@@ -209,7 +314,7 @@ Possible<double> cross_validated(const MotionSamples& samples, const LawFit& fit
   const double error = optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
         if (fault) return std::nan("");
-        const auto own = fitted_near(part(kept), fit, guess, options);
+        const auto own = fitted_near({part(kept), guess, options.loss}, fit, options);
         if (!own) {
           fault = own.reason();
           return std::nan("");

@@ -32,7 +32,7 @@ struct LawFitOptions {
   /// A motion that another law follows well: fits of several coefficients begin there too.
   std::optional<MotionGuess> like = {};
   /// The sum of squares that another law leaves. Of very many samples a law that leaves so much
-  /// more that it is not behind them is fitted to a millionth of its sum only.
+  /// more that it is not behind them is fitted to their stand-ins only, however well these do.
   std::optional<double> least_sum = {};
   /// Told what share of the whole work is done, 0 to 1.
   std::function<void(double share)> progress = {};
@@ -73,9 +73,12 @@ struct LawFit {
   std::vector<double> inflation = {};
 
   double value(double place, int order) const;
+  MotionGuess motion() const { return {begin, end, from, to}; }
   /// Whether it has coefficients of its own, the crossover among them.
   bool has_coefficients() const;
 };
+
+class LawFitSamples;
 
 /// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is
 /// asked for), with begin, end, stroke and zero shift. Impossible where the law or one with fitted
@@ -83,6 +86,9 @@ struct LawFit {
 /// to infinity. `samples` and `guess` are such that bad_motion() finds no fault.
 Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& law,
                                   const MotionGuess& guess, const LawFitOptions& options = {});
+/// The same with what fits of several laws have in common.
+Possible<LawFit> possible_law_fit(const LawFitSamples& samples, const Member& law,
+                                  const LawFitOptions& options = {});
 /// The same; throws std::invalid_argument where it is impossible and with what bad_motion() says.
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options = {});

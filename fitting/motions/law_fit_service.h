@@ -11,8 +11,12 @@
 /// Fits of laws as orders that any process can carry out (optim/crew/crew.h).
 namespace camlaw::problems {
 
-/// One law to be fitted: what possible_law_fit() takes, as bytes.
-std::string law_fit_order(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+/// What fits of many laws have in common, as bytes: the samples, and how they are fitted.
+std::string samples_of_orders(const MotionSamples& samples, const MotionGuess& guess,
+                              const LawFitOptions& options);
+
+/// One law to be fitted, as bytes; `samples` are those of samples_of_orders().
+std::string law_fit_order(const std::string& samples, const Member& law,
                           const LawFitOptions& options);
 
 /// What came of the order; none where the law cannot be fitted. `law` as it was ordered. Throws

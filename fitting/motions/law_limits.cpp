@@ -59,11 +59,15 @@ double LimitedResiduals::coefficient(std::span<const double> p) const {
   return rest / limit_.factors[replaced_];
 }
 
+std::vector<double> LimitedResiduals::given(std::span<const double> p) const {
+  std::vector<double> result(p.begin(), p.end());
+  result[first_ + replaced_] = coefficient(p);
+  return result;
+}
+
 bool LimitedResiduals::evaluate(std::span<const double> p, std::span<double> r,
                                 std::span<double> jacobian) const {
-  std::vector<double> own(p.begin(), p.end());
-  own[first_ + replaced_] = coefficient(p);
-  if (!residuals_.evaluate(own, r, jacobian)) return false;
+  if (!residuals_.evaluate(given(p), r, jacobian)) return false;
   for (std::size_t row = 0; row * p.size() < jacobian.size(); ++row) {
     double* d = &jacobian[row * p.size() + first_];
     const double by_rest = -d[replaced_] / limit_.factors[replaced_];

@@ -41,9 +41,13 @@ class LimitedResiduals final : public optim::Residuals {
                    std::span<const double> start);
 
   std::size_t count() const override { return residuals_.count(); }
+  std::size_t measurements() const override { return residuals_.measurements(); }
+  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override;
 
+  /// The coefficient in the place of what is left.
+  std::vector<double> given(std::span<const double> p) const;
   /// The parameters with what is left in the place of the coefficient.
   std::vector<optim::FitParameter> limited(std::vector<optim::FitParameter> parameters) const;
   /// A fit of those, told of the coefficients: values, covariance and intervals of all of them.

@@ -49,8 +49,6 @@ std::vector<RankedLaw> candidates_of(const std::vector<Member>& laws) {
   return result;
 }
 
-MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
-
 /// "cycloidal"; where that was tried as it is, "skewed cycloidal".
 void add_untried(const RankedLaw& candidate, std::vector<std::string>& names) {
   const std::string& name = candidate.law.family->name;
@@ -64,9 +62,8 @@ class LawFits final : public optim::Errands {
  public:
   LawFits(const MotionSamples& samples, const std::vector<RankedLaw>& candidates,
           const MotionGuess& guess, const LawFitOptions& options)
-      : samples_(samples),
+      : samples_(samples_of_orders(samples, guess, options)),
         candidates_(candidates),
-        guess_(guess),
         options_(options),
         fits_(candidates.size()) {}
 
@@ -77,7 +74,7 @@ class LawFits final : public optim::Errands {
       if (under_way_ > 0) return {};
       step_ = candidate.coefficients;
       if (const LawFit* best = best_so_far()) {
-        like_ = motion_of(*best);
+        like_ = best->motion();
         least_sum_ = best->fit.sum_of_squares;
       }
     }
@@ -92,7 +89,7 @@ class LawFits final : public optim::Errands {
     own.skew = candidate.skew;
     own.like = like_;
     own.least_sum = least_sum_;
-    return law_fit_order(samples_, candidate.law, guess_, own);
+    return law_fit_order(samples_, candidate.law, own);
   }
   void answered(std::size_t number, const std::string& answer) override {
     --under_way_;
@@ -135,9 +132,8 @@ class LawFits final : public optim::Errands {
     return best;
   }
 
-  const MotionSamples& samples_;
+  const std::string samples_;
   const std::vector<RankedLaw>& candidates_;
-  const MotionGuess& guess_;
   const LawFitOptions& options_;
   std::vector<std::optional<LawFit>> fits_;
   std::size_t next_ = 0, under_way_ = 0;

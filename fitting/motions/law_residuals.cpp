@@ -4,11 +4,22 @@
 #include <cmath>
 
 namespace camlaw::problems {
+namespace {
+
+/// So far off its guess an end is looked for.
+double beyond_of(const MotionGuess& guess) { return 0.3 * (guess.end - guess.begin); }
+
+}  // namespace
+
+MotionRange range_of(const MotionGuess& guess) {
+  const double beyond = beyond_of(guess);
+  return {guess.begin - beyond, guess.end + beyond};
+}
 
 FitParameters parameters_of(const MotionSamples& samples, const Member& law,
                             const MotionGuess& guess, Skew skew) {
   const double length = guess.end - guess.begin, stroke = guess.to - guess.from;
-  const double beyond = 0.3 * length;  // an end is looked for that far off its guess
+  const double beyond = beyond_of(guess);
   const std::string &unit = samples.place_unit, &size = samples.length_unit;
   const double free = optim::kInfinity;
   FitParameters result{
@@ -26,22 +37,25 @@ FitParameters parameters_of(const MotionSamples& samples, const Member& law,
   return result;
 }
 
-LawResiduals::LawResiduals(const MotionSamples& samples, const Member& law, Skew skew,
-                           FitParameters parameters)
-    : given_(std::move(parameters)), motion_(samples, law, skew) {
-  const auto limit = limit_of(law);
-  if (!limit) return;
-  std::vector<double> start;
-  for (const auto& p : given_) start.push_back(p.start);
-  limited_.emplace(motion_, *limit, first(), start);
-}
-
-const optim::Residuals& LawResiduals::residuals() const {
-  if (limited_) return *limited_;
-  return motion_;
+LawResiduals::LawResiduals(StandIns samples, const Member& law, Skew skew, FitParameters parameters)
+    : given_(std::move(parameters)), motion_(std::move(samples), law, skew) {
+  if (const auto limit = limit_of(law)) {
+    std::vector<double> start;
+    for (const auto& p : given_) start.push_back(p.start);
+    limited_.emplace(motion_, *limit, first(), start);
+  }
+  if (limited_) {
+    remembered_.emplace(*limited_);
+  } else {
+    remembered_.emplace(motion_);
+  }
 }
 
 FitParameters LawResiduals::own() const { return limited_ ? limited_->limited(given_) : given_; }
+
+std::vector<double> LawResiduals::breaks(std::span<const double> values) const {
+  return limited_ ? motion_.breaks(limited_->given(values)) : motion_.breaks(values);
+}
 
 optim::FitResult LawResiduals::told(optim::FitResult fit, double confidence) const {
   return limited_ ? limited_->of_coefficients(std::move(fit), given_, confidence) : fit;

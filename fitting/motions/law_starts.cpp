@@ -4,40 +4,11 @@
 #include <algorithm>
 
 #include "fitting/motions/law_residuals.h"
-#include "fitting/samples/condensed.h"
 
 namespace camlaw::problems {
 namespace {
 
 using RoughFit = std::function<Possible<optim::FitResult>(const FitParameters&)>;
-
-/// Means of so many neighbours each.
-MotionSamples means_of(MotionSamples samples, std::size_t each) {
-  Condensed means = means_of_neighbours(std::move(samples.place), std::move(samples.value), each,
-                                        samples.resolution);
-  samples.place = std::move(means.place);
-  samples.value = std::move(means.value);
-  samples.each = means.each;
-  return samples;
-}
-
-/// Of how many neighbours the means are that a fit of very many samples is made with first.
-std::size_t samples_of_mean(const MotionSamples& samples) {
-  constexpr std::size_t kMeans = 1000;
-  return samples.value.size() / kMeans;
-}
-
-/// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
-/// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
-/// needed, which from far off would let no sample count.
-MotionSamples few_of(const MotionSamples& samples, double low, double high, optim::Loss loss) {
-  constexpr std::size_t kMeans = 100, kLeast = 3, kEnough = 90;
-  MotionSamples few = between(samples, low, high);
-  const std::size_t count = few.value.size();
-  std::size_t each = count / kMeans;
-  if (loss != optim::Loss::None && count >= kEnough) each = std::max(each, kLeast);
-  return means_of(std::move(few), each);
-}
 
 /// A fit of everything but begin and end, which stay at these.
 Possible<optim::FitResult> between_ends(const RoughFit& fit, const FitParameters& parameters,
@@ -98,13 +69,10 @@ std::vector<std::vector<double>> best_of(std::vector<optim::FitResult> fits) {
 
 }  // namespace
 
-Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& samples,
-                                                      const Member& law,
+Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& means, const Member& law,
                                                       const FitParameters& parameters,
                                                       const LawFitOptions& options) {
   constexpr auto kBegin = MotionLayout::kBegin, kEnd = MotionLayout::kEnd;
-  const MotionSamples means =
-      few_of(samples, parameters[kBegin].lower, parameters[kEnd].upper, options.loss);
   const LawResiduals few(means, law, options.skew, parameters);
   optim::FitOptions rough = fit_options(options, optim::FitReach::Rough);
   rough.loss_scale.reset();
@@ -161,19 +129,6 @@ Possible<optim::FitResult> best_fit(const FitParameters& own, const optim::Resid
     if (!best || fit->merit < best->merit) best = std::move(*fit);
   }
   return *std::move(best);
-}
-
-bool are_very_many(const MotionSamples& samples) { return samples_of_mean(samples) >= 4; }
-
-Possible<std::vector<std::vector<double>>> end_of_means(
-    const MotionSamples& samples, const Member& law, const FitParameters& parameters,
-    const LawFitOptions& options, const std::vector<std::vector<double>>& starts) {
-  const LawResiduals means(means_of(samples, samples_of_mean(samples)), law, options.skew,
-                           parameters);
-  const auto best =
-      best_fit(means.own(), means.residuals(), fit_options(options, optim::FitReach::Near), starts);
-  if (!best) return best.reason();
-  return std::vector<std::vector<double>>{values_of(*best)};
 }
 
 }  // namespace camlaw::problems

@@ -7,11 +7,10 @@
 namespace camlaw::problems {
 
 /// Where fits of all samples should begin, as values of the parameters that LawResiduals fits, the
-/// best first; by rough fits to a few means of neighbours. `parameters` are those of
-/// parameters_of(). Laws of several coefficients have valleys in which longer motions with other
-/// coefficients nearly do as well: such fits begin at shorter and longer motions too.
-Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& samples,
-                                                      const Member& law,
+/// best first; by rough fits to means of neighbours. `parameters` are those of parameters_of().
+/// Laws of several coefficients have valleys in which longer motions with other coefficients nearly
+/// do as well: such fits begin at shorter and longer motions too.
+Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& means, const Member& law,
                                                       const FitParameters& parameters,
                                                       const LawFitOptions& options);
 
@@ -19,14 +18,5 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
 Possible<optim::FitResult> best_fit(const FitParameters& own, const optim::Residuals& residuals,
                                     const optim::FitOptions& options,
                                     const std::vector<std::vector<double>>& starts);
-
-/// Whether there are so many samples that means of neighbours tell nearly all that they do.
-bool are_very_many(const MotionSamples& samples);
-
-/// Where the best of the fits of such means from these starts ends, alone: a fit of all samples
-/// then begins next to its minimum.
-Possible<std::vector<std::vector<double>>> end_of_means(
-    const MotionSamples& samples, const Member& law, const FitParameters& parameters,
-    const LawFitOptions& options, const std::vector<std::vector<double>>& starts);
 
 }  // namespace camlaw::problems

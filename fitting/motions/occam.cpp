@@ -65,11 +65,12 @@ Occam occam_of(const optim::Residuals& residuals,
                double deviation, const optim::FitResult& fit) {
   constexpr double kMost = 0.1;
   const std::size_t m = parameters.size(), n = residuals.count();
+  const auto samples = static_cast<double>(residuals.measurements());
   // Where a coefficient has no effect to first order it has one to second order, as a rule: a
   // polynomial's where it changes as begin and end do. The samples then leave it the square root of
   // what they else would.
   const double most = kMost * size / deviation;
-  const double second = 0.5 * std::log1p(static_cast<double>(n) * most * most / 12);
+  const double second = 0.5 * std::log1p(samples * most * most / 12);
   const OwnColumns columns = own_columns(parameters, first, fit);
   const std::size_t open =
       columns.has_open ? std::min(columns.own.size(), fit.free_directions.size()) : 0;
@@ -84,7 +85,7 @@ Occam occam_of(const optim::Residuals& residuals,
   for (std::size_t k = 0; k < columns.own.size(); ++k) {
     const Index j = columns.own[k];
     const optim::FitParameter& own = parameters[static_cast<std::size_t>(j)];
-    const double effect = jacobian.col(j).norm() / std::sqrt(static_cast<double>(n));
+    const double effect = jacobian.col(j).norm() / std::sqrt(samples);
     const double range = std::min(own.upper - own.lower, kMost * size / effect);
     before[static_cast<Index>(k)] = range / std::sqrt(12.0);
   }

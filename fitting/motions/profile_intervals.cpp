@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <optional>
 
 #include "numerics/linear/statistics.h"
@@ -38,6 +39,15 @@ double reach(const optim::FitParameter& parameter, const std::function<double(do
   return value + outside.value_or(inside);
 }
 
+/// The sum of squares where the parameters start.
+double squares_at_start(const optim::Residuals& residuals,
+                        const std::vector<optim::FitParameter>& parameters) {
+  std::vector<double> p, r(residuals.count());
+  for (const auto& parameter : parameters) p.push_back(parameter.start);
+  if (!residuals.evaluate(p, r, {})) return optim::kInfinity;
+  return std::inner_product(r.begin(), r.end(), r.begin(), residuals.rest());
+}
+
 /// The least sum of squares with one parameter held at x.
 double squares_at(const optim::Residuals& residuals, std::vector<optim::FitParameter> parameters,
                   std::size_t which, double x, const std::atomic<bool>* stop) {
@@ -57,6 +67,7 @@ void profile_intervals(const optim::Residuals& residuals,
                        const std::vector<double>& inflation, double confidence,
                        const std::atomic<bool>* stop, optim::FitResult& fit) {
   if (!(fit.sigma > 0) || fit.degrees_of_freedom < 1) return;
+  const double least = squares_at_start(residuals, parameters);
   const double t = optim::student_quantile(fit.degrees_of_freedom, confidence);
   for (std::size_t j = 0; j < count; ++j) {
     optim::FittedParameter& p = fit.parameters[j];
@@ -65,7 +76,7 @@ void profile_intervals(const optim::Residuals& residuals,
     }
     const double deviation = inflation[j] * fit.sigma, variance = deviation * deviation;
     const auto deviations = [&](double x) {
-      const double more = squares_at(residuals, parameters, j, x, stop) - fit.sum_of_squares;
+      const double more = squares_at(residuals, parameters, j, x, stop) - least;
       return std::sqrt(std::max(more, 0.0) / variance);
     };
     p.low = reach(parameters[j], deviations, t, -t * p.standard_deviation);

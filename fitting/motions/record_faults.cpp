@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fitting/motions/fit_parameters.h"
+#include "fitting/motions/law_fit_samples.h"
 #include "fitting/motions/motion_residuals.h"
 #include "fitting/motions/rounding_errors.h"
 #include "numerics/linear/dense.h"
@@ -22,6 +23,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 struct Left {
   VectorXd residual;  ///< without its part in the span of the law's own columns
   MatrixXd fault;     ///< the fault's columns without theirs
+  double rest = 0;    ///< squares that no curve follows
 };
 
 /// Columns of the Jacobian that the fit moved.
@@ -40,17 +42,25 @@ struct Columns {
   std::vector<Eigen::Index> free;  ///< which of the parameters
   MatrixXd own, fault;
   VectorXd residual;
+  double rest;
 };
 
-std::optional<Columns> columns_of(const LawFit& fit, const MotionSamples& samples,
+/// What stands for the samples of a fit.
+StandIns stand_ins_of(const LawFit& fit, const LawFitSamples& samples) {
+  if (fit.fit.loss_scale) return samples.all();  // each has its own weight
+  return samples.standing_for(breaks_of(fit.law.law(), fit.begin, fit.end));
+}
+
+std::optional<Columns> columns_of(const LawFit& fit, const LawFitSamples& samples,
                                   const PossibleFault& fault, bool weighted) {
-  const std::size_t n = samples.place.size(), p = fit.fit.parameters.size();
+  const StandIns few = stand_ins_of(fit, samples);
+  const std::size_t n = few.samples.place.size(), p = fit.fit.parameters.size();
   std::vector<double> r(n), rows(n * p);
-  if (!MotionResiduals(samples, fit.law, fit.skew).evaluate(values_of(fit.fit), r, rows)) return {};
+  if (!MotionResiduals(few, fit.law, fit.skew).evaluate(values_of(fit.fit), r, rows)) return {};
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto count = static_cast<Eigen::Index>(n);
   const Eigen::Map<const RowMajor> jacobian(rows.data(), count, static_cast<Eigen::Index>(p));
-  Columns columns{free_columns(fit.fit), {}, MatrixXd(count, fault.by.size()), {}};
+  Columns columns{free_columns(fit.fit), {}, MatrixXd(count, fault.by.size()), {}, few.rest};
   columns.residual = Eigen::Map<const VectorXd>(r.data(), count);
   columns.own.resize(count, static_cast<Eigen::Index>(columns.free.size()));
   for (std::size_t j = 0; j < columns.free.size(); ++j) {
@@ -59,20 +69,22 @@ std::optional<Columns> columns_of(const LawFit& fit, const MotionSamples& sample
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     for (std::size_t j = 0; j < fault.by.size(); ++j) {
-      columns.fault(i, static_cast<Eigen::Index>(j)) = fault.by[j](samples.place[k]);
+      columns.fault(i, static_cast<Eigen::Index>(j)) =
+          fault.by[j](few.samples.place[k]) * (few.roots.empty() ? 1 : few.roots[k]);
     }
-    const double root = weighted ? std::sqrt(fit.fit.weights[k]) : 1;
+    if (!weighted || !few.roots.empty()) continue;
+    const double root = std::sqrt(fit.fit.weights[k]);
     columns.own.row(i) *= root, columns.fault.row(i) *= root, columns.residual[i] *= root;
   }
   if (!columns.own.allFinite() || !columns.fault.allFinite()) return {};
   return columns;
 }
 
-std::optional<Left> left_by(const LawFit& fit, const MotionSamples& samples,
+std::optional<Left> left_by(const LawFit& fit, const LawFitSamples& samples,
                             const PossibleFault& fault, bool weighted) {
   auto columns = columns_of(fit, samples, fault, weighted);
   if (!columns) return {};
-  Left left{std::move(columns->residual), std::move(columns->fault)};
+  Left left{std::move(columns->residual), std::move(columns->fault), columns->rest};
   if (columns->own.cols() == 0) return left;
   columns->own.colwise().normalize();  // so that the rank does not depend on units
   const MatrixXd basis = optim::column_space(columns->own);
@@ -92,8 +104,10 @@ struct Motion {
 Motion motion_of(const std::vector<LawFit>& ranking, const MotionSamples& samples,
                  const PossibleFault& fault, bool weighted) {
   Motion motion{{}, {}, samples.place.size(), least_sum_of_squares(samples)};
+  if (ranking.empty()) return motion;
+  const LawFitSamples of(samples, ranking.front().motion(), optim::Loss::None);
   for (const LawFit& fit : ranking) {
-    auto left = left_by(fit, samples, fault, weighted);
+    auto left = left_by(fit, of, fault, weighted);
     if (!left) continue;
     motion.left.push_back(std::move(*left));
     motion.numbers.push_back(fit.numbers);
@@ -116,7 +130,7 @@ Best best_of(const Motion& motion, const FaultScore& score, std::size_t more,
   for (std::size_t l = 0; l < motion.left.size(); ++l) {
     const Left& left = motion.left[l];
     const VectorXd rest = left.residual - left.fault * size_of(left);
-    const double squares = std::max(rest.squaredNorm(), motion.least);
+    const double squares = std::max(rest.squaredNorm() + left.rest, motion.least);
     const double own = score.of(motion.count, motion.numbers[l] + more, squares);
     if (own < best.score) best = {own, l, squares};
   }
@@ -165,7 +179,8 @@ PossibleFault off_centre() {
 
 void widen(LawFit& fit, const MotionSamples& samples, const PossibleFault& fault,
            const MatrixXd& covariance) {
-  const auto columns = columns_of(fit, samples, fault, true);
+  const LawFitSamples of(samples, fit.motion(), optim::Loss::None);
+  const auto columns = columns_of(fit, of, fault, true);
   if (!columns || columns->own.cols() == 0) return;
   const MatrixXd follow = optim::least_squares(columns->own, columns->fault);
   const MatrixXd more = follow * covariance * follow.transpose();

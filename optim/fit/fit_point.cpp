@@ -55,6 +55,7 @@ std::optional<FitPoint> fit_point(const Residuals& residuals, VectorXd p) {
     return std::nullopt;
   }
   point.p = std::move(p);
+  point.rest = residuals.rest();
   return point;
 }
 
@@ -97,7 +98,7 @@ VectorXd stepped(const FitPoint& point, const FitBox& box, const VectorXd& step,
 }
 
 double followed(const FitPoint& point, const GaussNewton& step) {
-  const double length = point.r.norm();
+  const double length = point.length();
   return length > 0 ? step.reduction / length : 0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct FitBox {
 struct FitPoint {
   Eigen::VectorXd p, r;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian;
+  double rest = 0;  ///< of the residuals
   double sum() const { return r.squaredNorm(); }
+  /// Of the residuals of all measurements.
+  double length() const { return std::sqrt(sum() + rest); }
 };
 
 /// Nothing where the residuals are undefined.

@@ -40,21 +40,23 @@ std::vector<LossAt> losses(const FitResult& result, Loss loss) {
 }
 
 /// (FT6): sqrt of K^2 (sum psi^2 / dof) / (mean psi')^2.
-double residual_deviation(const std::vector<LossAt>& at, std::size_t rank) {
-  const auto n = static_cast<double>(at.size()), p = static_cast<double>(rank);
-  double squares = 0, mean = 0, variance = 0;
-  for (const LossAt& a : at) squares += a.pull * a.pull, mean += a.slope / n;
-  for (const LossAt& a : at) variance += (a.slope - mean) * (a.slope - mean) / n;
-  if (at.size() <= rank || !(mean > 0)) return kNan;
+double residual_deviation(const std::vector<LossAt>& at, const Residuals& residuals,
+                          std::size_t rank) {
+  const auto count = static_cast<double>(at.size()), p = static_cast<double>(rank);
+  const auto n = static_cast<double>(residuals.measurements());
+  double squares = residuals.rest(), mean = 0, variance = 0;
+  for (const LossAt& a : at) squares += a.pull * a.pull, mean += a.slope / count;
+  for (const LossAt& a : at) variance += (a.slope - mean) * (a.slope - mean) / count;
+  if (residuals.measurements() <= rank || !(mean > 0)) return kNan;
   const double correction = 1 + p / n * variance / (mean * mean);
   return correction * std::sqrt(squares / (n - p)) / mean;
 }
 
 /// What is known of the residuals as numbers.
-void describe_residuals(const FitPoint& point, FitResult& result) {
+void describe_residuals(const FitPoint& point, const Residuals& residuals, FitResult& result) {
   result.residuals.assign(point.r.data(), point.r.data() + point.r.size());
-  result.sum_of_squares = point.sum();
-  result.rms = std::sqrt(result.sum_of_squares / static_cast<double>(point.r.size()));
+  result.sum_of_squares = point.sum() + residuals.rest();
+  result.rms = std::sqrt(result.sum_of_squares / static_cast<double>(residuals.measurements()));
   Index largest = 0;
   point.r.cwiseAbs().maxCoeff(&largest);
   result.largest = static_cast<std::size_t>(largest);
@@ -185,7 +187,7 @@ FitResult fit_report(const std::vector<FitParameter>& parameters, const Residual
                                  .unit = parameters[j].unit,
                                  .value = end.p[static_cast<Index>(j)]});
   }
-  describe_residuals(*point, result);
+  describe_residuals(*point, residuals, result);
   result.loss_scale = end.loss_scale;
   result.reason = end.doubt;
   const std::vector<bool> held = judge(residuals, box, options.loss, end, result);
@@ -193,12 +195,12 @@ FitResult fit_report(const std::vector<FitParameter>& parameters, const Residual
   const Identifiability known = identify(point->jacobian(Eigen::all, free));
   result.rank = known.rank;
   result.condition = known.condition;
-  result.degrees_of_freedom = static_cast<int>(residuals.count() - known.rank);
-  judge_counts(residuals.count(), free.size(), result);
+  result.degrees_of_freedom = static_cast<int>(residuals.measurements() - known.rank);
+  judge_counts(residuals.measurements(), free.size(), result);
   describe_directions(known, free, result);
   const std::vector<LossAt> at = losses(result, options.loss);
   for (const LossAt& a : at) result.weights.push_back(a.weight);
-  result.sigma = residual_deviation(at, known.rank);
+  result.sigma = residual_deviation(at, residuals, known.rank);
   if (std::isnan(result.sigma) && result.degrees_of_freedom > 0) {
     add(result.reason, "most residuals lie beyond the scale of the loss");
   }

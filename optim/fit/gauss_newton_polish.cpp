@@ -29,7 +29,7 @@ FitPoint polished(const Residuals& residuals, const FitBox& box, double toleranc
   constexpr int kMostSteps = 200;
   constexpr double kShares[] = {1, 0.5, 0.1, 0.01};
   GaussNewton step = gauss_newton(point, box, tolerance);
-  for (int i = 0; i < kMostSteps && step.reduction > enough * point.r.norm(); ++i) {
+  for (int i = 0; i < kMostSteps && step.reduction > enough * point.length(); ++i) {
     bool went = false;
     for (const double share : kShares) {
       auto next = fit_point(residuals, stepped(point, box, step.step, share));

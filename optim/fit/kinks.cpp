@@ -220,8 +220,12 @@ bool leave(const Residuals& residuals, const std::vector<double>& shares, FitPoi
 std::optional<FitPoint> minimum_at_kinks(const Residuals& residuals, const FitBox& box,
                                          FitPoint point) {
   constexpr int kMostSteps = 50;
+  // Steps in turn that lead to no kink and gain next to nothing: it is no kink that ends the
+  // descent, but a valley too flat to follow.
+  constexpr int kMostFlat = 8;
+  constexpr double kGain = 1e-6;  // of the sum
   std::vector<Kink> kinks;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0, flat = 0; i < kMostSteps && flat < kMostFlat; ++i) {
     const std::vector<bool> held = gauss_newton(point, box, kRankTolerance).held;
     const std::vector<double> shares = best_shares(point, held, kinks);
     FitPoint between = blended(point, kinks, shares);
@@ -234,10 +238,13 @@ std::optional<FitPoint> minimum_at_kinks(const Residuals& residuals, const FitBo
     }
     auto sides = lowest_along(residuals, box, point, along.step);
     if (!sides) return {};
+    const double before = point.sum();
     point = sides->before;
+    const bool gains = before - point.sum() > kGain * (point.sum() + point.rest);
     if (!move_back(residuals, point, kinks)) return {};
     const auto found = kinks_between(*sides);
     if (!found) return {};
+    flat = kinks.empty() && found->empty() && !gains ? flat + 1 : 0;
     for (const Kink& kink : *found) {
       const bool is_there = std::any_of(kinks.begin(), kinks.end(),
                                         [&](const Kink& other) { return other.row == kink.row; });

@@ -135,6 +135,8 @@ class TimedResiduals final : public Residuals {
       : residuals_(residuals), deadline_(options.time_limit, options.stop, options.time_spent) {}
 
   std::size_t count() const override { return residuals_.count(); }
+  std::size_t measurements() const override { return residuals_.measurements(); }
+  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override {
     if (!best_.empty() || deadline_.stopped()) deadline_.check();
@@ -385,7 +387,7 @@ Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
     best = unfinished(timed, std::move(best), options);
   }
   FitResult result = fit_report(parameters, residuals, options, search.box(), best->end);
-  result.merit = best->merit;
+  result.merit = best->merit + residuals.rest();
   result.iterations = search.iterations();
   result.evaluations = search.evaluations();
   return result;

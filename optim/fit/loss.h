@@ -29,6 +29,8 @@ class LossResiduals final : public Residuals {
       : residuals_(residuals), loss_(loss), scale_(scale) {}
 
   std::size_t count() const override { return residuals_.count(); }
+  std::size_t measurements() const override { return residuals_.measurements(); }
+  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override;
   int evaluations() const { return evaluations_; }

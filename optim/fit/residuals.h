@@ -18,6 +18,11 @@ class Residuals {
  public:
   virtual ~Residuals() = default;
   virtual std::size_t count() const = 0;
+  /// Of how many measurements they tell: of more than count() where few stand for many. Then there
+  /// is no loss.
+  virtual std::size_t measurements() const { return count(); }
+  /// What the sum of squares of all measurements has beside that of the residuals, whatever p.
+  virtual double rest() const { return 0; }
   /// Fills r[i] and, where `jacobian` is not empty, jacobian[i * p.size() + j] = dr_i/dp_j, exact
   /// up to rounding. Returns false where the model is undefined at p; a number that is not finite
   /// says the same.
