@@ -11,6 +11,7 @@
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::cli {
