@@ -8,6 +8,7 @@
 
 #include "machines/model/cycle.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/recorded_response.h"
 #include "numerics/formula/formula_text.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
