@@ -42,7 +42,7 @@ int run_export(ExportOptions options) {
   const std::vector<std::string> words = record_words(design, review);
   std::vector<std::string> unmet =
       take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);
-  const ProblemStatement shown = design.statement;
+  const problems::ProblemStatement shown = design.statement;
   const ExportedText written =
       exported_text(options, format, std::move(design), words, std::move(unmet));
   say_first_law(options.file, shown);

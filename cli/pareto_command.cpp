@@ -109,10 +109,8 @@ problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::Stu
   problems::StoredFront found{.front = study.run(recorded),
                               .faults = recorded.faults(),
                               .resuming = problems::Resuming::Works};
-  for (const optim::RecordFault& fault : found.faults) {
-    found.notes.push_back(problems::fault_words(
-        fault, found.front.stopped ? "--resume solves it again" : "it was solved again"));
-  }
+  found.notes = problems::fault_notes(
+      found.faults, found.front.stopped ? "--resume solves it again" : "it was solved again");
   return found;
 }
 
@@ -132,8 +130,7 @@ int run_pareto(const ParetoCommand& options) {
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
-  if (path && options.out) keep_apart(*path, possible);
-  if (options.out) check_writable(possible);
+  if (options.out) check_outputs(possible, path);
   const optim::ProblemSpace& space = study.space();
   const int workers = optim::workers_with_room(wanted, space.problem(space.options(0)).alone(0),
                                                memory_of(options.limits));

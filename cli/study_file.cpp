@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "cli/files.h"
 #include "numerics/file_place.h"
 
 namespace camlaw::cli {
@@ -28,12 +29,13 @@ void check_there(const std::string& study) {
       fmt::format("--resume: there is no study '{}'; leave out --resume to begin one", study));
 }
 
-void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
+void check_outputs(const std::vector<fs::path>& outputs, const std::optional<std::string>& study) {
   for (const fs::path& output : outputs) {
-    if (file_place(output) != file_place(study)) continue;
+    if (!study || file_place(output) != file_place(*study)) continue;
     throw std::invalid_argument(
-        fmt::format("--db and --out both write '{}'; the study needs another name", study));
+        fmt::format("--db and --out both write '{}'; the study needs another name", *study));
   }
+  check_writable(outputs);
 }
 
 void make_folder_of(const std::string& study) {

@@ -19,9 +19,10 @@ std::optional<std::string> study_file(const std::optional<std::string>& db,
 /// Throws std::invalid_argument where there is no study to resume.
 void check_there(const std::string& study);
 
-/// A study that is also one of the files of --out would be written over when it is done: throws
-/// std::invalid_argument.
-void keep_apart(const std::string& study, const std::vector<std::filesystem::path>& outputs);
+/// Throws std::invalid_argument where one of the files of --out cannot be written, or is also the
+/// study, which would be written over when it is done.
+void check_outputs(const std::vector<std::filesystem::path>& outputs,
+                   const std::optional<std::string>& study);
 
 /// Makes the folder that a study is to stand in; the study says what is wrong with the place.
 void make_folder_of(const std::string& study);

@@ -103,9 +103,9 @@ SweepAnswer sweep_of(const problems::SweepStudy& study, std::optional<optim::Stu
   const problems::Sweep sweep = study.run(recorded, show);
   SweepAnswer answer(study, sweep);
   if (!sweep.remark.empty()) answer.notes.push_back(sweep.remark);
-  for (const optim::RecordFault& fault : recorded.faults()) {
-    answer.notes.push_back(problems::fault_words(
-        fault, answer.is_stopped ? "--resume solves it again" : "it was solved again"));
+  const std::string then = answer.is_stopped ? "--resume solves it again" : "it was solved again";
+  for (std::string& note : problems::fault_notes(recorded.faults(), then)) {
+    answer.notes.push_back(std::move(note));
   }
   return answer;
 }
@@ -150,8 +150,7 @@ int run_sweep(const SweepCommand& options) {
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "sweep.json", out / "sweep.csv"};
-  if (path && options.out) keep_apart(*path, possible);
-  if (options.out) check_writable(possible);
+  if (options.out) check_outputs(possible, path);
   study.options().memory = memory_of(options.limits);
   const Interruptible interruptible;
   study.options().stop = interruptible.flag();

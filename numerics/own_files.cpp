@@ -29,19 +29,27 @@ AddedFolders& added() {
   return all;
 }
 
-/// Folders that nobody else can put files into unless the program's own can be replaced.
-std::vector<fs::path> own_folders() {
-  std::vector<fs::path> folders = [] {
-    const std::lock_guard lock(added().mutex);
-    return added().folders;
-  }();
+std::vector<fs::path> added_folders() {
+  const std::lock_guard lock(added().mutex);
+  return added().folders;
+}
+
+/// Where the program that runs is; none where the system does not tell.
+std::optional<fs::path> program_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error && program.is_absolute()) {
-    const fs::path folder = program.parent_path(), build = CAMLAW_BUILD_FOLDER;
-    folders.push_back(folder);
-    if (lies_in(folder, build)) folders.push_back(build / "plugins");
-    folders.push_back(folder.parent_path() / "libexec/camlaw");
+  if (error || !program.is_absolute()) return std::nullopt;
+  return program.parent_path();
+}
+
+/// Folders that nobody else can put files into unless the program's own can be replaced.
+std::vector<fs::path> own_folders() {
+  std::vector<fs::path> folders = added_folders();
+  if (const auto folder = program_folder()) {
+    const fs::path build = CAMLAW_BUILD_FOLDER;
+    folders.push_back(*folder);
+    if (lies_in(*folder, build)) folders.push_back(build / "plugins");
+    folders.push_back(folder->parent_path() / "libexec/camlaw");
   }
   folders.insert(folders.end(), {CAMLAW_LIBEXEC, CAMLAW_PACKAGE_LIBEXEC});
   return folders;
@@ -60,14 +68,9 @@ std::optional<std::string> found(const std::string& name, int access_mode) {
 
 /// The folders of data that people read too: first those that were added.
 std::vector<fs::path> data_folders() {
-  std::vector<fs::path> folders = [] {
-    const std::lock_guard lock(added().mutex);
-    return added().folders;
-  }();
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error && program.is_absolute()) {
-    folders.push_back(program.parent_path().parent_path() / "share/camlaw");
+  std::vector<fs::path> folders = added_folders();
+  if (const auto folder = program_folder()) {
+    folders.push_back(folder->parent_path() / "share/camlaw");
   }
   folders.insert(folders.end(), {CAMLAW_DATA, CAMLAW_PACKAGE_DATA});
   return folders;

@@ -9,6 +9,7 @@
 
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
+#include "fitting/motions/motion_residuals.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/tables/turn.h"
 

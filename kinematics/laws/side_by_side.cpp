@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/shape.h"
+#include "numerics/scalar/dual.h"
+
 namespace camlaw {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/bearing_side.h"
+#include "machines/cams/guided_follower.h"
 #include "machines/cams/roller_cam.h"
 #include "machines/contact/crowned_roller.h"
 #include "machines/model/possibility.h"
@@ -74,6 +75,7 @@ struct ConjugateCam {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
   RollerContact<T> roller() const { return main().roller(); }
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
   /// What either roller bears; the pair has no lubricant.
   RollerDuty<T> duty() const {
     RollerDuty<T> result;
@@ -103,23 +105,17 @@ struct ConjugateCam {
     const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
     return {-p.x, -p.y, -p.x1, -p.y1};
   }
-  /// (M37) a - s, m: how far the main roller is before its guide. Below 0 it enters the guide.
+  /// (M37), and (M45) of the second roller: what friction in the guide takes of a force that the
+  /// main cam gives, and of one of the second cam.
   template <class X>
-  X guide_overhang(const FollowerMotion<X>& f) const {
-    return overhang - f.s;
-  }
-  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the carriage
-  /// jams.
-  template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    if (is_number(guide_friction, 0)) return number<X>(0);
-    return guide().taken(follower().force(f), main_share(f), second_share(f));
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
+    return {main_share(f), second_share(f)};
   }
   /// (M31), (M38) Force between the cam that bears and its roller, N, above 0 where it is the main
   /// one: N = F / (cos alpha (1 - q)). NaN where the carriage jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
-    const X force = driving_force(f);
+    const X force = guided_force(*this, f);
     const X of_main = inclined(main().pitch_curve(f));
     const X of_second = inclined(second().pitch_curve(second_motion(f)));
     return force * by_side(force, of_main, of_second);
@@ -140,7 +136,7 @@ struct ConjugateCam {
   /// (M39) Torque on the cams' shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {
-    return driving_force(f) * f.ds;
+    return guided_torque(*this, f);
   }
   /// Greatest pressure, Pa, at the cam that bears. NaN where that one is undercut.
   template <class X>
@@ -161,7 +157,6 @@ struct ConjugateCam {
   }
 
  private:
-  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
   /// Of the pitch curve of the cam that bears, 1/m.
   template <class X>
   X loaded_curvature(const FollowerMotion<X>& f) const {
@@ -169,14 +164,7 @@ struct ConjugateCam {
     const X of_second = second().pitch_curve(second_motion(f)).curvature();
     return by_side(follower().force(f), of_main, of_second);
   }
-  /// N cos alpha.
-  template <class X>
-  X driving_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
-    if (is_number(guide_friction, 0)) return force;
-    return guide().driving_force(force, guide_fraction(f));
-  }
-  /// The same of one roller, whose friction takes so much: what does not press does not jam.
+  /// N cos alpha of one roller, whose friction takes so much: what does not press does not jam.
   template <class X>
   X pressed(const X& force, const X& taken) const {
     return unless_zero(force, guide().driving_force(force, taken));
@@ -184,11 +172,11 @@ struct ConjugateCam {
   /// (M37), and (M45) of the second roller, which is D further from the guide.
   template <class X>
   X main_share(const FollowerMotion<X>& f) const {
-    return guide().share_across(guide_overhang(f), tangent_of(main().pitch_curve(f), f));
+    return guide().share_across(guide_overhang(*this, f), tangent_of(main().pitch_curve(f), f));
   }
   template <class X>
   X second_share(const FollowerMotion<X>& f) const {
-    return guide().share_across(X(guide_overhang(f) + roller_distance),
+    return guide().share_across(X(guide_overhang(*this, f) + roller_distance),
                                 tangent_of(second().pitch_curve(second_motion(f)), f));
   }
   /// |tan alpha| of a roller with the sign of the carriage's velocity.

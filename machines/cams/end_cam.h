@@ -2,9 +2,9 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/guided_follower.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
-#include "machines/cams/sliding_guide.h"
 #include "machines/model/possibility.h"
 
 namespace camlaw {
@@ -44,6 +44,8 @@ struct EndCam {
   RollerContact<T> roller() const {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
+  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
+
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
@@ -66,18 +68,12 @@ struct EndCam {
     using std::atan;
     return atan(f.ds / radius);
   }
-  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
+  /// (M37) What friction in the guide takes of the force along the way. tan alpha = s' / R has the
+  /// velocity's sign.
   template <class X>
-  X guide_overhang(const FollowerMotion<X>& f) const {
-    return overhang - f.s;
-  }
-  /// (M37), (M38) Fraction of the force along the way that friction in the guide takes; at 1 the
-  /// follower jams. tan alpha = s' / R has the velocity's sign.
-  template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    if (is_number(guide_friction, 0)) return number<X>(0);
-    const X share = guide().share_across(guide_overhang(f), X(f.ds / radius));
-    return guide().taken(follower().force(f), share, share);
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
+    const X share = guide().share_across(guide_overhang(*this, f), X(f.ds / radius));
+    return {share, share};
   }
   /// (M18), (M38) Force between roller and cam, N, signed as the force along the way:
   /// N = F / (cos alpha (1 - q)). NaN where the follower jams.
@@ -85,27 +81,17 @@ struct EndCam {
   X contact_force(const FollowerMotion<X>& f) const {
     using std::sqrt;
     const X slope = f.ds / radius;
-    return driving_force(f) * sqrt(slope * slope + number<T>(1));
+    return guided_force(*this, f) * sqrt(slope * slope + number<T>(1));
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {
-    return driving_force(f) * f.ds;
+    return guided_torque(*this, f);
   }
   /// About the roller's axis the cam does not turn (RB1).
   template <class X>
   X turning(const FollowerMotion<X>&) const {
     return number<X>(0);
-  }
-
- private:
-  SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
-  /// N cos alpha.
-  template <class X>
-  X driving_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
-    if (is_number(guide_friction, 0)) return force;
-    return guide().driving_force(force, guide_fraction(f));
   }
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
-#include "machines/cams/sliding_guide.h"
+#include "machines/cams/guided_follower.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
 #include "machines/model/possibility.h"
@@ -55,26 +55,22 @@ struct FlatCam {
   X contact_offset(const FollowerMotion<X>& f) const {
     return f.ds;
   }
-  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
-  /// jams.
+  /// (M44) What friction in the guide takes of the force along the way, signed as s'.
   template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    if (is_number(guide_friction, 0)) return number<X>(0);
-    const X share = guide().share_beside(contact_offset(f));  // signed as s'
-    return guide().taken(follower().force(f), share, share);
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
+    const X share = guide().share_beside(contact_offset(f));
+    return {share, share};
   }
   /// (M38), (M44) Force between face and cam, N, along the way: F / (1 - q) with the friction in
   /// the guide that the couple of a contact beside the axis makes. NaN where the follower jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
-    if (is_number(guide_friction, 0)) return force;
-    return guide().driving_force(force, guide_fraction(f));
+    return guided_force(*this, f);
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {
-    return contact_force(f) * f.ds;
+    return guided_torque(*this, f);
   }
   /// (M12) Radius of curvature of the profile, m: r_b + s + s''. The cam can be made while it is
   /// above 0; a flat face touches no hollow.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/guided_follower.h"
 #include "machines/model/listed_responses.h"
 
 namespace camlaw::problems {
 
 /// (M38) What friction in its guide takes of a translating follower's force, for a machine with
-/// guide_fraction().
+/// guide_shares().
 template <template <class> class M>
 MechanismResponse guide_response() {
   return curve_response<M>(
@@ -14,12 +15,12 @@ MechanismResponse guide_response() {
        "fraction of the cam's force along the follower's path that friction in the guide takes; at "
        "1 the follower jams"},
       turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) { return cam.guide_fraction(cam.over_angle(motion)); };
+        return [cam](const auto& motion) { return guide_fraction(cam, cam.over_angle(motion)); };
       });
 }
 
 /// (M37) How far the contact of a translating follower is before its guide, for a machine with
-/// guide_overhang().
+/// overhang.
 template <template <class> class M>
 MechanismResponse overhang_response() {
   return curve_response<M>(
@@ -27,7 +28,7 @@ MechanismResponse overhang_response() {
        "distance of the follower's contact from its guide: overhang less the displacement; below 0 "
        "the contact would enter the guide"},
       turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) { return cam.guide_overhang(cam.over_angle(motion)); };
+        return [cam](const auto& motion) { return guide_overhang(cam, cam.over_angle(motion)); };
       });
 }
 

@@ -56,6 +56,7 @@ struct KnifeEdgeCam {
   }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   FollowerLoad<T> follower() const { return edge().follower(); }
+  SlidingGuide<T> guide() const { return edge().guide(); }
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
@@ -79,15 +80,10 @@ struct KnifeEdgeCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
   }
-  /// (M37) a - s, m: how far the edge is before its guide. Below 0 it enters the guide.
+  /// (M37) What friction in the guide takes of the force along the way.
   template <class X>
-  X guide_overhang(const FollowerMotion<X>& f) const {
-    return edge().guide_overhang(f);
-  }
-  /// (M38) Fraction of the force along the way that friction in the guide takes.
-  template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    return edge().guide_fraction(f);
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
+    return edge().guide_shares(f);
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
   template <class X>

@@ -47,6 +47,7 @@ struct LinearCam {
   }
   FollowerLoad<T> follower() const { return developed().follower(); }
   RollerContact<T> roller() const { return developed().roller(); }
+  SlidingGuide<T> guide() const { return developed().guide(); }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -66,15 +67,10 @@ struct LinearCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return developed().pressure_angle(f);
   }
-  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
+  /// (M37) What friction in the guide takes of the force along the way.
   template <class X>
-  X guide_overhang(const FollowerMotion<X>& f) const {
-    return developed().guide_overhang(f);
-  }
-  /// (M37), (M38) Fraction of the force along the way that friction in the guide takes.
-  template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    return developed().guide_fraction(f);
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
+    return developed().guide_shares(f);
   }
   /// (M18), (M38) Force between roller and plate, N: N = F / (cos alpha (1 - q)).
   template <class X>

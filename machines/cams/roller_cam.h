@@ -2,9 +2,9 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/guided_follower.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
-#include "machines/cams/sliding_guide.h"
 #include "machines/model/possibility.h"
 
 namespace camlaw {
@@ -85,23 +85,11 @@ struct RollerCam {
   /// (2 a + l_g) / l_g with the overhang a - s, signed as the velocity. At 1 a rising follower
   /// jams.
   template <class X>
-  X guide_share(const FollowerMotion<X>& f) const {
+  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
     const X slope = (f.ds - offset) / (f.s + lowest_height());
     const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
-    return guide().share_across(guide_overhang(f), size);
-  }
-  /// (M37) a - s, m: how far the roller is before its guide. Below 0 it enters the guide.
-  template <class X>
-  X guide_overhang(const FollowerMotion<X>& f) const {
-    return overhang - f.s;
-  }
-  /// (M38) Fraction of the force along the way that friction in the guide takes; at 1 the follower
-  /// jams.
-  template <class X>
-  X guide_fraction(const FollowerMotion<X>& f) const {
-    if (is_number(guide_friction, 0)) return number<X>(0);
-    const X share = guide_share(f);
-    return guide().taken(follower().force(f), share, share);
+    const X share = guide().share_across(guide_overhang(*this, f), size);
+    return {share, share};
   }
   /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
   /// where F is above 0 and its negative below. NaN where the follower jams, and where there is no
@@ -112,26 +100,17 @@ struct RollerCam {
     using std::sqrt;
     const X y = f.s + lowest_height();
     const X slope = (f.ds - offset) / where_positive(y, y);
-    return driving_force(f) * sqrt(slope * slope + number<T>(1));
+    return guided_force(*this, f) * sqrt(slope * slope + number<T>(1));
   }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {
-    return driving_force(f) * f.ds;
+    return guided_torque(*this, f);
   }
   /// What the cam turns under the follower by its own turn: 1, as the follower does not turn (RB1).
   template <class X>
   X turning(const FollowerMotion<X>&) const {
     return number<X>(1);
-  }
-
- private:
-  /// N cos alpha: the force along the way with the guide's friction.
-  template <class X>
-  X driving_force(const FollowerMotion<X>& f) const {
-    const X force = follower().force(f);
-    if (is_number(guide_friction, 0)) return force;
-    return guide().driving_force(force, guide_fraction(f));
   }
 };
 

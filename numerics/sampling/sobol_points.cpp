@@ -8,6 +8,9 @@
 
 namespace camlaw {
 
+/// Boost's engine leaves out the origin, the sequence's first point, itself. With a shift that is a
+/// point as good as any: without it 2^m points are those of a net but for one, and the errors of
+/// their means 1.1 to 2 times as large (products of 2 to 5 coordinates, 32 to 4096 points).
 struct SobolPoints::Sequence {
   explicit Sequence(std::size_t dimensions) : engine(dimensions) {}
   boost::random::sobol engine;
@@ -20,7 +23,6 @@ SobolPoints::SobolPoints(std::size_t dimensions, std::optional<std::uint64_t> se
   }
   sequence_ = std::make_unique<Sequence>(dimensions);
   for (std::size_t i = 0; i < dimensions; ++i) shift_.push_back(seed ? mixed(*seed, i) : 0);
-  if (!seed) sequence_->engine.discard(dimensions);
 }
 
 SobolPoints::~SobolPoints() = default;

@@ -257,13 +257,9 @@ class ClpSolver final : public Solver {
       return solution;
     }
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
-    const QuadraticProgram linear = read_off(program, start);
-    solution.evaluations = 1;
-    if (!is_finite(linear)) {
-      solution.status = Status::NonFiniteStart;
-      solution.message = "not a number at the start";
-      return solution;
-    }
+    const auto read = read_at_start(program, start, solution);
+    if (!read) return solution;
+    const QuadraticProgram& linear = *read;
     ClpSimplex model;
     load(linear, options, model);
     const EndOnRequest handler(options, began);

@@ -50,13 +50,9 @@ class InteriorSolver final : public Solver {
       return solution;
     }
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
-    const QuadraticProgram linear = read_off(program, start);
-    solution.evaluations = 1;
-    if (!is_finite(linear)) {
-      solution.status = Status::NonFiniteStart;
-      solution.message = "not a number at the start";
-      return solution;
-    }
+    const auto read = read_at_start(program, start, solution);
+    if (!read) return solution;
+    const QuadraticProgram& linear = *read;
     RunEnd cut_short{Status::Stopped, "stopped"};
     const InteriorSolution found = solve_by_interior_point(
         linear, Eigen::Map<const Eigen::VectorXd>(start.data(), linear.cost.size()),

@@ -8,6 +8,14 @@ Eigen::VectorXd vector_of(std::span<const double> values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// Whether costs, rows and what they say at the point are numbers.
+bool is_finite(const QuadraticProgram& program) {
+  const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(), program.rows.nonZeros());
+  return entries.allFinite() && program.cost.allFinite() &&
+         (program.row_lower.array() < kInfinity).all() &&
+         (program.row_upper.array() > -kInfinity).all();
+}
+
 }  // namespace
 
 Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian_matrix(const Program& program,
@@ -41,11 +49,14 @@ QuadraticProgram read_off(const Program& program, std::span<const double> y) {
   return result;
 }
 
-bool is_finite(const QuadraticProgram& program) {
-  const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(), program.rows.nonZeros());
-  return entries.allFinite() && program.cost.allFinite() &&
-         (program.row_lower.array() < kInfinity).all() &&
-         (program.row_upper.array() > -kInfinity).all();
+std::optional<QuadraticProgram> read_at_start(const Program& program, std::span<const double> start,
+                                              Solution& solution) {
+  QuadraticProgram linear = read_off(program, start);
+  solution.evaluations = 1;
+  if (is_finite(linear)) return linear;
+  solution.status = Status::NonFiniteStart;
+  solution.message = "not a number at the start";
+  return {};
 }
 
 }  // namespace camlaw::optim

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "numerics/linear/quadratic_program.h"
 #include "optim/solvers/program.h"
+#include "optim/solvers/solver.h"
 
 namespace camlaw::optim {
 
@@ -14,7 +18,10 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian_matrix(const Program& prog
 /// gradient at one point. Rows keep their order; what they say at zero is taken into their bounds.
 QuadraticProgram read_off(const Program& program, std::span<const double> y);
 
-/// Whether costs, rows and what they say at the point are numbers.
-bool is_finite(const QuadraticProgram& program);
+/// The same where a search of a linear program starts, with what this tells of the solution so far:
+/// one evaluation. None, and Status::NonFiniteStart, where costs, rows or what they say at the
+/// start are not numbers.
+std::optional<QuadraticProgram> read_at_start(const Program& program, std::span<const double> start,
+                                              Solution& solution);
 
 }  // namespace camlaw::optim

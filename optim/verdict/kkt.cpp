@@ -12,6 +12,7 @@
 #include "optim/verdict/kinks.h"
 #include "optim/verdict/second_order.h"
 #include "optim/verdict/unknown_prices.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {

@@ -39,6 +39,10 @@ problems::MasterUnit master_of(const ExportOptions& o, const problems::ExportedM
   if (!(cycle > 0) || !std::isfinite(cycle)) {
     throw std::invalid_argument(fmt::format("--cycle {}: it must be above 0", *o.cycle));
   }
+  if (unit == "increments" && cycle != std::floor(cycle)) {
+    throw std::invalid_argument(fmt::format(
+        "--cycle {}: a cycle has a whole number of increments, such as 65536", *o.cycle));
+  }
   const char* heading = unit == "ms" ? "time [ms]" : "master [increments]";
   return {heading, cycle / (motion.end() - motion.begin())};
 }

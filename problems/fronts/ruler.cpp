@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "kinematics/peaks.h"
-#include "machines/model/law_binding.h"
+#include "machines/model/fixed_binding.h"
 #include "optim/cycle/sizes.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -40,9 +40,7 @@ std::optional<double> factor_of(const ProblemStatement& statement,
   for (const Member& law : some_laws()) {
     const double its = constants_of(law.law())[constant];
     if (!std::isfinite(its)) continue;
-    Binding binding;
-    binding.constants = statement.constants;
-    binding.law = std::make_shared<LawBinding>(law, std::vector<LawVariable>{});
+    const Binding binding = fixed_binding(statement.constants, law);
     const optim::Objective measured{
         make_response(*statement.mechanism, objective.response, binding), objective.sense,
         objective.response.part};

@@ -80,14 +80,21 @@ void judge_anew(const FrontStudy& study, const std::string& version, StoredFront
   front.each_is_global = false;  // of searches that found nothing there is nothing to judge
 }
 
-}  // namespace
-
 std::string fault_words(const optim::RecordFault& fault, const std::string& then) {
   using Kind = optim::RecordFault::Kind;
   const std::string why = fault.kind == Kind::Damaged ? "its rows are not as they were written"
                           : fault.kind == Kind::Lost  ? "its row is gone"
                                                       : fault.why;
   return fmt::format("task {} is {}: {}; {}", fault.task, to_string(fault.kind), why, then);
+}
+
+}  // namespace
+
+std::vector<std::string> fault_notes(const std::vector<optim::RecordFault>& faults,
+                                     const std::string& then) {
+  std::vector<std::string> notes;
+  for (const optim::RecordFault& fault : faults) notes.push_back(fault_words(fault, then));
+  return notes;
 }
 
 StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
@@ -100,8 +107,8 @@ StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
   if (!version.empty()) judge_anew(study, version, stored);
   stored.resuming = version.empty() ? Resuming::Works : Resuming::Refused;
   const std::string then = version.empty() ? "--resume solves it again" : "it does not count";
-  for (const optim::RecordFault& fault : stored.faults) {
-    stored.notes.push_back(fault_words(fault, then));
+  for (std::string& note : fault_notes(stored.faults, then)) {
+    stored.notes.push_back(std::move(note));
   }
   return stored;
 }

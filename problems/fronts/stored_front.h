@@ -32,7 +32,8 @@ inline constexpr const char* kLostLog =
     "the program that wrote the study was killed, and its log, the file ending in -wal, is not "
     "beside it: the last searches are lost unless the log is put back";
 
-/// What to say of a task that is not believed; `then`: what becomes of it.
-std::string fault_words(const optim::RecordFault& fault, const std::string& then);
+/// What to say of tasks that are not believed, a sentence for each; `then`: what becomes of them.
+std::vector<std::string> fault_notes(const std::vector<optim::RecordFault>& faults,
+                                     const std::string& then);
 
 }  // namespace camlaw::problems

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/fixed_binding.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/remembered.h"
 #include "optim/cycle/sizes.h"
@@ -21,10 +21,7 @@ namespace {
 
 /// The binding in which nothing varies.
 Binding fixed(const ProblemStatement& statement) {
-  Binding binding;
-  binding.constants = statement.constants;
-  binding.law = std::make_shared<LawBinding>(statement.laws.front(), std::vector<LawVariable>{});
-  return binding;
+  return fixed_binding(statement.constants, statement.laws.front());
 }
 
 EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismResponse& declared,

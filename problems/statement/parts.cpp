@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "numerics/text/names.h"
+#include "numerics/text/quotes.h"
 #include "problems/statement/buildable.h"
 
 namespace camlaw::problems {
@@ -43,23 +44,15 @@ const PartStatement* part_with_input(const ProblemStatement& problem, std::strin
   return found == all.end() ? nullptr : &*found;
 }
 
-namespace {
-
-/// "608-2RS" without its quotes.
-std::string_view without_quotes(std::string_view name) {
-  const bool is_quoted = name.size() > 2 && name.starts_with('"') && name.ends_with('"');
-  return is_quoted ? name.substr(1, name.size() - 2) : name;
-}
-
-}  // namespace
-
 std::size_t item_named(const PartStatement& part, std::string_view name) {
-  const std::string wanted = folded(without_quotes(trimmed(name)));
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < part.items.size(); ++i) {
-    if (folded(part.items[i].name) == wanted) return i;
-    known.push_back(part.items[i].name);
+  const std::string_view written = trimmed(name);
+  for (const std::string& wanted : {folded(written), folded(without_quotes(written))}) {
+    for (std::size_t i = 0; i < part.items.size(); ++i) {
+      if (folded(part.items[i].name) == wanted) return i;
+    }
   }
+  std::vector<std::string> known;
+  for (const PartItem& item : part.items) known.push_back(item.name);
   refuse_name(fmt::format("no {} in {} is called", part.name, part.catalogue), name, known);
 }
 

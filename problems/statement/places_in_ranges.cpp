@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/fixed_binding.h"
 #include "machines/model/load_case.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -15,10 +15,7 @@ namespace {
 
 /// The binding of a design, in which nothing varies.
 Binding whole_binding(const ProblemStatement& design) {
-  Binding binding;
-  binding.constants = design.constants;
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
-  return binding;
+  return fixed_binding(design.constants, design.laws.front());
 }
 
 }  // namespace

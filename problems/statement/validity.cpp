@@ -13,6 +13,17 @@ namespace {
 
 const char* const kMechanism = "the mechanism";
 
+/// Whether some row of a part has a parameter other than 0. The limits are those of every row:
+/// what reports a choice, such as a front's table, has the same limits for each of its rows, so a
+/// row without the parameter keeps the limit of the others.
+bool sets_to_more(const PartStatement& part, std::size_t parameter) {
+  const auto column = std::find(part.parameters.begin(), part.parameters.end(), parameter);
+  if (column == part.parameters.end()) return false;
+  const auto at = static_cast<std::size_t>(column - part.parameters.begin());
+  return std::any_of(part.items.begin(), part.items.end(),
+                     [&](const PartItem& item) { return item.values[at] != 0; });
+}
+
 /// Whether the machine has what a limit of validity is about, at some value of what may change.
 bool concerns(const ProblemStatement& problem, const ValidityLimit& limit) {
   if (limit.only_with.empty()) return true;
@@ -31,10 +42,7 @@ bool concerns(const ProblemStatement& problem, const ValidityLimit& limit) {
                [&](const auto& v) {
                  return !v.parameter.of_law && v.parameter.parameter == parameter;
                }) ||
-         is_in(problem.parts,
-               [&](const auto& part) {
-                 return is_in(part.parameters, [&](std::size_t own) { return own == parameter; });
-               }) ||
+         is_in(problem.parts, [&](const auto& part) { return sets_to_more(part, parameter); }) ||
          is_in(problem.cases, sets_it);
 }
 

@@ -13,6 +13,7 @@
 #include "numerics/sampling/sobol_points.h"
 #include "numerics/text/dimension.h"
 #include "numerics/text/names.h"
+#include "numerics/text/quotes.h"
 #include "numerics/text/unit_spelling.h"
 #include "numerics/text/units.h"
 #include "problems/statement/assignment.h"
@@ -189,17 +190,18 @@ SweepAxis listed(const std::string& name, const std::string& text) {
   return axis;
 }
 
-/// The words of a list. In double quotes a word may hold commas, colons and what reads as a number.
+/// The words of a list. In double quotes a word may hold commas, colons, doubled quotes and what
+/// reads as a number.
 std::vector<std::string> quoted_words(const std::string& name, std::string_view text) {
   std::vector<std::string> words;
   for (std::string_view rest = trimmed(text);; rest = trimmed(rest.substr(1))) {
     const bool is_quoted = rest.starts_with('"');
-    const std::size_t end = is_quoted ? rest.find('"', 1) : std::min(rest.find(','), rest.size());
+    const std::size_t end = is_quoted ? end_of_quoted(rest) : std::min(rest.find(','), rest.size());
     if (end == std::string_view::npos) {
       throw std::invalid_argument(fmt::format("{}: {} has no closing quote", name, rest));
     }
-    words.emplace_back(is_quoted ? rest.substr(1, end - 1) : trimmed(rest.substr(0, end)));
-    rest = trimmed(rest.substr(is_quoted ? end + 1 : end));
+    words.push_back(without_quotes(trimmed(rest.substr(0, end))));
+    rest = trimmed(rest.substr(end));
     if (rest.empty()) return words;
     if (!rest.starts_with(',')) {
       throw std::invalid_argument(
@@ -244,6 +246,12 @@ std::vector<std::vector<double>> latin_hypercube(const Sampling& sampling) {
 
 std::string swept_value(double number, const std::string& unit) {
   return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
+}
+
+std::string listed_value(const std::string& value) {
+  const bool reads_as_more = value.find_first_of(",:\"") != std::string::npos ||
+                             looks_like_range(value) || trimmed(value).size() != value.size();
+  return reads_as_more ? in_quotes(value) : value;
 }
 
 std::optional<SweepAxis> parse_axis(const std::string& assignment) {

@@ -40,10 +40,15 @@ struct Sampling {
 
 /// What `--set` of a sweep says: "speed=60:15:120 rpm" from, step and to; "law=cycloidal,
 /// modified-sine" and "roller_radius=10,12 mm" one after the other; "law=all" and other classes of
-/// laws each law. A word in double quotes is a name, whatever it holds: 'roller="A, long","10"'.
+/// laws each law. A word in double quotes is a name, whatever it holds: 'roller="A, long","10"', a
+/// quote in it doubled.
 /// Of one value alone none: it is the same in all combinations. Throws
 /// std::invalid_argument where a range has no end, a value is there twice, or there are too many.
 std::optional<SweepAxis> parse_axis(const std::string& assignment);
+
+/// A value as the list of an axis has it, read back by parse_axis: in double quotes where it would
+/// read as several values or a range, such as "A, long" and "M:1". Not for laws.
+std::string listed_value(const std::string& value);
 
 /// "radius=10:40 mm".
 SampledRange parse_sampled_range(const std::string& assignment);

@@ -21,9 +21,9 @@ StoredSweep stored_sweep(const SweepStudy& study, optim::StudyRecord& record) {
     stored.notes.push_back(
         fmt::format("the study was made with {}; its verdicts are that program's", versions));
   }
-  for (const optim::RecordFault& fault : stored.faults) {
-    stored.notes.push_back(
-        fault_words(fault, is_same ? "--resume solves it again" : "it does not count"));
+  const std::string then = is_same ? "--resume solves it again" : "it does not count";
+  for (std::string& note : fault_notes(stored.faults, then)) {
+    stored.notes.push_back(std::move(note));
   }
   return stored;
 }

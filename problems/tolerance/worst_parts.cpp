@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/fixed_binding.h"
 #include "machines/model/over_ranges.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/sizes.h"
@@ -48,10 +48,7 @@ std::vector<LimitSide> sides_of(const VariedDesign& varied) {
 }
 
 Binding fixed(const ProblemStatement& design) {
-  Binding binding;
-  binding.constants = design.constants;
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
-  return binding;
+  return fixed_binding(design.constants, design.laws.front());
 }
 
 /// The variations as ranges, so large a share of them; those of the machine's own parameters.

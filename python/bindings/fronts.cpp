@@ -84,10 +84,9 @@ void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
     found.stored = {.front = study.run(recorded),
                     .faults = recorded.faults(),
                     .resuming = problems::Resuming::Works};
-    for (const optim::RecordFault& fault : found.stored.faults) {
-      found.stored.notes.push_back(problems::fault_words(
-          fault, found.front().stopped ? "resuming solves it again" : "it was solved again"));
-    }
+    found.stored.notes = problems::fault_notes(found.stored.faults, found.front().stopped
+                                                                        ? "resuming solves it again"
+                                                                        : "it was solved again");
   }
   study.options().progress = {};
   study.options().solve.stop = nullptr;

@@ -103,9 +103,7 @@ void search(FoundSweep& found, const Labour& labour, const std::string& path, bo
         [&](std::size_t part, optim::Design x) { return study.problem(part, x); }, *record,
         workers.get());
     found.sweep = study.run(recorded, show);
-    for (const optim::RecordFault& fault : recorded.faults()) {
-      found.notes.push_back(problems::fault_words(fault, "it was solved again"));
-    }
+    found.notes = problems::fault_notes(recorded.faults(), "it was solved again");
   }
   if (!found.sweep.remark.empty()) found.notes.push_back(found.sweep.remark);
   study.options().stop = nullptr;
@@ -245,6 +243,7 @@ void add_sweeps(nb::module_& module) {
              nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("memory").none(),
              nb::arg("progress").none());
   module.def("sweep_file", &sweep_file, nb::arg("path"));
+  module.def("listed_value", &problems::listed_value, nb::arg("value"));
 }
 
 }  // namespace camlaw::python

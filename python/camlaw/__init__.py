@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     from . import formulas
     from .evaluations import Check, Evaluation, Sensitivity, Tolerance
     from .fits import Fit, fit, fit_constants
-    from .formulas import Expression, Machine, Response
+    from .formulas import Expression
     from .fronts import Front
     from .machines import mechanism, mechanisms
     from .motion_laws import Law, Motion, Peaks, law, law_file, law_table, laws
+    from .own_machines import Machine, Response
     from .problems import Problem, examples
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
@@ -35,8 +36,8 @@ _HOMES = {
     "fit": "fits",
     "fit_constants": "fits",
     "Expression": "formulas",
-    "Machine": "formulas",
-    "Response": "formulas",
+    "Machine": "own_machines",
+    "Response": "own_machines",
     "formulas": "formulas",
     "Front": "fronts",
     "Law": "motion_laws",

@@ -21,10 +21,10 @@ from .arguments import path as checked_path
 from .arguments import text as _text
 from .errors import InputError
 from .evaluations import Check, Evaluation, Range
-from .formulas import Machine
 from .motion_laws import Law, name_of
 from .native import native
 from .outputs import export_options, exported, rendered, written
+from .own_machines import Machine
 from .searches import Searches
 from .stating import Held, problem_table
 from .toml_text import toml_text

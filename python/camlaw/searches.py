@@ -205,11 +205,12 @@ class Searches:
 
         values: what is swept, by the names that set() accepts: {"speed": "60:15:120 rpm"} is from, step,
         to; {"law": ["cycloidal", "modified-sine"]} is a list of values, and the law "all" is every law;
-        a single value is the same in all combinations. sample: "sobol 64" or "lhs 64" draws samples
-        from the ranges of `over`, such as {"stroke": ("18 mm", "22 mm")}; seed is the seed of lhs.
-        evaluate: evaluates the present design in each combination, without a search. cold: begins
-        each search as optimize() does, not at the design of a neighbour. workers, executor, record,
-        resume, start, time_limit and memory: as in pareto().
+        a single value is the same in all combinations. In a list the name of a part may hold anything.
+        sample: "sobol 64" or "lhs 64" draws samples from the ranges of `over`, such as
+        {"stroke": ("18 mm", "22 mm")}; seed is the seed of lhs. evaluate: evaluates the present
+        design in each combination, without a search. cold: begins each search as optimize() does, not at
+        the design of a neighbour. workers, executor, record, resume, start, time_limit and memory: as in
+        pareto().
         """
         from .executors import labour
         from .sweeps import Sweep, axes_of, ranges_of

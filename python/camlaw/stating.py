@@ -10,8 +10,8 @@ from typing import Any
 
 from .arguments import mapping, optional_text, sequence, shown, text
 from .errors import InputError
-from .formulas import Machine, Response
 from .motion_laws import Law
+from .own_machines import Machine, Response
 
 
 #: Laws that a problem names as files, and has with it: by these names.

@@ -59,9 +59,9 @@ def _swept(value: Any, name: str) -> str:
 
 
 def _listed(text: str, name: str) -> str:
-    """A value among others; a part's name with a comma is in quotes, a law's list has its own."""
+    """A value among others; a name that reads as more is in quotes. A law's list has its own."""
     is_law = name == "law" or name.endswith(".law")
-    return f'"{text}"' if "," in text and not is_law else text
+    return text if is_law else native.listed_value(text)
 
 
 class Sweep(Answer):

@@ -180,3 +180,20 @@ def test_names_with_commas_are_swept_whole():
     assert axes_of({"roller": ["A, long", "608-2RS"]}) == ['roller="A, long",608-2RS']
     assert axes_of({"law": ["legendre c=1,2", "cosine"]}) == ["law=legendre c=1,2,cosine"]
     assert axes_of({"speed": "60:15:120 rpm"}) == ["speed=60:15:120 rpm"]
+
+
+def test_parts_are_swept_whatever_their_names_hold(tmp_path):
+    names = ["608-2RS", "A, long", "10..20", '3/8" wide', "M:1", "M=1", "plain"]
+    rows = (f"{name}; {k + 8}" for k, name in enumerate(names))
+    (tmp_path / "rollers.csv").write_text("\n".join(["name; roller_radius [mm]", *rows]) + "\n")
+    (tmp_path / "cam.toml").write_text(
+        ROLLER.read_text().replace('roller_radius = "8 mm"\n', "")
+        + "\n[parts.roller]\ncatalogue = 'rollers.csv'\n"
+    )
+    problem = cl.Problem.load(tmp_path / "cam.toml")
+    swept = problem.sweep({"roller": names}, evaluate=True, workers=1)
+    assert len(swept) == len(names) and swept.facts["designs"] == len(names)
+    assert [swept[k].constants["roller_radius"] for k in range(len(names))] == list(range(8, 15))
+    for k in (1, 2, 3, 4):
+        one = problem.sweep({"roller": [names[k]], "stroke": [25, 30]}, evaluate=True, workers=1)
+        assert one[0].constants["roller_radius"] == 8 + k

@@ -58,10 +58,15 @@ const std::map<std::string, Names>& libraries() {
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
       // Open CASCADE, by what its headers' names begin with.
-      {"BRep", {"output/export/solid/step_plugin.cpp"}},
-      {"Geom", {"output/export/solid/step_plugin.cpp"}},
+      {"BRep",
+       {"output/export/solid/step_barrel.cpp", "output/export/solid/step_plugin.cpp",
+        "output/export/solid/step_prism.cpp"}},
+      {"Geom", {"output/export/solid/step_barrel.cpp", "output/export/solid/step_prism.cpp"}},
       {"STEPControl_", {"output/export/solid/step_plugin.cpp"}},
-      {"TopoDS", {"output/export/solid/step_plugin.cpp"}},
+      {"TopoDS",
+       {"output/export/solid/step_barrel.cpp", "output/export/solid/step_barrel.h",
+        "output/export/solid/step_plugin.cpp", "output/export/solid/step_prism.cpp",
+        "output/export/solid/step_prism.h"}},
       // Matrices are everywhere; what factors them takes seconds to compile in each unit.
       {"Eigen/Dense", {}},
       {"Eigen/Cholesky", {"numerics/linear/dense.cpp", "numerics/linear/normal_equations.cpp"}},

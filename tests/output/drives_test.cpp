@@ -119,6 +119,22 @@ TEST_CASE("Drives count the master in milliseconds or increments, and the slave 
   }
 }
 
+TEST_CASE("A cycle has a whole number of increments", "[exports][drives]") {
+  const std::string file = testing::source("problems/cams/roller_least_base.toml");
+  cli::ExportOptions options;
+  options.format = "table";
+  options.master = "increments";
+  for (const char* cycle : {"1000.5", "0.25"}) {
+    options.cycle = cycle;
+    CHECK_THROWS_WITH(exported_file(file, options),
+                      Contains(std::string("--cycle ") + cycle) && Contains("whole number"));
+  }
+  options.cycle = "1000";
+  CHECK_THAT(exported_file(file, options), Contains("master [increments]") && Contains("1000"));
+  options.master = "ms", options.cycle = "1000.5 ms";
+  CHECK_THAT(exported_file(file, options), Contains("1000.5"));
+}
+
 namespace {
 
 /// A slide that a program moves: `responses` are its own.

@@ -62,6 +62,24 @@ TEST_CASE("friction in the guide that is set later brings its limit, or takes it
   CHECK_FALSE(overhang_left(cam(kGuided + "overhang = 20\n"), {"guide_friction=0"}));
 }
 
+TEST_CASE("guides to choose from bring the limit where one of them rubs", "[buildable][parts]") {
+  const auto left = [](const std::string& rows, const std::vector<std::string>& settings = {}) {
+    HeldFiles files;
+    files.tables["guides.csv"] = "name, guide_friction, guide_length [mm]\n" + rows;
+    ProblemStatement problem = read_problem(
+        cam("stroke = 30\noverhang = 20\n", 1, "[parts.guide]\ncatalogue = 'guides.csv'\n"),
+        "f.toml", std::move(files));
+    for (const std::string& setting : settings) set_value(problem, setting);
+    return std::any_of(problem.constraints.begin(), problem.constraints.end(),
+                       [](const auto& c) { return c.response.name == "guide_overhang"; });
+  };
+  CHECK_FALSE(left("balls, 0, 60\nrollers, 0, 80\n"));
+  CHECK_FALSE(left("balls, 0, 60\n"));
+  CHECK(left("bronze, 0.2, 60\n"));
+  CHECK(left("balls, 0, 60\nbronze, 0.2, 60\n"));
+  CHECK(left("balls, 0, 60\nbronze, 0.2, 60\n", {"guide=bronze"}));
+}
+
 TEST_CASE("the shortest guide is found where the contact may enter it", "[buildable][optimise]") {
   const auto shortest = [](double friction) {
     const BoundProblem problem(read_problem(

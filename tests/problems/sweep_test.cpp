@@ -124,6 +124,14 @@ TEST_CASE("what is swept reads as people write it", "[sweep]") {
   CHECK(quoted.values == Names{"A, long", "10", "1:2:5", "plain", "10..20"});
   CHECK_FALSE(quoted.is_numeric());
   CHECK_FALSE(parse_axis(R"(roller="A, long")"));
+  const SweepAxis doubled = *parse_axis(R"(roller="A ""long"", B", "C"" ")");
+  CHECK(doubled.values == Names{R"(A "long", B)", R"(C" )"});
+  CHECK_THAT(complaint([] { parse_axis(R"(roller="A"", B)"); }), Contains("no closing quote"));
+  const Names odd{"M:1", "A, long", R"(3/8" wide)", "M=1", "10..20", "plain", R"("B")", " C "};
+  std::string list;
+  for (const std::string& name : odd) list += (list.empty() ? "" : ",") + listed_value(name);
+  CHECK(parse_axis("roller=" + list)->values == odd);
+  for (const char* plain : {"10 mm", "-3", "plain", "608-2RS"}) CHECK(listed_value(plain) == plain);
   CHECK_THAT(complaint([] { parse_axis("roller=608-2"); }), Contains("roller=\"608-2\""));
   CHECK_THAT(complaint([] { parse_axis("roller=\"A, B"); }), Contains("no closing quote"));
   CHECK_THAT(complaint([] { parse_axis("roller=\"A\" B"); }), Contains("a comma must follow"));
@@ -145,6 +153,12 @@ TEST_CASE("samples fill their ranges evenly", "[sweep]") {
     const auto samples = samples_of(sampling);
     CHECK(samples == samples_of(sampling));
     REQUIRE(samples.size() == 64);
+    if (*method == 's') {  // the sequence by hand, after its origin
+      CHECK(samples[0] == std::vector<double>{15, 0.5});
+      CHECK(samples[1] == std::vector<double>{17.5, 0.25});
+      CHECK(samples[2] == std::vector<double>{12.5, 0.75});
+      CHECK(samples[3] == std::vector<double>{13.75, 0.375});
+    }
     // Of 64 samples eight are in each eighth of a range; Sobol's leaves out its first, the corner,
     // so that one eighth may have one more or one less.
     for (std::size_t k = 0; k < 2; ++k) {

@@ -113,11 +113,15 @@ TEST_CASE("rows are swept whatever their names hold", "[sweep]") {
   const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
   std::ofstream(folder / "rollers.csv") << "name; roller_radius [mm]\n608-2RS; 11\nA, long; 12\n"
                                            "10; 13\n10..20; 14\n";
-  const std::vector<std::string> names{"608-2RS", "A, long", "10", "10..20"};
-  const SweepStudy study(text, source, asked({R"(roller=608-2RS,"A, long","10","10..20")"}));
+  std::ofstream(folder / "rollers.csv", std::ios::app) << "3/8\" wide; 15\nM:1; 16\n";
+  const std::vector<std::string> names{"608-2RS", "A, long", "10", "10..20", "3/8\" wide", "M:1"};
+  const SweepStudy study(text, source,
+                         asked({R"(roller=608-2RS,"A, long","10","10..20","3/8"" wide","M:1")"}));
   CHECK(rows_of(study) == names);
   const SweepStudy one(text, source, asked({R"(roller="A, long")", "stroke=20,25 mm"}));
   CHECK(rows_of(one) == std::vector<std::string>{"A, long", "A, long"});
+  const SweepStudy inch(text, source, asked({R"(roller="3/8"" wide")", "stroke=20,25 mm"}));
+  CHECK(rows_of(inch) == std::vector<std::string>{names[4], names[4]});
 }
 
 TEST_CASE("a refused sweep names the value", "[sweep]") {

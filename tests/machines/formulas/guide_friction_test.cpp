@@ -68,8 +68,8 @@ void check_balance(const Cam& cam, const F& touch_at) {
     const double along = push * touch.normal.imag() / std::abs(touch.normal);
     CHECK(cam.drive_torque(f) == Approx(along * f.ds).margin(1e-8));
     // What friction leaves of it is what the motion asks.
-    CHECK(along * (1 - cam.guide_fraction(f)) == Approx(cam.follower().force(f)).margin(1e-8));
-    CHECK(smooth.guide_fraction(f) == 0);
+    CHECK(along * (1 - guide_fraction(cam, f)) == Approx(cam.follower().force(f)).margin(1e-8));
+    CHECK(guide_fraction(smooth, f) == 0);
     ++(push > 0 ? pushes : pulls);
     if (std::abs(push / smooth.contact_force(f) - 1) > 0.02) ++rubs;
   }
@@ -197,11 +197,11 @@ TEST_CASE("a face, an end cam and a pair jam in guides that are too short", "[ca
     cam.guide_length = needed * 1.001;
     CHECK(std::isfinite(cam.contact_force(rise)));
     CHECK(cam.contact_force(rise) > 100 * cam.follower().force(rise));
-    CHECK(cam.guide_fraction(rise) < 1);
+    CHECK(guide_fraction(cam, rise) < 1);
     cam.guide_length = needed * 0.999;
     CHECK(std::isnan(cam.contact_force(rise)));
     CHECK(std::isnan(cam.drive_torque(rise)));
-    CHECK(cam.guide_fraction(rise) > 1);
+    CHECK(guide_fraction(cam, rise) > 1);
     CHECK(std::isfinite(cam.contact_force(fall)));
   };
   check(rubbing(FlatCam<double>()), 2 * kFriction * 0.03);
@@ -230,7 +230,7 @@ TEST_CASE("the overhang that is left is how far the contact is before the guide"
   const auto check = [](auto cam) {
     for (const double angle : {0.3, 1.4, 2.9, 4.0}) {
       const auto motion = motion_at(cam, angle);
-      CHECK(cam.guide_overhang(motion) == Approx(cam.overhang - motion.s));
+      CHECK(guide_overhang(cam, motion) == Approx(cam.overhang - motion.s));
     }
   };
   check(rubbing(RollerCam<double>()));
