@@ -23,8 +23,9 @@ step() {
 
 step cmake --install "$build" --prefix "$prefix"
 for file in bin/camlaw share/man/man1/camlaw.1 share/bash-completion/completions/camlaw \
-  share/zsh/site-functions/_camlaw share/fish/vendor_completions.d/camlaw.fish \
-  libexec/camlaw/camlaw-worker; do
+  share/zsh/site-functions/_camlaw share/zsh/vendor-completions/_camlaw \
+  share/fish/vendor_completions.d/camlaw.fish \
+  libexec/camlaw/camlaw-worker share/doc/camlaw/copyright; do
   [ -s "$prefix/$file" ] || fail "no $file"
 done
 (cd / && "$prefix/bin/camlaw" law cubic | grep '^cubic') >/dev/null || fail "the installed program fails"
@@ -66,6 +67,8 @@ if command -v dpkg-shlibdeps >/dev/null; then
   development=$(echo "$folder"/packages/libcamlaw-dev_*.deb)
   dpkg-deb -I "$program" | grep 'Depends:.*libnlopt' >/dev/null || fail "the package lacks dependencies"
   dpkg-deb -c "$program" | grep '\./usr/bin/camlaw$' >/dev/null || fail "the package lacks the program"
+  dpkg-deb -I "$program" | grep 'Depends:.*libopenmpi' >/dev/null && fail "the program's package needs MPI"
+  dpkg-deb -I "$program" | grep 'Maintainer: .' >/dev/null || fail "dpkg would warn of the package"
   dpkg-deb -I "$development" | grep 'Depends:.*libeigen3-dev' >/dev/null || fail "libcamlaw-dev: depends"
   dpkg-deb -c "$development" | grep 'camlawConfig\.cmake$' >/dev/null || fail "libcamlaw-dev: no config"
 fi
