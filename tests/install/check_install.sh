@@ -41,6 +41,7 @@ step "$prefix/bin/camlaw" check "$folder/copy/roller_from_catalogue.toml"
 step cmake -S "$source/tests/install/project" -B "$folder/project" -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DOWN_SOLVER="$own_solver" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"
 step cmake --build "$folder/project"
+"$folder/project/laws" | grep ' is 2$' >/dev/null || fail "the part kinematics alone"
 "$folder/project/example" | grep '^C_a is proved' >/dev/null || fail "the example does not run"
 "$folder/project/own_solver" | grep 'by compass: certified' >/dev/null || fail "a solver of one's own"
 radius=$("$folder/project/design" "$source/problems/spine_cutter/least_radius.toml")
