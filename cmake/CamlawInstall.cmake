@@ -1,6 +1,6 @@
 # What `cmake --install` puts where: the program with its man page and completions (component
-# program), and what other projects build against: headers, libraries, CMake's and pkg-config's
-# descriptions (component development).
+# program), the plug-in with MPI (component mpi), and what other projects build against: headers,
+# libraries, CMake's and pkg-config's descriptions (component development).
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -46,20 +46,36 @@ if(CAMLAW_PAGMO)
   install(TARGETS camlaw_nsga2
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
 endif()
-foreach(plugin camlaw_mpi camlaw_step)
-  if(TARGET ${plugin})
-    install(TARGETS ${plugin}
-      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
-  endif()
-endforeach()
+if(TARGET camlaw_step)
+  install(TARGETS camlaw_step
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
+endif()
+# By itself, as it needs the MPI of the machine, with its mpirun, which few have.
+if(TARGET camlaw_mpi)
+  install(TARGETS camlaw_mpi
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT mpi)
+endif()
 set(pages ${PROJECT_BINARY_DIR}/pages)
 install(FILES ${pages}/camlaw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/camlaw.bash RENAME camlaw COMPONENT program
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${pages}/camlaw.zsh RENAME _camlaw COMPONENT program
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+# Debian's zsh reads what packages bring in vendor-completions alone, others in site-functions.
+foreach(folder site-functions vendor-completions)
+  install(FILES ${pages}/camlaw.zsh RENAME _camlaw COMPONENT program
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
+endforeach()
 install(FILES ${pages}/camlaw.fish COMPONENT program
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# The licence asks to go with every copy; this is where Debian's packages have theirs.
+install(FILES LICENSE RENAME copyright COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/camlaw)
+install(FILES LICENSE RENAME copyright COMPONENT development
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libcamlaw-dev)
+if(TARGET camlaw_mpi)
+  install(FILES LICENSE RENAME copyright COMPONENT mpi
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/camlaw-mpi)
+endif()
 
 # The problem files with their tables, for `camlaw examples`; the program of the build folder finds
 # those of the source folder by a link.

@@ -1,20 +1,22 @@
-# Debian packages by CPack, `cpack -G DEB` in the build folder: camlaw, the program, and
-# libcamlaw-dev, to build against. Run-time dependencies are what dpkg-shlibdeps finds.
+# Debian packages by CPack, `cpack -G DEB` in the build folder: camlaw, the program, libcamlaw-dev,
+# to build against, and where there is an MPI camlaw-mpi, the plug-in with it. Run-time dependencies
+# are what dpkg-shlibdeps finds.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR camlaw)
-# A package names who answers for it, or nobody: where this is empty, the field is taken out.
+# Who answers for the packages, or nobody: without the field dpkg warns at each of its calls.
 set(CAMLAW_MAINTAINER "" CACHE STRING "who answers for the Debian packages: Name <address>")
-if(CAMLAW_MAINTAINER)
-  set(CPACK_PACKAGE_CONTACT "${CAMLAW_MAINTAINER}")
-else()
-  set(CPACK_PACKAGE_CONTACT "nobody")  # CPack asks for one
-  set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/without_maintainer.cmake)
+set(CPACK_PACKAGE_CONTACT "${CAMLAW_MAINTAINER}")
+if(NOT CAMLAW_MAINTAINER)
+  set(CPACK_PACKAGE_CONTACT nobody)
 endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program development)
+if(TARGET camlaw_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+endif()
 set(CPACK_STRIP_FILES ON)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -36,5 +38,11 @@ string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 
 # Whose worker program a program with several threads starts.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "camlaw (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME camlaw-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "camlaw (= ${PROJECT_VERSION}), openmpi-bin")
+set(CPACK_COMPONENT_MPI_DESCRIPTION "Plug-in of camlaw that shares the searches of fronts, sweeps
+and tolerances out to the ranks of MPI: camlaw pareto --executor mpi.")
 
 include(CPack)

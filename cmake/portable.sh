@@ -49,7 +49,7 @@ ldd "${files[@]}" | awk '$2 == "=>" && $3 ~ /^\// { print $3 } $1 ~ /^\/.*ld-lin
   done
 mkdir -p "$prefix/share/udunits" "$prefix/share/doc/camlaw"
 cp -L /usr/share/xml/udunits/*.xml "$prefix/share/udunits/"
-cp "$source/LICENSE" "$source/README.md" "$prefix/share/doc/camlaw/"
+cp "$source/README.md" "$prefix/share/doc/camlaw/"
 
 tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/$name.tar.gz" "$name"
 echo "wrote $out/$name.tar.gz, $(du -h "$out/$name.tar.gz" | cut -f1)"

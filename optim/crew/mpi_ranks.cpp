@@ -139,7 +139,7 @@ MpiRanks::MpiRanks() : plugin_(std::make_unique<Plugin>()) {
   if (!path) {
     throw std::runtime_error(
         fmt::format("MPI is a plug-in, {}, which is not installed: it is built where MPI is, such "
-                    "as by the packages of packages-mpi.txt",
+                    "as by the packages of packages-mpi.txt; the Debian package camlaw-mpi has it",
                     kMpiPlugin));
   }
   // Global, as an MPI loads parts of its own that look for what it has. Its own libraries first

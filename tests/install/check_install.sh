@@ -23,8 +23,9 @@ step() {
 
 step cmake --install "$build" --prefix "$prefix"
 for file in bin/camlaw share/man/man1/camlaw.1 share/bash-completion/completions/camlaw \
-  share/zsh/site-functions/_camlaw share/fish/vendor_completions.d/camlaw.fish \
-  libexec/camlaw/camlaw-worker; do
+  share/zsh/site-functions/_camlaw share/zsh/vendor-completions/_camlaw \
+  share/fish/vendor_completions.d/camlaw.fish \
+  libexec/camlaw/camlaw-worker share/doc/camlaw/copyright; do
   [ -s "$prefix/$file" ] || fail "no $file"
 done
 (cd / && "$prefix/bin/camlaw" law cubic | grep '^cubic') >/dev/null || fail "the installed program fails"
@@ -40,6 +41,7 @@ step "$prefix/bin/camlaw" check "$folder/copy/roller_from_catalogue.toml"
 step cmake -S "$source/tests/install/project" -B "$folder/project" -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DOWN_SOLVER="$own_solver" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"
 step cmake --build "$folder/project"
+"$folder/project/laws" | grep ' is 2$' >/dev/null || fail "the part kinematics alone"
 "$folder/project/example" | grep '^C_a is proved' >/dev/null || fail "the example does not run"
 "$folder/project/own_solver" | grep 'by compass: certified' >/dev/null || fail "a solver of one's own"
 radius=$("$folder/project/design" "$source/problems/spine_cutter/least_radius.toml")
@@ -66,6 +68,8 @@ if command -v dpkg-shlibdeps >/dev/null; then
   development=$(echo "$folder"/packages/libcamlaw-dev_*.deb)
   dpkg-deb -I "$program" | grep 'Depends:.*libnlopt' >/dev/null || fail "the package lacks dependencies"
   dpkg-deb -c "$program" | grep '\./usr/bin/camlaw$' >/dev/null || fail "the package lacks the program"
+  dpkg-deb -I "$program" | grep 'Depends:.*libopenmpi' >/dev/null && fail "the program's package needs MPI"
+  dpkg-deb -I "$program" | grep 'Maintainer: .' >/dev/null || fail "dpkg would warn of the package"
   dpkg-deb -I "$development" | grep 'Depends:.*libeigen3-dev' >/dev/null || fail "libcamlaw-dev: depends"
   dpkg-deb -c "$development" | grep 'camlawConfig\.cmake$' >/dev/null || fail "libcamlaw-dev: no config"
 fi
