@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "optim/problem/starts.h"
@@ -88,11 +89,47 @@ void search_all_over(const Setting& setting, Trail& trail) {
   }
 }
 
+/// Where a search ran from a start with numbers to a design without them: searches from designs
+/// between the two, each half as far from the edge of what has numbers as the one before. If all of
+/// them run over the edge, the last of them that meets the limits is the answer.
+void retreat(const Setting& setting, Trail& trail) {
+  constexpr int kHalvings = 20, kSearches = 8;
+  const Problem& problem = setting.problem;
+  std::vector<double> good = problem.start();
+  std::vector<double> bad = trail.found.x;
+  if (bad.empty() || !are_numbers(assess_in_haste(problem, good))) return;
+  std::vector<double> last;
+  const auto keep_if_within = [&](const std::vector<double>& x) {
+    if (is_feasible(assess_in_haste(problem, x))) last = x;
+  };
+  keep_if_within(good);
+  int searches = 0;
+  for (int i = 0; i < kHalvings && !setting.deadline.passed(); ++i) {
+    std::vector<double> middle(good.size());
+    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = std::midpoint(good[k], bad[k]);
+    if (!are_numbers(assess_in_haste(problem, middle))) {
+      bad = middle;
+      continue;
+    }
+    good = middle;
+    keep_if_within(good);
+    if (++searches > kSearches) continue;
+    search_from_start(good, setting, trail);
+    if (has_numbers(trail.found)) return;
+  }
+  if (last.empty()) return;
+  trail.sizes = sizes(problem, last);
+  trail.found.x = last;
+  trail.found.assessment = assess(problem, trail.sizes, last, setting.prove);
+}
+
 }  // namespace
 
 bool has_numbers(const Found& found) { return !found.x.empty() && are_numbers(found.assessment); }
 
 void seek_numbers(const Setting& setting, Trail& trail) {
+  retreat(setting, trail);
+  if (has_numbers(trail.found)) return;
   search_from_valid(setting, trail);
   if (!has_numbers(trail.found) && !trail.is_infeasible()) search_all_over(setting, trail);
 }
