@@ -4,11 +4,13 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR camlaw)
-# Who answers for the packages, or nobody: without the field dpkg warns at each of its calls.
+# A package names who answers for it; where this is empty, the field is taken out. (dpkg then warns.)
 set(CAMLAW_MAINTAINER "" CACHE STRING "who answers for the Debian packages: Name <address>")
-set(CPACK_PACKAGE_CONTACT "${CAMLAW_MAINTAINER}")
-if(NOT CAMLAW_MAINTAINER)
-  set(CPACK_PACKAGE_CONTACT nobody)
+if(CAMLAW_MAINTAINER)
+  set(CPACK_PACKAGE_CONTACT "${CAMLAW_MAINTAINER}")
+else()
+  set(CPACK_PACKAGE_CONTACT "nobody")  # CPack asks for one
+  set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/without_maintainer.cmake)
 endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
