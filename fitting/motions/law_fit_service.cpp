@@ -232,11 +232,11 @@ struct Kept {
     if (samples && own == bytes) return true;
     const auto of = optim::value_of_bytes<SamplesOfOrders>(own);
     if (!of || of->samples.place.size() != of->samples.value.size()) return false;
-    bytes = own;
+    samples = std::make_unique<LawFitSamples>(of->samples, of->guess, of->loss);
     options.loss = of->loss;
     options.loss_scale = of->loss_scale;
     options.confidence = of->confidence;
-    samples = std::make_unique<LawFitSamples>(of->samples, of->guess, of->loss);
+    bytes = own;
     return true;
   }
 };

@@ -45,15 +45,25 @@ struct Columns {
   double rest;
 };
 
-/// What stands for the samples of a fit.
-StandIns stand_ins_of(const LawFit& fit, const LawFitSamples& samples) {
+/// What stands for the samples of a fit and a fault: samples where either breaks stay as they are.
+StandIns stand_ins_of(const LawFit& fit, const LawFitSamples& samples, const PossibleFault& fault) {
   if (fit.fit.loss_scale) return samples.all();  // each has its own weight
-  return samples.standing_for(breaks_of(fit.law.law(), fit.begin, fit.end));
+  std::vector<double> breaks = breaks_of(fit.law.law(), fit.begin, fit.end);
+  const auto& places = samples.all().place;
+  if (fault.jump_period > 0 && !places.empty()) {
+    const auto [low, high] = std::minmax_element(places.begin(), places.end());
+    for (double k = std::ceil((*low - fault.jump) / fault.jump_period);
+         fault.jump + k * fault.jump_period <= *high; ++k) {
+      breaks.push_back(fault.jump + k * fault.jump_period);
+    }
+    std::sort(breaks.begin(), breaks.end());
+  }
+  return samples.standing_for(breaks);
 }
 
 std::optional<Columns> columns_of(const LawFit& fit, const LawFitSamples& samples,
                                   const PossibleFault& fault, bool weighted) {
-  const StandIns few = stand_ins_of(fit, samples);
+  const StandIns few = stand_ins_of(fit, samples, fault);
   const std::size_t n = few.samples.place.size(), p = fit.fit.parameters.size();
   std::vector<double> r(n), rows(n * p);
   if (!MotionResiduals(few, fit.law, fit.skew).evaluate(values_of(fit.fit), r, rows)) return {};
@@ -164,10 +174,14 @@ struct Combined {
 }  // namespace
 
 PossibleFault drift(double first, double range, double period) {
-  return {FaultKind::Drift, {"drift"}, {[=](double place) {
+  return {FaultKind::Drift,
+          {"drift"},
+          {[=](double place) {
             const double at = period > 0 ? in_period(place, first, period) : place;
             return (at - first) / range;
-          }}};
+          }},
+          first,
+          period};
 }
 
 PossibleFault off_centre() {

@@ -24,6 +24,8 @@ struct PossibleFault {
   FaultKind kind;
   std::vector<std::string> names;  ///< of its unknowns
   std::vector<std::function<double(double place)>> by;
+  /// Where it jumps: here, and every `jump_period` before and after; 0: nowhere.
+  double jump = 0, jump_period = 0;
 };
 
 /// The drift of a record whose first place is `first` and which goes over `range`; the unknown is

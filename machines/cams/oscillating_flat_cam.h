@@ -49,8 +49,8 @@ struct OscillatingFlatCam {
     using std::asin;
     return asin(sin_lowest());
   }
-  /// The last one says that the face does not reach the pivot's line of centres across, psi_0 +
-  /// swing below a right angle, in the form sin psi_0 < cos swing; swing is below half a turn.
+  /// The last one says that the face stays less than a right angle from the line of centres,
+  /// psi_0 + swing < 90 deg, in the form sin psi_0 < cos swing; swing is below half a turn.
   auto conditions() const {
     using std::cos;
     const T side = base_radius + face_offset;

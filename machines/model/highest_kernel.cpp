@@ -203,8 +203,22 @@ double HighestKernel::largest_lower(std::span<const Bounds> u) const {
   return largest;
 }
 
+Point HighestKernel::impossible_place(std::span<const double> u) const {
+  if (machines_) return machines_->impossible;
+  return wide_.margins ? wide_.machines_at(own_design(u)).impossible : Point{};
+}
+
+HighestKernel HighestKernel::knowing(std::shared_ptr<const MachinesOfBox> machines) const {
+  HighestKernel result = *this;
+  result.machines_ = std::move(machines);
+  return result;
+}
+
 std::string HighestKernel::why_undefined(std::span<const double> u) const {
-  for (const Point& p : places_of(box_at(u))) {
+  std::vector<Point> places = places_of(box_at(u));
+  if (Point impossible = impossible_place(u); !impossible.empty())
+    places.insert(places.begin(), std::move(impossible));
+  for (const Point& p : places) {
     if (std::string why = f_.why_undefined(design(u, p)); !why.empty()) return why;
   }
   return {};
@@ -237,9 +251,9 @@ Box HighestKernel::left(std::span<const double> u) const {
 Point HighestKernel::climbed_highest(const std::vector<Point>& places,
                                      const std::function<double(const Point&)>& value,
                                      std::span<const double> u) const {
-  if (wide_.margins) {
-    Point impossible = wide_.machines_at(own_design(u)).impossible;
-    if (!impossible.empty()) return impossible;
+  if (const Point impossible = impossible_place(u);
+      !impossible.empty() && std::isnan(f_.value(design(u, impossible)))) {
+    return impossible;
   }
   const Box box = box_at(u);
   if (optim::ProofTime::is_over()) return tops_of(box, places, value).front();

@@ -40,6 +40,8 @@ class HighestKernel final : public optim::Kernel {
   /// That looks closely along each range by itself as well, for what may have tops narrower than
   /// the grid of places_of, such as resonances.
   HighestKernel looking_along_ranges() const;
+  /// For the one design at which this is known of the machines of its ranges.
+  HighestKernel knowing(std::shared_ptr<const MachinesOfBox> machines) const;
   std::string why_undefined(std::span<const double> u) const override;
 
   /// The place in the ranges; where a value is not a number, or a machine impossible, such a place.
@@ -61,6 +63,8 @@ class HighestKernel final : public optim::Kernel {
   Point climb(const Point& from, std::span<const double> u) const;
   Highest highest_over(std::span<const optim::Bounds> box) const;
   std::vector<double> design(std::span<const double> u, const Point& p) const;
+  /// A place in the ranges that makes no machine, if one was met; else empty.
+  Point impossible_place(std::span<const double> u) const;
   /// Without the ranges.
   std::vector<double> own_design(std::span<const double> u) const;
   /// The value at a place, turned so that the highest is sought, and its slopes by the ranges.
@@ -87,6 +91,7 @@ class HighestKernel final : public optim::Kernel {
   OwnInputs own_;
   bool asks_proof_ = false;
   bool looks_along_ = false;
+  std::shared_ptr<const MachinesOfBox> machines_;
   /// What was searched: value, slopes and bends are asked for at one design after the other.
   std::shared_ptr<Recent<Point>> recent_ = std::make_shared<Recent<Point>>();
 };

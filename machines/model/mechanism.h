@@ -56,9 +56,9 @@ struct ParameterRange {
 /// a number: a shape cannot be declared on trust.
 class Proof {
  public:
-  /// "DS1"; does not compile otherwise.
+  /// "DS6"; does not compile otherwise.
   consteval Proof(const char* number) : number_(number) {
-    if (number_.size() < 3 || !number_.starts_with("DS")) throw "a proof is a number such as DS1";
+    if (number_.size() < 3 || !number_.starts_with("DS")) throw "a proof is a number such as DS6";
   }
   constexpr std::string_view number() const { return number_; }
 
@@ -362,7 +362,7 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response);
 struct KnownShape {
   optim::Shape declared = optim::Shape::General, ruled = optim::Shape::General;
   bool by_enclosure = false;  ///< how the second was found; else by rules
-  std::string proof = {};     ///< of the first: "DS4"
+  std::string proof = {};     ///< of the first: "DS6"
   bool of_possible = false;   ///< what varies decides on which machines are possible
   /// The stronger one, the declared one where they are as strong.
   optim::Shape best() const;

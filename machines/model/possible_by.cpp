@@ -166,9 +166,7 @@ bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding) {
                                              whole.parameters[k]);
       inputs.push_back({varies ? Varies::Linearly : Varies::Not, box[k]});
     }
-    const optim::Shape shape = shape_by_rules(margin, inputs).shape;
-    is_convex &= shape == optim::Shape::Linear || shape == optim::Shape::Concave ||
-                 shape == optim::Shape::Quasilinear || shape == optim::Shape::Quasiconcave;
+    is_convex &= optim::convex_above(shape_by_rules(margin, inputs).shape);
   });
   return is_convex;
 }

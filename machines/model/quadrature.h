@@ -11,6 +11,7 @@
 
 #include "numerics/scalar/scalar.h"
 #include "optim/problem/automatic.h"
+#include "optim/problem/deadline.h"
 
 /// Gauss-Legendre quadrature over steps that are halved until their error is small (docs/theory.md,
 /// (R3)).
@@ -61,8 +62,10 @@ double gauss_error(std::span<const double, kMeanPoints> values);
 enum class Lever { None, AboutMiddle };
 
 /// The integral of an integrand over steps that are short enough: a step is halved while its error
-/// is more than 1e-11 of the integral of the integrand's size. Plain numbers alone decide which
-/// steps are halved; an integral has the exact derivatives of the quadrature over these steps.
+/// is more than 1e-11 of the integral of the integrand's size, until 4000 steps are added or a step
+/// is shorter than 1e-13; noise of the integrand beyond that stays. Plain numbers alone decide
+/// which steps are halved; an integral has the exact derivatives of the quadrature over these
+/// steps.
 template <class T, Lever kLever = Lever::None>
 class Quadrature {
  public:
@@ -79,6 +82,7 @@ class Quadrature {
   Quadrature(const std::vector<MeanStep<T>>& steps, const Evaluate& evaluate, double size = 0)
       : steps_(evaluated(steps, evaluate)) {
     for (std::size_t added = 0; added < kMostAdded;) {
+      optim::check_deadline();
       const double allowed = kError * std::max(size, this->size());
       std::vector<MeanStep<T>> halves;
       for (const Step& one : steps_) {

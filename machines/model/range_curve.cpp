@@ -39,10 +39,11 @@ class RangeTrace final : public optim::Trace {
       : parts_(std::move(parts)),
         x_(x.begin(), x.end()),
         box_(parts_->wide.box_at(x)),
+        machines_(std::make_shared<const MachinesOfBox>(parts_->wide.machines_at(x_))),
         places_(places_of(box_)) {
     for (const Point& p : places_) at_place(p);
     breaks_ = at_place(places_.front()).breaks();
-    if (!parts_->bounds || !parts_->wide.machines_at(x_).all_possible) return;
+    if (!parts_->bounds || !machines_->all_possible) return;
     over_ = parts_->bounds->over_boxes(
         parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
   }
@@ -83,7 +84,7 @@ class RangeTrace final : public optim::Trace {
   };
 
   Row row_at(Place place) const {
-    Row row{highest_at(*parts_, place), {}};
+    Row row{highest_at(*parts_, place).knowing(machines_), {}};
     for (const std::size_t input : row.highest.own_inputs()) row.u.push_back(x_[input]);
     return row;
   }
@@ -129,6 +130,7 @@ class RangeTrace final : public optim::Trace {
   std::shared_ptr<const RangeParts> parts_;
   std::vector<double> x_;
   Box box_;
+  std::shared_ptr<const MachinesOfBox> machines_;  ///< of the ranges
   std::vector<Point> places_;
   std::vector<double> breaks_;
   mutable std::map<Point, std::unique_ptr<optim::Trace>> traces_;

@@ -220,10 +220,13 @@ bool leave(const Residuals& residuals, const std::vector<double>& shares, FitPoi
 std::optional<FitPoint> minimum_at_kinks(const Residuals& residuals, const FitBox& box,
                                          FitPoint point) {
   constexpr int kMostSteps = 50;
-  // Steps in turn that lead to no kink and gain next to nothing: it is no kink that ends the
-  // descent, but a valley too flat to follow.
+  // Steps in turn that lead to no kink and gain next to nothing, as little as the step before: it
+  // is not a kink that ends the descent, but a valley too flat to follow. Where the gains fall, the
+  // descent is about to end.
   constexpr int kMostFlat = 8;
-  constexpr double kGain = 1e-6;  // of the sum
+  constexpr double kGain = 1e-6;    // of the sum
+  constexpr double kFalling = 0.8;  // of the gain before
+  double gain_before = 0;
   std::vector<Kink> kinks;
   for (int i = 0, flat = 0; i < kMostSteps && flat < kMostFlat; ++i) {
     const std::vector<bool> held = gauss_newton(point, box, kRankTolerance).held;
@@ -240,11 +243,14 @@ std::optional<FitPoint> minimum_at_kinks(const Residuals& residuals, const FitBo
     if (!sides) return {};
     const double before = point.sum();
     point = sides->before;
-    const bool gains = before - point.sum() > kGain * (point.sum() + point.rest);
+    const double gain = before - point.sum();
+    const bool is_flat =
+        gain <= kGain * (point.sum() + point.rest) && gain > kFalling * gain_before;
+    gain_before = gain;
     if (!move_back(residuals, point, kinks)) return {};
     const auto found = kinks_between(*sides);
     if (!found) return {};
-    flat = kinks.empty() && found->empty() && !gains ? flat + 1 : 0;
+    flat = kinks.empty() && found->empty() && is_flat ? flat + 1 : 0;
     for (const Kink& kink : *found) {
       const bool is_there = std::any_of(kinks.begin(), kinks.end(),
                                         [&](const Kink& other) { return other.row == kink.row; });

@@ -89,38 +89,79 @@ void search_all_over(const Setting& setting, Trail& trail) {
   }
 }
 
+/// The designs from a start with numbers to one without them, by shares from 0 to 1.
+class WayToEdge {
+ public:
+  WayToEdge(const Problem& problem, std::vector<double> end)
+      : problem_(problem), start_(problem.start()), end_(std::move(end)) {}
+
+  std::vector<double> at(double share) const {
+    std::vector<double> x(start_.size());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::lerp(start_[i], end_[i], share);
+    return x;
+  }
+  Assessment judged(double share) const { return assess_in_haste(problem_, at(share)); }
+
+ private:
+  const Problem& problem_;
+  std::vector<double> start_, end_;
+};
+
+/// Whether all limits are met without using their tolerances.
+bool is_strictly_within(const Assessment& a) {
+  return is_feasible(a) && std::all_of(a.limits.begin(), a.limits.end(),
+                                       [](const LimitReport& limit) { return limit.margin >= 0; });
+}
+
+/// The best design within the limits that a retreat has met.
+struct Retreated {
+  std::vector<double> x;
+  Assessment assessment;
+
+  void consider(const Problem& problem, const WayToEdge& way, double share, const Assessment& a) {
+    if (!is_strictly_within(a) || (!x.empty() && !better(problem, a, assessment))) return;
+    x = way.at(share);
+    assessment = a;
+  }
+};
+
 /// Where a search ran from a start with numbers to a design without them: searches from designs
 /// between the two, each half as far from the edge of what has numbers as the one before. If all of
-/// them run over the edge, the last of them that meets the limits is the answer.
-void retreat(const Setting& setting, Trail& trail) {
-  constexpr int kHalvings = 20, kSearches = 8;
+/// them run over the edge, a last one begins at the last design of the way that meets the limits.
+/// Returns the best design that it has met on the way.
+Retreated retreat(const Setting& setting, Trail& trail) {
+  constexpr int kSearches = 8, kHalvings = 20, kToLimit = 50;
   const Problem& problem = setting.problem;
-  std::vector<double> good = problem.start();
-  std::vector<double> bad = trail.found.x;
-  if (bad.empty() || !are_numbers(assess_in_haste(problem, good))) return;
-  std::vector<double> last;
-  const auto keep_if_within = [&](const std::vector<double>& x) {
-    if (is_feasible(assess_in_haste(problem, x))) last = x;
-  };
-  keep_if_within(good);
+  Retreated met;
+  if (trail.found.x.empty()) return met;
+  const WayToEdge way(problem, trail.found.x);
+  const Assessment start = way.judged(0);
+  if (!are_numbers(start)) return met;
+  met.consider(problem, way, 0, start);
+  double numbers = 0, edge = 1;  // up to where there are numbers, and where there are none
+  double within = is_strictly_within(start) ? 0 : -1, beyond = 1;  // the same of the limits
   int searches = 0;
   for (int i = 0; i < kHalvings && !setting.deadline.passed(); ++i) {
-    std::vector<double> middle(good.size());
-    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = std::midpoint(good[k], bad[k]);
-    if (!are_numbers(assess_in_haste(problem, middle))) {
-      bad = middle;
-      continue;
-    }
-    good = middle;
-    keep_if_within(good);
-    if (++searches > kSearches) continue;
-    search_from_start(good, setting, trail);
-    if (has_numbers(trail.found)) return;
+    const double middle = std::midpoint(numbers, edge);
+    const Assessment there = way.judged(middle);
+    met.consider(problem, way, middle, there);
+    (is_strictly_within(there) ? within : beyond) = middle;
+    (are_numbers(there) ? numbers : edge) = middle;
+    if (numbers != middle) continue;
+    if (++searches > kSearches) break;
+    search_from_start(way.at(middle), setting, trail);
+    if (has_numbers(trail.found)) return met;
   }
-  if (last.empty()) return;
-  trail.sizes = sizes(problem, last);
-  trail.found.x = last;
-  trail.found.assessment = assess(problem, trail.sizes, last, setting.prove);
+  if (within < 0) return met;
+  if (beyond < within) beyond = 1;
+  for (int i = 0; i < kToLimit && !setting.deadline.passed(); ++i) {
+    const double middle = std::midpoint(within, beyond);
+    const Assessment there = way.judged(middle);
+    met.consider(problem, way, middle, there);
+    (is_strictly_within(there) ? within : beyond) = middle;
+  }
+  search_from_start(way.at(within), setting, trail);
+  return met;
 }
 
 }  // namespace
@@ -128,10 +169,17 @@ void retreat(const Setting& setting, Trail& trail) {
 bool has_numbers(const Found& found) { return !found.x.empty() && are_numbers(found.assessment); }
 
 void seek_numbers(const Setting& setting, Trail& trail) {
-  retreat(setting, trail);
-  if (has_numbers(trail.found)) return;
-  search_from_valid(setting, trail);
+  const Retreated met = retreat(setting, trail);
+  if (!has_numbers(trail.found)) search_from_valid(setting, trail);
   if (!has_numbers(trail.found) && !trail.is_infeasible()) search_all_over(setting, trail);
+  if (met.x.empty()) return;
+  const Problem& problem = setting.problem;
+  const Assessment& found = trail.found.assessment;
+  if (has_numbers(trail.found) && !better(problem, met.assessment, found)) return;
+  trail.sizes = sizes(problem, met.x);
+  trail.told.clear();
+  trail.found.x = met.x;
+  trail.found.assessment = assess(problem, trail.sizes, met.x, setting.prove);
 }
 
 }  // namespace camlaw::optim

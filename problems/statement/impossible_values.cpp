@@ -46,6 +46,23 @@ std::string why_impossible(const ProblemStatement& statement) {
 
 namespace {
 
+/// The condition that fails at a design, or with one of its ranges at an end; empty where none does.
+std::string broken_condition_at(ProblemStatement design) {
+  const auto& why_impossible = design.mechanism->why_impossible;
+  if (!why_impossible) return "";
+  if (std::string why = why_impossible(design.constants); !why.empty()) return why;
+  for (const ParameterRange& range : design.ranges) {
+    double& value = design.constants[range.parameter];
+    const double stated = value;
+    for (const double end : {range.lower, range.upper}) {
+      value = end;
+      if (std::string why = why_impossible(design.constants); !why.empty()) return why;
+    }
+    value = stated;
+  }
+  return "";
+}
+
 /// The condition that fails a millionth of a variable's box beside a design; empty where none does.
 std::string condition_beside(const BoundProblem& bound, const optim::Optimum& optimum) {
   constexpr double kBeside = 1e-6;
@@ -55,9 +72,7 @@ std::string condition_beside(const BoundProblem& bound, const optim::Optimum& op
     for (const double side : {-kBeside, kBeside}) {
       std::vector<double> x = optimum.found.x;
       x[i] = std::clamp(x[i] + side * (v.upper - v.lower), v.lower, v.upper);
-      const ProblemStatement there = bound.at(optimum.options, x);
-      const auto& why_impossible = there.mechanism->why_impossible;
-      if (std::string why = why_impossible ? why_impossible(there.constants) : ""; !why.empty())
+      if (std::string why = broken_condition_at(bound.at(optimum.options, x)); !why.empty())
         return why;
     }
   }

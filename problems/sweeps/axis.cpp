@@ -185,7 +185,9 @@ SweepAxis listed(const std::string& name, const std::string& text) {
   axis.unit = numbers->back().unit;
   for (std::size_t i = 0; i < numbers->size(); ++i) {
     axis.numbers.push_back((*numbers)[i].number);
-    axis.values[i] = swept_value(axis.numbers.back(), axis.unit);
+    const auto written = quantity(axis.values[i]);
+    const bool is_said = written->unit == axis.unit && written->number == axis.numbers.back();
+    if (!is_said) axis.values[i] = swept_value(axis.numbers.back(), axis.unit);
   }
   return axis;
 }

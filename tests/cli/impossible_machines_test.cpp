@@ -132,4 +132,58 @@ TEST_CASE("a curve without numbers says why, if that is known", "[program]") {
   CHECK_FALSE(answer["responses"]["deviation"].contains("why_undefined"));
 }
 
+TEST_CASE("a variable that decides on the machines of a range is judged by them", "[program]") {
+  const Folder folder;
+  // No base radius up to 20 mm leaves room for an offset of 30 mm beside a roller of 10 mm.
+  const std::string file = file_of(
+      folder, std::string("mechanism = 'disc-cam-roller'\n[constants]\nroller_radius = '10 mm'\n"
+                          "[ranges.offset]\nlower = '-10 mm'\nupper = '30 mm'\n"
+                          "[variables.base_radius]\nlower = '10 mm'\nupper = '60 mm'\n"
+                          "[objective]\nminimize = 'base_radius'\n"
+                          "[[constraints]]\nresponse = 'follower_force'\nlower = 0\n") +
+                  kProgram);
+  const ParsedJson found = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  CHECK(found.at("verdict") == "feasible");  // the least, 20 mm, is not possible itself
+  CHECK(found.at("global").is_null());
+  CHECK_THAT(found.at("reason").get<std::string>(),
+             Contains("offset must be less in size than base_radius + roller_radius"));
+  const double radius = found.at("variables").at("base_radius").get<double>();
+  CHECK(radius > 20);
+  CHECK(radius < 20.01);
+}
+
+TEST_CASE("machines that are impossible in the middle of a range alone are seen", "[program]") {
+  const Folder folder;
+  // The second cam has no base radius at offsets about 0.
+  const std::string file = file_of(
+      folder,
+      std::string(
+          "mechanism = 'disc-cam-conjugate'\n[constants]\nstroke = '20 mm'\n"
+          "roller_radius = '10 mm'\nbase_radius = '40 mm'\noffset = '14 mm'\n"
+          "roller_distance = '79.9 mm'\n[ranges.offset]\nlower = '-14 mm'\n"
+          "upper = '17.3 mm'\n[[constraints]]\nresponse = 'follower_force'\nlower = -1e4\n") +
+          kProgram);
+  const ParsedJson json = json_of({"evaluate", file, "--json"});
+  const ParsedJson& limit = json.at("constraints").at(0);
+  CHECK(limit.at("met") == false);
+  CHECK_THAT(limit.at("why_no_value").get<std::string>(), Contains("does not exist at offset = "));
+}
+
+TEST_CASE("a search that runs into jammed followers comes back to the best that is not",
+          "[program]") {
+  const Folder folder;
+  const std::string file =
+      file_of(folder,
+              "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '20 mm'\noverhang = '60 mm'\n"
+              "guide_friction = 0.9\n[program]\nsegments = [{angle = 100, law = 'cycloidal'}, "
+              "{angle = 60}, "
+              "{angle = 110, law = 'cycloidal'}, {}]\n"
+              "[variables.base_radius]\nlower = '20 mm'\nupper = '200 mm'\nstart = '150 mm'\n"
+              "[objective]\nminimize = 'base_radius'\n"
+              "[[constraints]]\nresponse = 'contact_stress'\nupper = '1000 MPa'\n");
+  const ParsedJson found = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  CHECK(found.at("verdict") == "certified optimum");
+  CHECK(found.at("variables").at("base_radius").get<double>() == Approx(38.81944665).epsilon(1e-6));
+}
+
 }  // namespace camlaw::cli::impossible_machines_test

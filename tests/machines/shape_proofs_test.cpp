@@ -217,6 +217,7 @@ TEST_CASE("the middle of two possible machines is possible where rules find so",
           machine = some_machine(mechanism, random);
           if (!is_possible(mechanism, machine)) machine.clear();
         }
+        REQUIRE(!machine.empty());
         const Binding binding{machine, parameters, parameters, nullptr};
         const bool is_convex = is_convex_by_rules(possible_by, binding);
         ++(is_convex ? found : open);

@@ -124,6 +124,19 @@ TEST_CASE("rows are swept whatever their names hold", "[sweep]") {
   CHECK(rows_of(inch) == std::vector<std::string>{names[4], names[4]});
 }
 
+TEST_CASE("rows whose names read as the same number are told apart", "[sweep]") {
+  const Folder folder;
+  const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
+  std::ofstream(folder / "rollers.csv") << "name; roller_radius [mm]\n1.50; 8\n2.00; 9\n1.5; 10\n"
+                                           "2; 11\n10.0 mm; 12\n12.0 mm; 13\n";
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"1.50", "2.00"}, {"2", "1.5"}, {"10.0 mm", "12.0 mm"}}) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ",") + listed_value(name);
+    CHECK(rows_of(SweepStudy(text, source, asked({"roller=" + list}))) == names);
+  }
+}
+
 TEST_CASE("a refused sweep names the value", "[sweep]") {
   const Folder folder;
   const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
