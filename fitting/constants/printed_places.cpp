@@ -69,6 +69,7 @@ std::vector<std::vector<double>> search_places(const std::vector<SearchScale>& u
   const std::size_t of_law = n - first_of_law;
   SobolPoints points(std::max<std::size_t>(1, n + (on_simplex ? 1 : 0)), {});
   std::vector<double> t(n + (on_simplex ? 1 : 0)), x(n);
+  if (n > 1) points.next(t);  // the middle: the first of the places stands for it
   for (std::size_t k = 0; result.size() < count + 1 && k < 2 * count; ++k) {
     if (n == 1) {
       t[0] = static_cast<double>(k) / static_cast<double>(count - 1);
