@@ -46,7 +46,8 @@ std::string why_impossible(const ProblemStatement& statement) {
 
 namespace {
 
-/// The condition that fails at a design, or with one of its ranges at an end; empty where none does.
+/// The condition that fails at a design, or with one of its ranges at an end; empty where none
+/// does.
 std::string broken_condition_at(ProblemStatement design) {
   const auto& why_impossible = design.mechanism->why_impossible;
   if (!why_impossible) return "";
