@@ -394,6 +394,30 @@ TEST_CASE("a drift is told from a cam that is off its centre", "[record-faults]"
   for (const MotionFit& fit : found.cycle.fits) CHECK_THAT(fit.distrust, Contains("drift"));
 }
 
+TEST_CASE("a drift that begins anew within a motion is judged alike by few samples and by all",
+          "[record-faults]") {
+  // From 4000 samples on few stand for all (docs/optimisation.md, "Very many samples").
+  const auto judged = [](int rows) {
+    const Member law = find_law("cycloidal");
+    Random random(7);
+    MotionSamples samples;
+    samples.place_unit = "deg";
+    samples.unit = samples.length_unit = "mm";
+    for (int i = 0; i < rows; ++i) {
+      const double u = i / (rows - 1.0), place = 300 + 120 * u;
+      const double turned = std::fmod(place, 360.0) / 360;
+      samples.place.push_back(place);
+      samples.value.push_back(20 * law.law()(u).s + 0.1 * turned + 0.01 * random.normal());
+    }
+    const LawFit fit = fit_law(samples, law, {300, 420, 0, 20});
+    return test_fault({{fit}}, {samples}, drift(0, 360, 360));
+  };
+  const FaultTest all = judged(3999), few = judged(4001);
+  CHECK(all.size[0] == Approx(0.1).epsilon(0.05));
+  CHECK(few.size[0] == Approx(all.size[0]).epsilon(0.01));
+  CHECK(few.gain == Approx(all.gain).epsilon(0.02));
+}
+
 TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-faults][heavy]") {
   struct Case {
     std::string mechanism, sizes;
