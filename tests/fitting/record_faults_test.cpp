@@ -404,18 +404,18 @@ TEST_CASE("a drift that begins anew within a motion is judged alike by few sampl
     samples.place_unit = "deg";
     samples.unit = samples.length_unit = "mm";
     for (int i = 0; i < rows; ++i) {
-      const double u = i / (rows - 1.0), place = 300 + 120 * u;
+      const double u = i / (rows - 1.0), place = 313 + 120 * u;
       const double turned = std::fmod(place, 360.0) / 360;
       samples.place.push_back(place);
-      samples.value.push_back(20 * law.law()(u).s + 0.1 * turned + 0.01 * random.normal());
+      samples.value.push_back(20 * law.law()(u).s + 0.4 * turned + 0.01 * random.normal());
     }
-    const LawFit fit = fit_law(samples, law, {300, 420, 0, 20});
+    const LawFit fit = fit_law(samples, law, {313, 433, 0, 20});
     return test_fault({{fit}}, {samples}, drift(0, 360, 360));
   };
   const FaultTest all = judged(3999), few = judged(4001);
-  CHECK(all.size[0] == Approx(0.1).epsilon(0.05));
-  CHECK(few.size[0] == Approx(all.size[0]).epsilon(0.01));
-  CHECK(few.gain == Approx(all.gain).epsilon(0.02));
+  CHECK(all.size[0] == Approx(0.4).epsilon(0.05));
+  CHECK(few.size[0] == Approx(all.size[0]).epsilon(0.001));
+  CHECK(few.gain == Approx(all.gain).epsilon(0.005));
 }
 
 TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-faults][heavy]") {
