@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "machines/model/arguments.h"
 #include "machines/model/kept_parameters.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
@@ -160,8 +161,9 @@ optim::Function parameter_function(const Mechanism& mechanism, std::size_t param
   }
   ParameterFormula formula{parameter, used, {}};
   if (!deciders.empty()) formula.why_impossible = mechanism.why_impossible;
-  return optim::function<Interval, Series<Interval, 2>>(
-      used.variables, std::move(formula), shape_of_parameter(mechanism, parameter, binding).best());
+  using Kernel = optim::AutomaticKernel<ParameterFormula, Interval, Series<Interval, 2>>;
+  return function_of(used.variables, std::make_shared<Kernel>(std::move(formula)),
+                     shape_of_parameter(mechanism, parameter, binding).best());
 }
 
 }  // namespace

@@ -111,6 +111,36 @@ TEST_CASE("every machine says in its parameters' names why it is impossible", "[
   }
 }
 
+TEST_CASE("variables may stand in any order", "[optimise]") {
+  const std::string arm = "[variables.arm_length]\nlower = 60\nupper = 100\n";
+  const std::string base = "[variables.base_radius]\nlower = 45\nupper = 60\n";
+  for (const char* objective : {"base_radius", "arm_length"}) {
+    std::vector<double> found;
+    for (const std::string& variables : {arm + base, base + arm}) {
+      const BoundProblem problem(read_problem("mechanism = 'disc-cam-oscillating-roller'\n" +
+                                                  variables + "[objective]\nminimize = '" +
+                                                  objective + R"('
+[[constraints]]
+response = "undercut"
+upper = 0.8
+[[program.segments]]
+angle = 100
+law = "cycloidal"
+[[program.segments]]
+angle = 110
+law = "cycloidal"
+[[program.segments]]
+)",
+                                              "test"));
+      const optim::Optimum optimum = optim::optimise(problem.space());
+      INFO(objective << ": " << optimum.found.assessment.reason);
+      CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+      found.push_back(optimum.found.assessment.objective.value);
+    }
+    CHECK(found[0] == Approx(found[1]).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("a search begins where the machine is possible if its start is not", "[optimise]") {
   const std::string motion = R"(
 [[program.segments]]
