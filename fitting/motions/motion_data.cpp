@@ -105,8 +105,9 @@ MotionRecord motion_record(const SampleTable& table) {
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
   leave_out_stray_places(record);
+  constexpr std::size_t kMostMeans = 100000;
   Condensed means =
-      condensed(std::move(samples.place), std::move(samples.value), samples.resolution);
+      condensed(std::move(samples.place), std::move(samples.value), samples.resolution, kMostMeans);
   samples.place = std::move(means.place);
   samples.value = std::move(means.value);
   samples.each = means.each;

@@ -22,10 +22,11 @@ struct Condensed {
 Condensed means_of_neighbours(std::vector<double> place, std::vector<double> value,
                               std::size_t each, double resolution = 0);
 
-/// More than kMostSamples are taken as at most 10000 means of equally many neighbours: so narrow a
-/// stretch is straight but for 1e-8 of the lift, the means scatter by the square root of their
-/// count less, and intervals found from them are the same. Deviations are by the median.
-/// `resolution`: what values are rounded to.
-Condensed condensed(std::vector<double> place, std::vector<double> value, double resolution = 0);
+/// More than kMostSamples are taken as means of equally many neighbours: about 10000 of them, or up
+/// to `most_means` where the noise is so small that the bend of the curve within a mean would show.
+/// The means scatter by the square root of their count less, and intervals found from them are the
+/// same. Deviations are by the median. `resolution`: what values are rounded to.
+Condensed condensed(std::vector<double> place, std::vector<double> value, double resolution = 0,
+                    std::size_t most_means = 10000);
 
 }  // namespace camlaw::problems

@@ -10,6 +10,7 @@
 #include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/law_fit.h"
 #include "fitting/motions/law_residuals.h"
+#include "fitting/samples/condensed.h"
 
 namespace camlaw::problems::stand_ins_test {
 namespace {
@@ -134,6 +135,27 @@ TEST_CASE("fits by stand-ins are those of all samples", "[stand-ins][law-fit]") 
       }
     }
   }
+}
+
+TEST_CASE("means are as narrow as little noise asks for", "[stand-ins]") {
+  const Law<double> law = find_law("poly-3-4-5").law();
+  const auto each = [&](Spread spread, double noise, std::size_t count) {
+    const MotionSamples samples = sampled(law, spread, noise, 0, count);
+    return condensed(samples.place, samples.value, 0, 100000).each;
+  };
+  CHECK(each(Spread::Even, 0.01, 19999) == 1);
+  for (const Spread spread : {Spread::Even, Spread::Shuffled}) {
+    CHECK(each(spread, 0.01, 30000) == 3);
+    CHECK(each(spread, 2e-6, 30000) == 1);  // 1e-7 of the stroke
+    CHECK(each(spread, 0.01, 200000) == 20);
+    CHECK(each(spread, 1e-8, 200000) == 2);  // at most 100000 means
+  }
+  // A mean of so few lies beside the curve by less than a tenth of what its noise is.
+  const MotionSamples samples = sampled(law, Spread::Even, 1e-4, 0, 100000);
+  const Condensed means = condensed(samples.place, samples.value, 0, 100000);
+  const double width = 150.0 * static_cast<double>(means.each) / 100000;
+  const double bend = 20 * 5.7735 / (120 * 120) * width * width / 24;
+  CHECK(bend < 0.1 * 1e-4 / std::sqrt(static_cast<double>(means.each)));
 }
 
 }  // namespace camlaw::problems::stand_ins_test
