@@ -43,7 +43,7 @@ bool is_end_value(const Member& law, const Coefficient& coefficient) {
 
 LimitedResiduals::LimitedResiduals(const optim::Residuals& residuals, LawLimit limit,
                                    std::size_t first, std::span<const double> start)
-    : residuals_(residuals), limit_(std::move(limit)), first_(first), replaced_(0) {
+    : ResidualsOf(residuals), limit_(std::move(limit)), first_(first), replaced_(0) {
   double most = 0;
   for (std::size_t i = 0; i < limit_.factors.size(); ++i) {
     const double share = limit_.factors[i] * start[first + i];

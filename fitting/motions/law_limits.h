@@ -33,16 +33,13 @@ bool is_end_value(const Member& law, const Coefficient& coefficient);
 
 /// Residuals in which what is left stands for one of the coefficients, so that the limit is a bound
 /// of its own.
-class LimitedResiduals final : public optim::Residuals {
+class LimitedResiduals final : public optim::ResidualsOf {
  public:
   /// `residuals` have the coefficients from the parameter `first`. The one that takes up most of
   /// the limit at `start` is replaced. Keeps a reference to the residuals.
   LimitedResiduals(const optim::Residuals& residuals, LawLimit limit, std::size_t first,
                    std::span<const double> start);
 
-  std::size_t count() const override { return residuals_.count(); }
-  std::size_t measurements() const override { return residuals_.measurements(); }
-  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override;
 
@@ -59,7 +56,6 @@ class LimitedResiduals final : public optim::Residuals {
   /// The replaced coefficient.
   double coefficient(std::span<const double> p) const;
 
-  const optim::Residuals& residuals_;
   LawLimit limit_;
   std::size_t first_, replaced_;
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
 #include "numerics/linear/statistics.h"
@@ -19,10 +18,7 @@ struct Group {
 
 std::vector<Group> groups_of(const std::vector<double>& place, const std::vector<double>& value,
                              std::size_t each) {
-  std::vector<std::uint32_t> order(place.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b]; });
+  const std::vector<std::size_t> order = optim::order_of(place);
   std::vector<Group> groups;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i % each == 0) groups.emplace_back();
@@ -55,12 +51,8 @@ std::size_t each_by_noise(const std::vector<double>& place, const std::vector<do
   constexpr double kOfNoise = 0.01, kMost = 0.9;
   constexpr double kNoiseInMost = 4.5;  // of noise alone 9 in 10 second differences are below
   const std::size_t n = place.size(), each = (n + kEnough - 1) / kEnough;
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
   std::vector<double> sorted, means;
-  for (const std::size_t i : order) sorted.push_back(value[i]);
+  for (const std::size_t i : optim::order_of(place)) sorted.push_back(value[i]);
   for (std::size_t i = 0; i + each <= n; i += each) {
     const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(i);
     means.push_back(std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(each), 0.0) /

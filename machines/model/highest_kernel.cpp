@@ -15,16 +15,14 @@ using optim::Bounds, optim::Design, optim::Function;
 
 Bounds times(double sign, const Bounds& b) { return sign > 0 ? b : Bounds{-b.upper, -b.lower}; }
 
-HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
+HighestKernel::HighestKernel(Function f, std::shared_ptr<const Widened> wide, double sign)
     : f_(std::move(f)),
-      wide_(wide),
-      first_(wide.first),
-      box_(wide.box),
+      wide_(std::move(wide)),
       sign_(sign),
-      own_(camlaw::problems::own_inputs(f_, wide)) {}
+      own_(camlaw::problems::own_inputs(f_, *wide_)) {}
 
 Box HighestKernel::box_at(std::span<const double> u) const {
-  Box result = box_;
+  Box result = wide_->box;
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (!own_.about[i]) continue;
     result[i].lower += u[*own_.about[i]];
@@ -34,7 +32,7 @@ Box HighestKernel::box_at(std::span<const double> u) const {
 }
 
 Box HighestKernel::box_over(std::span<const Bounds> u) const {
-  Box result = box_;
+  Box result = wide_->box;
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (!own_.about[i]) continue;
     result[i].lower += u[*own_.about[i]].lower;
@@ -44,19 +42,19 @@ Box HighestKernel::box_over(std::span<const Bounds> u) const {
 }
 
 std::vector<double> HighestKernel::own_design(std::span<const double> u) const {
-  std::vector<double> x(first_);
+  std::vector<double> x(wide_->first);
   for (std::size_t k = 0; k < own_.behind.size(); ++k) x[own_.variables[k]] = u[k];
   return x;
 }
 
 bool HighestKernel::may_be_impossible(std::span<const Bounds> u) const {
-  if (!wide_.margins) return false;
+  if (!wide_->margins) return false;
   std::vector<double> design;
   for (const Bounds& b : u) {
     if (b.lower != b.upper) return false;
     design.push_back(b.lower);
   }
-  return !wide_.machines_at(own_design(design)).all_possible;
+  return !wide_->machines_at(own_design(design)).all_possible;
 }
 
 bool HighestKernel::moves(std::span<const Bounds> u) const {
@@ -109,7 +107,7 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
   const Box box = box_at(u);
   // Ranges within which the place lies are eliminated one after the other.
   for (const std::size_t m : own_.moved) {
-    const std::size_t range = f_.inputs()[m] - first_;
+    const std::size_t range = f_.inputs()[m] - wide_->first;
     const bool inside = p[range] > box[range].lower && p[range] < box[range].upper;
     const double bend = at(m, m);
     if (!inside || bend == 0) continue;
@@ -159,7 +157,7 @@ Highest HighestKernel::highest_over(std::span<const Bounds> box) const {
     const optim::BoxRange all = f_.range(widened_box(box, ranges));
     OverBox result{times(sign_, all.value), std::vector<Bounds>(ranges.size(), Bounds{0, 0})};
     for (const std::size_t m : own_.moved) {
-      result.slopes[f_.inputs()[m] - first_] = times(sign_, all.slopes[m]);
+      result.slopes[f_.inputs()[m] - wide_->first] = times(sign_, all.slopes[m]);
     }
     return result;
   };
@@ -191,9 +189,9 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
 double HighestKernel::largest_lower(std::span<const Bounds> u) const {
   double largest = -optim::kInfinity;
   for (const double share : {0.0, 0.5, 1.0}) {
-    Box part = box_;
+    Box part = wide_->box;
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const double off = box_[i].lower + share * (box_[i].upper - box_[i].lower);
+      const double off = wide_->box[i].lower + share * (wide_->box[i].upper - wide_->box[i].lower);
       part[i] = {off, off};
       if (!own_.about[i]) continue;
       part[i] = {u[*own_.about[i]].lower + off, u[*own_.about[i]].upper + off};
@@ -205,7 +203,7 @@ double HighestKernel::largest_lower(std::span<const Bounds> u) const {
 
 Point HighestKernel::impossible_place(std::span<const double> u) const {
   if (machines_) return machines_->impossible;
-  return wide_.margins ? wide_.machines_at(own_design(u)).impossible : Point{};
+  return wide_->margins ? wide_->machines_at(own_design(u)).impossible : Point{};
 }
 
 HighestKernel HighestKernel::knowing(std::shared_ptr<const MachinesOfBox> machines) const {
@@ -287,8 +285,8 @@ double HighestKernel::settled(std::span<const double> u, const Point& p, double 
 double HighestKernel::uphill(const Point& p, std::span<const double> u, Point& slopes) const {
   std::vector<double> all(f_.inputs().size());
   const double value = sign_ * f_.gradient(design(u, p), all);
-  slopes.assign(box_.size(), 0.0);
-  for (const std::size_t m : own_.moved) slopes[f_.inputs()[m] - first_] = sign_ * all[m];
+  slopes.assign(wide_->box.size(), 0.0);
+  for (const std::size_t m : own_.moved) slopes[f_.inputs()[m] - wide_->first] = sign_ * all[m];
   return value;
 }
 
@@ -308,13 +306,13 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
   return climbed(from, box, [&](const Point& p) {
     const std::size_t n = f_.inputs().size();
     std::vector<double> all(n), second(optim::packed_size(n));
-    Slopes result{sign_ * f_.hessian(design(u, p), all, second), Point(box_.size()),
-                  Point(optim::packed_size(box_.size()))};
+    Slopes result{sign_ * f_.hessian(design(u, p), all, second), Point(wide_->box.size()),
+                  Point(optim::packed_size(wide_->box.size()))};
     for (const std::size_t m : own_.moved) {
-      const std::size_t i = f_.inputs()[m] - first_;
+      const std::size_t i = f_.inputs()[m] - wide_->first;
       result.first[i] = sign_ * all[m];
       for (const std::size_t l : own_.moved) {
-        const std::size_t k = f_.inputs()[l] - first_;
+        const std::size_t k = f_.inputs()[l] - wide_->first;
         if (k > i) continue;
         result.second[optim::packed(i, k)] =
             sign_ * second[optim::packed(std::max(m, l), std::min(m, l))];
@@ -325,21 +323,21 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
 }
 
 std::vector<double> HighestKernel::design(std::span<const double> u, const Point& p) const {
-  std::vector<double> x(first_ + p.size());
+  std::vector<double> x(wide_->first + p.size());
   for (std::size_t k = 0; k < own_.behind.size(); ++k) x[own_.variables[k]] = u[k];
-  std::copy(p.begin(), p.end(), x.begin() + static_cast<std::ptrdiff_t>(first_));
+  std::copy(p.begin(), p.end(), x.begin() + static_cast<std::ptrdiff_t>(wide_->first));
   return x;
 }
 
 std::vector<Bounds> HighestKernel::widened_box(std::span<const Bounds> u, const Box& ranges) const {
-  std::vector<Bounds> all(first_ + ranges.size(), Bounds{0, 0});
+  std::vector<Bounds> all(wide_->first + ranges.size(), Bounds{0, 0});
   for (std::size_t k = 0; k < own_.behind.size(); ++k) all[own_.variables[k]] = u[k];
-  std::copy(ranges.begin(), ranges.end(), all.begin() + static_cast<std::ptrdiff_t>(first_));
+  std::copy(ranges.begin(), ranges.end(), all.begin() + static_cast<std::ptrdiff_t>(wide_->first));
   return all;
 }
 
-Function highest_of(const Function& f, const Widened& wide, double sign) {
-  return function_of_highest(HighestKernel(f, wide, sign));
+Function highest_of(const Function& f, std::shared_ptr<const Widened> wide, double sign) {
+  return function_of_highest(HighestKernel(f, std::move(wide), sign));
 }
 
 Function function_of_highest(HighestKernel kernel) {

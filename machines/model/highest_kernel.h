@@ -21,7 +21,7 @@ optim::Bounds times(double sign, const optim::Bounds& bounds);
 /// that place lies within a range, the second ones change as it moves (theory: RG2).
 class HighestKernel final : public optim::Kernel {
  public:
-  HighestKernel(optim::Function f, const Widened& wide, double sign);
+  HighestKernel(optim::Function f, std::shared_ptr<const Widened> wide, double sign);
 
   /// The design's own inputs of f, and the variables that ranges of f move with.
   const std::vector<std::size_t>& own_inputs() const { return own_.variables; }
@@ -84,9 +84,7 @@ class HighestKernel final : public optim::Kernel {
   bool is_beside_pole(std::span<const double> u, const Point& p) const;
 
   optim::Function f_;
-  Widened wide_;
-  std::size_t first_;
-  Box box_;
+  std::shared_ptr<const Widened> wide_;
   double sign_;
   OwnInputs own_;
   bool asks_proof_ = false;
@@ -97,7 +95,8 @@ class HighestKernel final : public optim::Kernel {
 };
 
 /// That of a function over a widened design, as a function of the design.
-optim::Function highest_of(const optim::Function& f, const Widened& wide, double sign);
+optim::Function highest_of(const optim::Function& f, std::shared_ptr<const Widened> wide,
+                           double sign);
 
 /// A kernel as a function of the design.
 optim::Function function_of_highest(HighestKernel kernel);

@@ -22,6 +22,13 @@ Binding without_ranges(const Binding& binding, const std::vector<TakenRange>& ra
   });
 }
 
+/// A binding widened by the ranges of a response.
+std::shared_ptr<const Widened> widened_by(const std::vector<TakenRange>& ranges,
+                                          const PossibleBy& possible_by, const Binding& binding) {
+  return std::make_shared<const Widened>(
+      widened(without_ranges(binding, ranges), ranges, possible_by));
+}
+
 }  // namespace
 
 void make_plain_number(MechanismResponse& response) {
@@ -56,7 +63,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   over->ranges = ranges;
   over->of = std::make_shared<MechanismResponse>(response);
   over->all_possible = [ranges, by = response.possible_by](const Binding& binding, Design x) {
-    return widened(without_ranges(binding, ranges), ranges, by).machines_at(x).all_possible;
+    return widened_by(ranges, by, binding)->machines_at(x).all_possible;
   };
   if (response.curve) {
     result->curve = [response, ranges, sign](const Binding& binding, optim::Shape) {
@@ -73,8 +80,8 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
     };
   } else {
     const auto kernel = [response, ranges](const Binding& binding) {
-      const Widened wide = widened(without_ranges(binding, ranges), ranges, response.possible_by);
-      return std::pair(response.number(wide.binding, optim::Shape::General), wide);
+      const auto wide = widened_by(ranges, response.possible_by, binding);
+      return std::pair(response.number(wide->binding, optim::Shape::General), wide);
     };
     result->number = [kernel, sign](const Binding& binding, optim::Shape) {
       const auto [f, wide] = kernel(binding);
@@ -85,7 +92,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
       const HighestKernel own = HighestKernel(f, wide, sign).asking_proof();
       std::vector<double> u;
       for (const std::size_t input : own.own_inputs()) u.push_back(x[input]);
-      return told(f, wide, x, own.worst(u));
+      return told(f, *wide, x, own.worst(u));
     };
     over->left = [kernel, sign](const Binding& binding, Design x, const optim::Bounds*) {
       const auto [f, wide] = kernel(binding);
@@ -111,9 +118,9 @@ std::shared_ptr<const MechanismResponse> number_over_ranges(
                     sign = highest ? 1.0 : -1.0](const Binding& binding, optim::Shape) {
     ResponseName own = name;
     own.response = of.get();
-    const Widened wide = widened(without_ranges(binding, ranges), ranges, of->possible_by);
-    const optim::Response curve = make_response(*mechanism, own, wide.binding);
-    return highest_of(optim::peak_function(curve, own.part, wide.first + ranges.size()), wide,
+    const auto wide = widened_by(ranges, of->possible_by, binding);
+    const optim::Response curve = make_response(*mechanism, own, wide->binding);
+    return highest_of(optim::peak_function(curve, own.part, wide->first + ranges.size()), wide,
                       sign);
   };
   return result;

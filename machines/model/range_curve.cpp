@@ -19,7 +19,7 @@ using optim::Bounds, optim::Design, optim::Function, optim::Place;
 /// A curve over the ranges, and what bounds it; without `bounds` nothing is proved between places.
 struct RangeParts {
   std::shared_ptr<const optim::Curve> curve;  ///< over the widened design
-  Widened wide;
+  std::shared_ptr<const Widened> wide;
   double sign;
   std::shared_ptr<const BoundedOverBoxes> bounds;
 };
@@ -38,14 +38,14 @@ class RangeTrace final : public optim::Trace {
   RangeTrace(std::shared_ptr<const RangeParts> parts, Design x)
       : parts_(std::move(parts)),
         x_(x.begin(), x.end()),
-        box_(parts_->wide.box_at(x)),
-        machines_(std::make_shared<const MachinesOfBox>(parts_->wide.machines_at(x_))),
+        box_(parts_->wide->box_at(x)),
+        machines_(std::make_shared<const MachinesOfBox>(parts_->wide->machines_at(x_))),
         places_(places_of(box_)) {
     for (const Point& p : places_) at_place(p);
     breaks_ = at_place(places_.front()).breaks();
     if (!parts_->bounds || !machines_->all_possible) return;
     over_ = parts_->bounds->over_boxes(
-        parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
+        *parts_->wide, x_, [this](const Point& p) -> const optim::Trace& { return at_place(p); });
   }
 
   std::vector<double> breaks() const override { return breaks_; }
@@ -57,7 +57,7 @@ class RangeTrace final : public optim::Trace {
     const auto known = traces_.find(found);
     std::array<double, 3> at =
         known != traces_.end() ? known->second->at(place)
-                               : parts_->curve->trace(parts_->wide.design(x_, found))->at(place);
+                               : parts_->curve->trace(parts_->wide->design(x_, found))->at(place);
     if (std::isnan(row.highest.settled(row.u, found, at[0]))) at.fill(kNoValue);
     return at;
   }
@@ -98,7 +98,7 @@ class RangeTrace final : public optim::Trace {
     auto& known = traces_[p];
     if (known) return *known;
     optim::check_deadline();
-    known = parts_->curve->trace(parts_->wide.design(x_, p));
+    known = parts_->curve->trace(parts_->wide->design(x_, p));
     return *known;
   }
   /// How far the ranges are divided over a stretch.
@@ -150,7 +150,7 @@ Function RangeCurve::at(Place place) const {
 
 std::vector<double> RangeCurve::slope_gradient(Place place, Design x) const {
   const Point p = RangeTrace(parts_, x).worst(place);
-  const Widened& wide = parts_->wide;
+  const Widened& wide = *parts_->wide;
   const Box box = wide.box_at(x);
   for (std::size_t i = 0; i < box.size(); ++i) {
     if (p[i] != box[i].lower && p[i] != box[i].upper) return {};
@@ -167,8 +167,8 @@ std::vector<double> RangeCurve::slope_gradient(Place place, Design x) const {
 
 bool RangeCurve::breaks_move() const { return parts_->curve->breaks_move(); }
 Place RangeCurve::tied(Place place, Design x) const {
-  const Point p = places_of(parts_->wide.box_at(x)).front();
-  return parts_->curve->tied(place, parts_->wide.design(x, p));
+  const Point p = places_of(parts_->wide->box_at(x)).front();
+  return parts_->curve->tied(place, parts_->wide->design(x, p));
 }
 
 std::unique_ptr<optim::Trace> RangeCurve::trace(Design x) const {
@@ -186,15 +186,15 @@ Point RangeCurve::worst(Place place, Design x) const {
   const optim::ProofTime unlimited(none);  // as optim::looked_closely, whose place it is
   const RangeTrace trace(parts_, x);
   optim::enclosed_at(trace, place);  // what a proof comes upon counts
-  return told(parts_->curve->at(place), parts_->wide, x, trace.worst(place));
+  return told(parts_->curve->at(place), *parts_->wide, x, trace.worst(place));
 }
 
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
                                               const std::vector<TakenRange>& ranges, double sign,
                                               const Binding& binding) {
-  Widened wide = widened(binding, ranges, response.possible_by);
-  RangeParts parts{response.curve(wide.binding, optim::Shape::General), wide, sign, {}};
-  parts.bounds = bounded_over_boxes(response, parts.curve, wide);
+  const auto wide = std::make_shared<const Widened>(widened(binding, ranges, response.possible_by));
+  RangeParts parts{response.curve(wide->binding, optim::Shape::General), wide, sign, {}};
+  parts.bounds = bounded_over_boxes(response, parts.curve, *wide);
   return std::make_shared<RangeCurve>(std::move(parts));
 }
 

@@ -129,14 +129,11 @@ std::vector<std::vector<double>> all_starts(const std::vector<FitParameter>& par
 
 /// The residuals until a deadline, after which they throw Interrupted, but for the first: then
 /// there is an answer. Of the parameters that they were asked at those with the least sum are kept.
-class TimedResiduals final : public Residuals {
+class TimedResiduals final : public ResidualsOf {
  public:
   TimedResiduals(const Residuals& residuals, const FitOptions& options)
-      : residuals_(residuals), deadline_(options.time_limit, options.stop, options.time_spent) {}
+      : ResidualsOf(residuals), deadline_(options.time_limit, options.stop, options.time_spent) {}
 
-  std::size_t count() const override { return residuals_.count(); }
-  std::size_t measurements() const override { return residuals_.measurements(); }
-  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override {
     if (!best_.empty() || deadline_.stopped()) deadline_.check();
@@ -158,7 +155,6 @@ class TimedResiduals final : public Residuals {
   const std::vector<double>& best() const { return best_; }
 
  private:
-  const Residuals& residuals_;
   Deadline deadline_;
   mutable double least_ = kInfinity;
   mutable std::vector<double> best_;

@@ -23,20 +23,16 @@ double efficient_scale(Loss loss);
 
 /// sign(r) sqrt(rho(r)): residuals whose sum of squares is the sum of the losses. Numbers that are
 /// not finite count as undefined. Counts the evaluations.
-class LossResiduals final : public Residuals {
+class LossResiduals final : public ResidualsOf {
  public:
   LossResiduals(const Residuals& residuals, Loss loss, double scale)
-      : residuals_(residuals), loss_(loss), scale_(scale) {}
+      : ResidualsOf(residuals), loss_(loss), scale_(scale) {}
 
-  std::size_t count() const override { return residuals_.count(); }
-  std::size_t measurements() const override { return residuals_.measurements(); }
-  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override;
   int evaluations() const { return evaluations_; }
 
  private:
-  const Residuals& residuals_;
   Loss loss_;
   double scale_;
   mutable int evaluations_ = 0;

@@ -11,14 +11,11 @@ namespace camlaw::optim {
 
 /// Residuals that remember what they were last at with their Jacobian: a search begins where its
 /// start is checked, and what is told of its end is told at one place. Not for several threads at
-/// once. Keeps a reference.
-class RememberedResiduals final : public Residuals {
+/// once.
+class RememberedResiduals final : public ResidualsOf {
  public:
-  explicit RememberedResiduals(const Residuals& residuals) : residuals_(residuals) {}
+  using ResidualsOf::ResidualsOf;
 
-  std::size_t count() const override { return residuals_.count(); }
-  std::size_t measurements() const override { return residuals_.measurements(); }
-  double rest() const override { return residuals_.rest(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override {
     if (std::equal(p.begin(), p.end(), p_.begin(), p_.end())) {
@@ -35,7 +32,6 @@ class RememberedResiduals final : public Residuals {
   }
 
  private:
-  const Residuals& residuals_;
   mutable std::vector<double> p_, r_, jacobian_;
 };
 

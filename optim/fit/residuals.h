@@ -30,6 +30,19 @@ class Residuals {
                         std::span<double> jacobian) const = 0;
 };
 
+/// Residuals made of others, of as many and of the same measurements. Keeps a reference to them.
+class ResidualsOf : public Residuals {
+ public:
+  explicit ResidualsOf(const Residuals& residuals) : residuals_(residuals) {}
+
+  std::size_t count() const override { return residuals_.count(); }
+  std::size_t measurements() const override { return residuals_.measurements(); }
+  double rest() const override { return residuals_.rest(); }
+
+ protected:
+  const Residuals& residuals_;
+};
+
 /// Residuals from a generic callable, written once for double and dual numbers:
 ///   template <class T> bool f(std::span<const T> p, std::span<T> r)
 /// fills r and returns whether the model is defined at p. For example

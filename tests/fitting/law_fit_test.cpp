@@ -17,9 +17,12 @@
 #include "numerics/tables/sample_table.h"
 #include "optim/fit/loss.h"
 #include "optim/problem/deadline.h"
+#include "tests/fitting/sampled_motion.h"
 
 namespace camlaw::problems::law_fit_test {
 namespace {
+
+using testing::rough;
 
 using Catch::Contains;
 
@@ -33,30 +36,15 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
-/// A law from 10 to 130 deg over 20 mm, zero at 3 mm, with a little dwell on both sides.
+/// With a little dwell on both sides.
 MotionSamples sampled(const Law<double>& law, std::size_t count, double noise, std::uint64_t seed,
                       int order = 0) {
-  MotionSamples samples;
-  samples.order = order;
-  samples.place_unit = "deg";
-  samples.unit = order == 0 ? "mm" : order == 1 ? "mm/deg" : "mm/deg2";
-  std::mt19937_64 random(seed);
-  std::normal_distribution<> normal;
+  std::vector<double> places;
   for (std::size_t i = 0; i < count; ++i) {
-    const double place = 150.0 * (static_cast<double>(i) + 0.37) / static_cast<double>(count);
-    const double u = (place - 10) / 120;
-    const auto d = law.derivatives<3>(std::clamp(u, 0.0, 1.0), Side::Right);
-    const bool moves = u > 0 && u < 1;
-    const double clean = order == 0 ? 3 + 20 * d[0]
-                         : moves    ? 20 * d[static_cast<std::size_t>(order)] / std::pow(120, order)
-                                    : 0;
-    samples.place.push_back(place);
-    samples.value.push_back(clean + noise * normal(random));
+    places.push_back(150.0 * (static_cast<double>(i) + 0.37) / static_cast<double>(count));
   }
-  return samples;
+  return testing::sampled_at(places, law, noise, seed, order);
 }
-
-MotionGuess rough() { return {4, 138, 2.5, 23.9}; }
 
 const optim::FittedParameter& parameter(const LawFit& fit, const std::string& name) {
   for (const auto& p : fit.fit.parameters) {

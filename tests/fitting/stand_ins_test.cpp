@@ -11,9 +11,12 @@
 #include "fitting/motions/law_fit.h"
 #include "fitting/motions/law_residuals.h"
 #include "fitting/samples/condensed.h"
+#include "tests/fitting/sampled_motion.h"
 
 namespace camlaw::problems::stand_ins_test {
 namespace {
+
+using testing::rough;
 
 /// How the places of samples lie.
 enum class Spread { Even, Uneven, Shuffled, Repeated, Gap };
@@ -33,28 +36,10 @@ std::vector<double> places(Spread spread, std::size_t count) {
   return result;
 }
 
-/// A law from 10 to 130 deg over 20 mm, zero at 3 mm.
 MotionSamples sampled(const Law<double>& law, Spread spread, double noise, int order,
                       std::size_t count = 12000) {
-  MotionSamples samples;
-  samples.order = order;
-  samples.place_unit = "deg";
-  std::mt19937_64 random(3);
-  std::normal_distribution<> normal;
-  for (const double place : places(spread, count)) {
-    const double u = (place - 10) / 120;
-    const auto d = law.derivatives<3>(std::clamp(u, 0.0, 1.0), Side::Right);
-    const bool moves = u > 0 && u < 1;
-    const double clean = order == 0 ? 3 + 20 * d[0]
-                         : moves    ? 20 * d[static_cast<std::size_t>(order)] / std::pow(120, order)
-                                    : 0;
-    samples.place.push_back(place);
-    samples.value.push_back(clean + noise * normal(random));
-  }
-  return samples;
+  return testing::sampled_at(places(spread, count), law, noise, 3, order);
 }
-
-MotionGuess rough() { return {4, 138, 2.5, 23.9}; }
 
 constexpr Spread kSpreads[] = {Spread::Even, Spread::Uneven, Spread::Shuffled, Spread::Repeated,
                                Spread::Gap};
