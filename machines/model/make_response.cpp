@@ -99,13 +99,8 @@ KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& respons
   return known;
 }
 
-/// What decides whether there is a machine at all, as the value of `parameter` is asked for;
-/// nothing where it does not vary.
-PossibleBy possible_where(const Mechanism& mechanism, std::size_t parameter,
-                          const Binding& binding) {
-  const auto& varying = binding.parameters;
-  const bool varies = std::find(varying.begin(), varying.end(), parameter) != varying.end();
-  if (!varies || !mechanism.why_impossible) return {};
+/// What decides whether there is a machine at all.
+PossibleBy possible_machines(const Mechanism& mechanism) {
   std::vector<PossibleBy> all;
   std::set<std::pair<std::optional<std::size_t>, std::string>> seen;  // all responses of one agree
   for (const MechanismResponse& response : mechanism.responses) {
@@ -115,6 +110,14 @@ PossibleBy possible_where(const Mechanism& mechanism, std::size_t parameter,
     }
   }
   return united(std::move(all));
+}
+
+/// The same, as the value of `parameter` is asked for; nothing where it does not vary.
+PossibleBy possible_where(const Mechanism& mechanism, std::size_t parameter,
+                          const Binding& binding) {
+  const auto& varying = binding.parameters;
+  const bool varies = std::find(varying.begin(), varying.end(), parameter) != varying.end();
+  return varies && mechanism.why_impossible ? possible_machines(mechanism) : PossibleBy();
 }
 
 /// Of a parameter: linear, of the machines that are possible.
@@ -176,6 +179,18 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response) {
   });
   result.law = law_of_cam(binding.law, response.cam);
   return result;
+}
+
+std::function<std::vector<optim::Function>()> margins_that_decide(const Mechanism& mechanism,
+                                                                  const Binding& binding) {
+  PossibleBy possible_by = possible_machines(mechanism);
+  const bool may_decide =
+      std::any_of(binding.parameters.begin(), binding.parameters.end(),
+                  [&](std::size_t parameter) { return possible_by.holds(parameter); });
+  if (!may_decide) return {};
+  return [possible_by = std::move(possible_by), binding] {
+    return margin_functions(possible_by, binding);
+  };
 }
 
 Binding keeping(const Binding& binding, const std::function<bool(std::size_t parameter)>& is_kept) {

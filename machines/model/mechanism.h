@@ -356,6 +356,11 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view name);
 /// laws side by side it has that of the response's cam.
 Binding narrowed(const Binding& binding, const MechanismResponse& response);
 
+/// Makes, when it is called, the margins that decide whether there is a machine, as functions of
+/// the design; none where nothing varies that decides.
+std::function<std::vector<optim::Function>()> margins_that_decide(const Mechanism& mechanism,
+                                                                  const Binding& binding);
+
 /// The shape of a response in what varies of a binding: the strongest that the mechanism declares,
 /// and what machines/model/shape_rules.h finds. Neither where what varies decides which machines
 /// are possible and these are not known to be a convex set.

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "machines/model/arguments.h"
+#include "machines/model/recorded_kernel.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/shape_rules.h"
 #include "numerics/formula/expression.h"
@@ -169,6 +171,17 @@ bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding) {
     is_convex &= optim::convex_above(shape_by_rules(margin, inputs).shape);
   });
   return is_convex;
+}
+
+std::vector<optim::Function> margin_functions(const PossibleBy& possible_by,
+                                              const Binding& binding) {
+  std::vector<optim::Function> functions;
+  if (!may_decide(possible_by, binding)) return functions;
+  for_deciding(possible_by.margins, binding, [&](const Formula& margin, const auto& box) {
+    functions.push_back(function_of(binding.variables, recorded_kernel({margin, box.size(), {}}),
+                                    optim::Shape::General));
+  });
+  return functions;
 }
 
 RecordedMargins::RecordedMargins(const PossibleBy& possible_by, const Binding& binding) {

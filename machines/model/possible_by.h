@@ -26,6 +26,10 @@ std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& 
 /// margin is concave or quasiconcave in what varies.
 bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding);
 
+/// The margins that decide in what varies of a binding, as functions of the design.
+std::vector<optim::Function> margin_functions(const PossibleBy& possible_by,
+                                              const Binding& binding);
+
 /// What is known of the machines of a box.
 struct MachinesOfBox {
   bool all_possible = true;             ///< proved

@@ -114,7 +114,8 @@ Problem Problem::alone(std::size_t objective) const {
   return {.name = name,
           .variables = variables,
           .objectives = {objectives.at(objective)},
-          .constraints = constraints};
+          .constraints = constraints,
+          .domain = domain};
 }
 
 void Problem::check() const {

@@ -91,6 +91,9 @@ struct Problem {
   std::vector<Objective> objectives;  ///< one for a search, two or more for a front
   std::vector<Constraint> constraints;
   std::optional<KnownAnswer> known = {};
+  /// The model has numbers only where each of these functions is above 0. A search that ran out of
+  /// there keeps them above 0; a verdict does not ask for them. None: the model says nothing.
+  std::function<std::vector<Function>()> domain = {};
 
   /// Of a search. Throws std::logic_error unless there is exactly one.
   const Objective& objective() const;

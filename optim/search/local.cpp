@@ -10,6 +10,7 @@
 #include "optim/cycle/proof_time.h"
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
+#include "optim/search/along_edge.h"
 #include "optim/search/convex_part.h"
 #include "optim/search/from_start.h"
 #include "optim/search/hopeless.h"
@@ -229,8 +230,8 @@ int agreed(const std::vector<double>& ends, double best, double size) {
 }
 
 /// Says what the search adds to the reason of the assessment.
-std::string words_of_search(const Setting& setting, const Found& found,
-                            const std::string& message) {
+std::string words_of_search(const Setting& setting, const Trail& trail) {
+  const Found& found = trail.found;
   const Assessment& a = found.assessment;
   const Deadline& deadline = setting.deadline;
   if (found.starts < found.planned_starts) {
@@ -239,10 +240,14 @@ std::string words_of_search(const Setting& setting, const Found& found,
   }
   if (deadline.passed() && a.verdict != Verdict::Certified)
     return fmt::format("{}; {}", deadline.reason(), a.reason);
+  if (a.verdict == Verdict::Feasible && found.x == trail.settled_at_edge) {
+    return "the best design lies at the edge of where the model has numbers; along the edge the "
+           "conditions of optimality hold";
+  }
   const bool unsolved =
       a.verdict == Verdict::Feasible && setting.prove && found.status != Status::Solved;
   if (a.verdict == Verdict::Failed || unsolved)
-    return fmt::format("{} ({}: {})", a.reason, found.solver, message);
+    return fmt::format("{} ({}: {})", a.reason, found.solver, trail.message);
   return a.reason;
 }
 
@@ -255,7 +260,7 @@ void conclude_search(const Setting& setting, const std::vector<double>& ends, Tr
     const std::string unbounded = unbounded_words(setting.problem, found.x);
     if (!unbounded.empty()) a.reason = fmt::format("{}; {}", unbounded, a.reason);
   }
-  a.reason = words_of_search(setting, found, trail.message);
+  a.reason = words_of_search(setting, trail);
 }
 
 /// Judges what needs no search, be it that none is possible; false where one is wanted.
@@ -294,6 +299,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
+  search_along_edge(setting, trail);
   if (trail.unbounded && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;
     return trail.fail("the objective improves without bound: a limit is missing");

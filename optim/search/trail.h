@@ -35,6 +35,9 @@ struct Trail {
   Sizes sizes = {};               ///< those in which problems are scaled and designs judged
   std::vector<double> last = {};  ///< where the last attempt ended
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw
+  /// The design along an edge of the problem's domain at which the conditions of optimality hold
+  /// with the functions of the domain kept above 0; empty where there is none.
+  std::vector<double> settled_at_edge = {};
   bool in_vain = false;           ///< all iterations of a start led to no design within the limits
   bool unbounded = false;         ///< some solve has found that the objective improves without end
   bool design_elsewhere = false;  ///< another start has led to a design within the limits

@@ -324,6 +324,7 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
   const bool follows_parts = std::any_of(parts_.begin(), parts_.end(), [&](std::size_t part) {
     return !statement_.parts[part].inputs.empty();
   });
+  problem.domain = margins_that_decide(*statement_.mechanism, bound);
   problem.constraints = follows_parts ? constraints_of(with_parts(options), bound, curves)
                                       : constraints_of(statement_, bound, curves);
   return problem;

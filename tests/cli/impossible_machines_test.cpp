@@ -186,4 +186,25 @@ TEST_CASE("a search that runs into jammed followers comes back to the best that 
   CHECK(found.at("variables").at("base_radius").get<double>() == Approx(38.81944665).epsilon(1e-6));
 }
 
+TEST_CASE("a search moves along the edge of what makes a machine", "[program]") {
+  // roller_distance > stroke + base_radius + 2 roller_radius = 25 + 10 + 8 mm: the second cam has
+  // no base radius below.
+  const Folder folder;
+  const std::string file = file_of(
+      folder, std::string("mechanism = 'disc-cam-conjugate'\n[constants]\nstroke = '25 mm'\n"
+                          "[variables]\nbase_radius = {lower = 10, upper = 80, start = 60}\n"
+                          "roller_radius = {lower = 4, upper = 20}\n"
+                          "roller_distance = {lower = 20, upper = 300}\n"
+                          "[objective]\nminimize = 'roller_distance'\n"
+                          "[[constraints]]\nresponse = 'undercut'\nupper = 0.8\n") +
+                  kProgram);
+  const ParsedJson found = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  const double distance = found.at("variables").at("roller_distance").get<double>();
+  CHECK(distance > 43);
+  CHECK(distance < 43.001);
+  CHECK(found.at("verdict") == "feasible");
+  CHECK_THAT(found.at("reason").get<std::string>(),
+             Contains("along the edge the conditions of optimality hold"));
+}
+
 }  // namespace camlaw::cli::impossible_machines_test

@@ -43,6 +43,24 @@ TEST_CASE("an optimum on the edge of a region without numbers is come close to",
   CHECK(found.x[0] > 0.99);
 }
 
+TEST_CASE("a search moves along the edge of a stated domain", "[optimise]") {
+  // Least x - y, undefined unless x > y^2: the infimum is -1/4, at (1/4, 1/2).
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, 4), variable("y", -5, 5, -1.5)};
+  problem.objectives = {least(function(
+      {0, 1}, [](const auto& u) { return 0.0 * sqrt(u[0] - square(u[1])) + u[0] - u[1]; }))};
+  problem.domain = [] {
+    return std::vector<Function>{
+        function({0, 1}, [](const auto& u) { return u[0] - square(u[1]); })};
+  };
+  const Found found = optimise(problem).found;
+  REQUIRE(found.x.size() == 2);
+  CHECK(found.assessment.verdict == Verdict::Feasible);
+  CHECK(found.assessment.objective.value == Approx(-0.25).epsilon(1e-4));
+  CHECK(found.x[1] == Approx(0.5).epsilon(1e-2));
+  CHECK_THAT(found.assessment.reason, Contains("along the edge the conditions of optimality hold"));
+}
+
 TEST_CASE("a start without numbers does no harm where there are numbers elsewhere", "[optimise]") {
   // (x - 2)^2 + sqrt(x) from x = -3.
   Problem problem;
