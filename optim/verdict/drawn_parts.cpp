@@ -78,7 +78,10 @@ std::optional<PartsCount> PartsDrawer::count_all(const PartsDraw& draw,
   points.skip(draw.from);
   PartsCount counted;
   counted.by_limit.resize(limits());
-  std::vector<double> shares(kPartsBlock * m), us(kPartsBlock * m), designs(kPartsBlock * n);
+  // Draws of the first rounds have a few points: to clear whole blocks took longer than to judge
+  // them.
+  const std::size_t most = std::min(kPartsBlock, draw.count);
+  std::vector<double> shares(most * m), us(most * m), designs(most * n);
   for (std::size_t done = 0; done < draw.count; done += kPartsBlock) {
     if (stopped()) return {};
     const std::size_t block = std::min(kPartsBlock, draw.count - done);

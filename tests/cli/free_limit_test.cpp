@@ -96,7 +96,7 @@ segments = [{name = "go", angle = "150 deg", law = ["poly-3-4-5", "cubic"]},
 [objective]
 minimize = "torque_rms"
 )";
-  const ParsedJson answer = with_table(path, {"--time-limit", "8"});
+  const ParsedJson answer = with_table(path, {"--time-limit", "3"});
   std::size_t designs = 0;
   for (const ParsedJson& row : answer.at("table")) {
     designs += row.at("objective").is_null() ? 0 : 1;
