@@ -176,8 +176,14 @@ bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding) {
 std::vector<optim::Function> margin_functions(const PossibleBy& possible_by,
                                               const Binding& binding) {
   std::vector<optim::Function> functions;
+  std::vector<Formula> seen;  // load cases may have the same
   if (!may_decide(possible_by, binding)) return functions;
   for_deciding(possible_by.margins, binding, [&](const Formula& margin, const auto& box) {
+    const bool is_known = std::any_of(seen.begin(), seen.end(), [&](const Formula& other) {
+      return other.steps() == margin.steps();
+    });
+    if (is_known) return;
+    seen.push_back(margin);
     functions.push_back(function_of(binding.variables, recorded_kernel({margin, box.size(), {}}),
                                     optim::Shape::General));
   });

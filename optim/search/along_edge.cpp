@@ -2,8 +2,10 @@
 #include "optim/search/along_edge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "optim/problem/interrupted.h"
 #include "optim/search/local.h"
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/verdict.h"
@@ -11,44 +13,81 @@
 namespace camlaw::optim {
 namespace {
 
-/// Makes limits of functions that are above 0 at a design; none where one is not.
-std::vector<Constraint> kept_above(const std::vector<Function>& functions, Design at) {
-  std::vector<Constraint> limits;
-  for (const Function& f : functions) {
-    const double there = f.value(at);
-    if (!(there > 0)) return {};
-    limits.push_back({{"margin", "1", f}, there, {}, {}, there});
+/// One of the functions that must be above 0, and how much it changes over the variables' ranges.
+struct Edge {
+  Function margin;
+  double change;
+};
+
+/// The functions of the domain that depend on the variables; none where one of them has no number
+/// above 0 at that design.
+std::vector<Edge> edges_at(const Problem& problem, Design x) {
+  const std::vector<double> scales = variable_scales(problem);
+  std::vector<Edge> edges;
+  for (Function& margin : problem.domain()) {
+    std::vector<double> slope(margin.inputs().size());
+    if (!(margin.gradient(x, slope) > 0)) return {};
+    double change = 0;
+    for (std::size_t k = 0; k < slope.size(); ++k) {
+      change += std::abs(slope[k]) * scales[margin.inputs()[k]];
+    }
+    if (!std::isfinite(change)) return {};
+    if (change > 0) edges.push_back({std::move(margin), change});
   }
-  return limits;
+  return edges;
 }
 
-}  // namespace
+/// Whether a design lies beside or beyond an edge.
+bool is_beside(const std::vector<Edge>& edges, Design x) {
+  constexpr double kNear = 0.05;  // of what the margin changes
+  return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return !(edge.margin.value(x) > kNear * edge.change);
+  });
+}
 
-void search_along_edge(const Setting& setting, Trail& trail) {
-  constexpr double kShares[] = {1e-2, 1e-4, 1e-6};
-  constexpr double kTolerance = 0.1;  // of the share
+/// The problem with each margin limited to that share of its change at least.
+Problem kept_from(const Problem& problem, const std::vector<Edge>& edges, double share) {
+  constexpr double kTolerance = 0.1;  // of the bound
+  Problem result = problem;
+  result.domain = {};
+  for (const Edge& edge : edges) {
+    const double least = share * edge.change;
+    result.constraints.push_back(
+        {{"margin", "1", edge.margin}, least, {}, kTolerance * least, edge.change});
+  }
+  return result;
+}
+
+/// Whether the conditions of optimality hold at a design of kept_from() that one of the margins
+/// holds.
+bool is_settled_at_edge(const Assessment& a, std::size_t own_limits) {
+  const auto margins = a.limits.begin() + static_cast<std::ptrdiff_t>(own_limits);
+  return is_settled(a) && !a.at_moving_break && a.sign.empty() &&
+         std::any_of(margins, a.limits.end(),
+                     [](const LimitReport& margin) { return margin.multiplier != 0; });
+}
+
+void search_along(const Setting& setting, Trail& trail) {
+  constexpr double kShares[] = {1e-2, 1e-4, 1e-6, 1e-7};
   const Problem& problem = setting.problem;
   Found& found = trail.found;
-  if (!setting.original.domain || is_settled(found.assessment)) return;
   std::vector<double> x = problem.start();
-  const std::vector<Constraint> margins = kept_above(setting.original.domain(), x);
-  Problem within = setting.original;
-  within.domain = {};
+  std::vector<Edge> edges = edges_at(setting.original, x);
+  if (edges.empty() && has_numbers(found)) {
+    x = found.x;
+    edges = edges_at(setting.original, x);
+  }
+  if (edges.empty() || (!found.x.empty() && !is_beside(edges, found.x))) return;
   OptimiseOptions own = setting.options;
   own.starts = 1;
   for (const double share : kShares) {
-    if (margins.empty() || setting.deadline.passed()) return;
-    within.constraints = setting.original.constraints;
-    for (Constraint margin : margins) {
-      *margin.lower *= share;
-      margin.tolerance = kTolerance * *margin.lower;
-      within.constraints.push_back(std::move(margin));
-    }
+    if (setting.deadline.passed() || is_settled(found.assessment)) return;
+    Problem within = kept_from(setting.original, edges, share);
     for (std::size_t i = 0; i < x.size(); ++i) within.variables[i].start = x[i];
-    Found next = search_continuous(within, own, setting.deadline, false);
+    const Found next = search_continuous(within, own, setting.deadline, false);
     found.add_work(next);
     if (!has_numbers(next) || !is_feasible(next.assessment)) continue;
-    x = std::move(next.x);
+    x = trail.last = next.x;
     Sizes there = sizes(problem, x);
     Assessment judged = assess(problem, there, x, false);
     if (!better(problem, judged, found.assessment)) continue;
@@ -56,7 +95,22 @@ void search_along_edge(const Setting& setting, Trail& trail) {
     found.assessment = std::move(judged);
     trail.sizes = std::move(there);
     trail.told.clear();
-    trail.settled_at_edge = is_settled(next.assessment) ? x : std::vector<double>();
+    const bool is_last = share == *std::rbegin(kShares);
+    const bool is_known =
+        is_last && is_settled_at_edge(next.assessment, setting.original.constraints.size());
+    trail.settled_at_edge = is_known ? x : std::vector<double>();
+  }
+}
+
+}  // namespace
+
+void search_along_edge(const Setting& setting, Trail& trail) {
+  if (!setting.original.domain || is_settled(trail.found.assessment)) return;
+  try {
+    search_along(setting, trail);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (...) {  // the model throws beside the edge: what was found before stays
   }
 }
 

@@ -5,9 +5,10 @@
 
 namespace camlaw::optim {
 
-/// Of a problem that states where its model has numbers (Problem::domain): where the best design is
-/// not settled, searches on with the functions that decide kept above 0, each by a share of what it
-/// is at the start; the share becomes less from one search to the next. So a search moves along the
+/// Of a problem that states where its model has numbers (Problem::domain): where the best design
+/// lies beside an edge of the domain and is not settled, searches on with the functions that decide
+/// kept above 0, each by a share of what it changes over the variables' ranges; the share becomes
+/// less from one search to the next. So a search moves along the
 /// edge that it ran into.
 void search_along_edge(const Setting& setting, Trail& trail);
 

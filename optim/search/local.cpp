@@ -241,8 +241,10 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
   if (deadline.passed() && a.verdict != Verdict::Certified)
     return fmt::format("{}; {}", deadline.reason(), a.reason);
   if (a.verdict == Verdict::Feasible && found.x == trail.settled_at_edge) {
+    const std::string why = unproved(setting.original, trail.sizes, a);
     return "the best design lies at the edge of where the model has numbers; along the edge the "
-           "conditions of optimality hold";
+           "conditions of optimality hold" +
+           (why.empty() ? "" : "; " + why);
   }
   const bool unsolved =
       a.verdict == Verdict::Feasible && setting.prove && found.status != Status::Solved;
@@ -300,7 +302,8 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (!has_numbers(found))
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
   search_along_edge(setting, trail);
-  if (trail.unbounded && trail.is_within_limits() && !is_settled(found.assessment)) {
+  const bool may_be_endless = trail.unbounded && found.x != trail.settled_at_edge;
+  if (may_be_endless && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;
     return trail.fail("the objective improves without bound: a limit is missing");
   }

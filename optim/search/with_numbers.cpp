@@ -28,6 +28,7 @@ std::optional<Problem> with_numbers_only(const Problem& problem, Design x, doubl
   Problem result = problem;
   result.objectives = {no_objective()};
   result.constraints.clear();
+  result.domain = {};
   for (Constraint c : problem.constraints) {
     const double value = objective_value(
         {c.response, Sense::Minimize, c.response.is_curve() ? Part::Magnitude : Part::Value}, x);

@@ -113,8 +113,9 @@ bool is_bounded(const Assessment& a) {
   return std::abs(a.objective.value - *a.best_possible) <= kBoundTolerance * a.objective_measure;
 }
 
-/// What keeps a design that meets every limit from being certified; empty where nothing does.
-std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& a) {
+}  // namespace
+
+std::string unproved(const Problem& problem, const Sizes& sizes, const Assessment& a) {
   const auto needs_proof = [](const Response& response) {
     return response.is_curve() || response.function().is_searched() ||
            response.function().is_enclosed();
@@ -148,7 +149,14 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
     return fmt::format("{} is only proved to lie between {:.9g} and {:.9g}",
                        problem.objective().response.name, peak.lower, peak.upper);
   }
-  if (is_bounded(a)) return {};
+  return {};
+}
+
+namespace {
+
+/// What keeps a design that meets every limit from being certified; empty where nothing does.
+std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& a) {
+  if (std::string why = unproved(problem, sizes, a); !why.empty() || is_bounded(a)) return why;
   if (std::isinf(a.kkt_residual)) {
     return "the model has no derivatives at the answer, which may lie at the edge of the possible "
            "machines";
