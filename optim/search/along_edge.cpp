@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "optim/problem/interrupted.h"
@@ -58,13 +60,24 @@ Problem kept_from(const Problem& problem, const std::vector<Edge>& edges, double
   return result;
 }
 
-/// Whether the conditions of optimality hold at a design of kept_from() that one of the margins
-/// holds.
-bool is_settled_at_edge(const Assessment& a, std::size_t own_limits) {
-  const auto margins = a.limits.begin() + static_cast<std::ptrdiff_t>(own_limits);
-  return is_settled(a) && !a.at_moving_break && a.sign.empty() &&
-         std::any_of(margins, a.limits.end(),
-                     [](const LimitReport& margin) { return margin.multiplier != 0; });
+/// What the distance from the edge costs of the objective at a design of kept_from() at which the
+/// conditions of optimality hold and one of the margins pushes; none at others.
+std::optional<double> cost_of_distance(const Problem& within, const Assessment& a,
+                                       std::size_t own_limits) {
+  if (!is_settled(a) || a.at_moving_break || !a.sign.empty()) return {};
+  double cost = 0;
+  for (std::size_t i = own_limits; i < a.limits.size(); ++i) {
+    cost += std::abs(a.limits[i].multiplier) * *within.constraints[i].lower;
+  }
+  return cost > 0 ? std::optional(cost) : std::nullopt;
+}
+
+/// Whether a design is better, or worse by no more than the distance from the edge costs: the other
+/// then lies closer to the same edge.
+bool is_taken(const Problem& problem, const Assessment& fresh, const Assessment& old, double cost) {
+  if (better(problem, fresh, old)) return true;
+  if (!is_feasible(fresh) || !is_feasible(old)) return false;
+  return std::abs(fresh.objective.value - old.objective.value) <= 2 * cost;
 }
 
 void search_along(const Setting& setting, Trail& trail) {
@@ -90,15 +103,17 @@ void search_along(const Setting& setting, Trail& trail) {
     x = trail.last = next.x;
     Sizes there = sizes(problem, x);
     Assessment judged = assess(problem, there, x, false);
-    if (!better(problem, judged, found.assessment)) continue;
+    const bool is_last = share == *std::rbegin(kShares);
+    std::optional<double> cost;
+    if (is_last) {
+      cost = cost_of_distance(within, next.assessment, setting.original.constraints.size());
+    }
+    if (!is_taken(problem, judged, found.assessment, cost.value_or(0))) continue;
     found.x = x;
     found.assessment = std::move(judged);
     trail.sizes = std::move(there);
     trail.told.clear();
-    const bool is_last = share == *std::rbegin(kShares);
-    const bool is_known =
-        is_last && is_settled_at_edge(next.assessment, setting.original.constraints.size());
-    trail.settled_at_edge = is_known ? x : std::vector<double>();
+    trail.at_edge = cost ? SettledAtEdge{x, *cost} : SettledAtEdge();
   }
 }
 
@@ -112,6 +127,21 @@ void search_along_edge(const Setting& setting, Trail& trail) {
     throw;
   } catch (...) {  // the model throws beside the edge: what was found before stays
   }
+}
+
+void keep_from_edge(const Setting& setting, Trail& trail) {
+  const Problem& problem = setting.problem;
+  Found& found = trail.found;
+  const SettledAtEdge& edge = trail.at_edge;
+  if (edge.x.empty() || found.x == edge.x || setting.deadline.passed()) return;
+  if (is_settled(found.assessment)) return;
+  Sizes there = sizes(problem, edge.x);
+  Assessment own = assess(problem, there, edge.x, setting.prove);
+  if (!is_taken(problem, own, found.assessment, edge.cost)) return;
+  found.x = edge.x;
+  found.assessment = std::move(own);
+  trail.sizes = std::move(there);
+  trail.told.clear();
 }
 
 }  // namespace camlaw::optim

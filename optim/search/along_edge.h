@@ -12,4 +12,8 @@ namespace camlaw::optim {
 /// edge that it ran into.
 void search_along_edge(const Setting& setting, Trail& trail);
 
+/// Goes back to the design at which the conditions of optimality held along the edge, where later
+/// stages have only come closer to the same edge.
+void keep_from_edge(const Setting& setting, Trail& trail);
+
 }  // namespace camlaw::optim

@@ -240,7 +240,7 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
   }
   if (deadline.passed() && a.verdict != Verdict::Certified)
     return fmt::format("{}; {}", deadline.reason(), a.reason);
-  if (a.verdict == Verdict::Feasible && found.x == trail.settled_at_edge) {
+  if (a.verdict == Verdict::Feasible && found.x == trail.at_edge.x) {
     const std::string why = unproved(setting.original, trail.sizes, a);
     return "the best design lies at the edge of where the model has numbers; along the edge the "
            "conditions of optimality hold" +
@@ -302,13 +302,14 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (!has_numbers(found))
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
   search_along_edge(setting, trail);
-  const bool may_be_endless = trail.unbounded && found.x != trail.settled_at_edge;
+  const bool may_be_endless = trail.unbounded && found.x != trail.at_edge.x;
   if (may_be_endless && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;
     return trail.fail("the objective improves without bound: a limit is missing");
   }
   prove_best(watched, setting, trail);
   search_elsewhere(watched, setting, trail);
+  keep_from_edge(setting, trail);
   keep_start(setting, trail);
   if (!trail.is_infeasible()) conclude_search(setting, ends, trail);
 }

@@ -112,11 +112,11 @@ void visit(Archive& archive, S& sizes) {
 template <class Archive, class T>
 requires std::is_same_v<std::remove_const_t<T>, Trail>
 void visit(Archive& archive, T& trail) {
-  auto& [found, message, told, sizes, last, thrown, settled_at_edge, in_vain, unbounded,
-         design_elsewhere, none_elsewhere] = trail;
+  auto& [found, message, told, sizes, last, thrown, at_edge, in_vain, unbounded, design_elsewhere,
+         none_elsewhere] = trail;
   archive(found), archive(message), archive(told), archive(sizes), archive(last), archive(thrown);
-  archive(settled_at_edge), archive(in_vain), archive(unbounded), archive(design_elsewhere),
-      archive(none_elsewhere);
+  archive(at_edge.x), archive(at_edge.cost), archive(in_vain), archive(unbounded),
+      archive(design_elsewhere), archive(none_elsewhere);
 }
 
 template <class Archive, class F>

@@ -27,6 +27,13 @@ struct Setting {
 std::string words_of(const std::exception_ptr& error,
                      const std::string& who = "the model raised an error");
 
+/// A design along an edge of the problem's domain at which the conditions of optimality hold with
+/// the functions of the domain kept above 0, and what that costs of the objective.
+struct SettledAtEdge {
+  std::vector<double> x = {};
+  double cost = 0;
+};
+
 /// Holds what a search has come to so far, which is not lost where an exception ends a stage.
 struct Trail {
   Found found;                    ///< the best design, and the work of all attempts
@@ -35,9 +42,7 @@ struct Trail {
   Sizes sizes = {};               ///< those in which problems are scaled and designs judged
   std::vector<double> last = {};  ///< where the last attempt ended
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw
-  /// The design along an edge of the problem's domain at which the conditions of optimality hold
-  /// with the functions of the domain kept above 0; empty where there is none.
-  std::vector<double> settled_at_edge = {};
+  SettledAtEdge at_edge = {};     ///< none while its x is empty
   bool in_vain = false;           ///< all iterations of a start led to no design within the limits
   bool unbounded = false;         ///< some solve has found that the objective improves without end
   bool design_elsewhere = false;  ///< another start has led to a design within the limits
