@@ -242,8 +242,9 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
     return fmt::format("{}; {}", deadline.reason(), a.reason);
   if (a.verdict == Verdict::Feasible && found.x == trail.at_edge.x) {
     const std::string why = unproved(setting.original, trail.sizes, a);
-    return "the best design lies at the edge of where the model has numbers; along the edge the "
-           "conditions of optimality hold" +
+    return "the design lies beside the edge of where the model has numbers; the conditions of "
+           "optimality hold at this distance from the edge, and nearer to it a design may be "
+           "better" +
            (why.empty() ? "" : "; " + why);
   }
   const bool unsolved =

@@ -204,7 +204,7 @@ TEST_CASE("a search moves along the edge of what makes a machine", "[program]") 
   CHECK(distance < 43.001);
   CHECK(found.at("verdict") == "feasible");
   CHECK_THAT(found.at("reason").get<std::string>(),
-             Contains("along the edge the conditions of optimality hold"));
+             Contains("optimality hold at this distance from the edge"));
 }
 
 }  // namespace camlaw::cli::impossible_machines_test
