@@ -184,10 +184,7 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response) {
 std::function<std::vector<optim::Function>()> margins_that_decide(const Mechanism& mechanism,
                                                                   const Binding& binding) {
   PossibleBy possible_by = possible_machines(mechanism);
-  const bool may_decide =
-      std::any_of(binding.parameters.begin(), binding.parameters.end(),
-                  [&](std::size_t parameter) { return possible_by.holds(parameter); });
-  if (!may_decide) return {};
+  if (!may_decide(possible_by, binding)) return {};
   return [possible_by = std::move(possible_by), binding] {
     return margin_functions(possible_by, binding);
   };

@@ -63,12 +63,6 @@ std::vector<std::size_t> deciding_of(const std::vector<Margin>& margins, const B
   return {found.begin(), found.end()};
 }
 
-/// Whether something varies that may decide. It spares a look at the margins.
-bool may_decide(const PossibleBy& possible_by, const Binding& binding) {
-  return std::any_of(binding.parameters.begin(), binding.parameters.end(),
-                     [&](std::size_t parameter) { return possible_by.holds(parameter); });
-}
-
 /// The widest of these inputs in parts of its first width; none where none has a width.
 std::optional<std::size_t> widest(const std::vector<Bounds>& box, std::span<const Bounds> whole,
                                   const std::vector<std::size_t>& inputs) {
@@ -145,6 +139,11 @@ PossibleBy united(std::vector<PossibleBy> all) {
   result.parameters = united(std::move(parameters));
   result.ranges = united(std::move(ranges));
   return result;
+}
+
+bool may_decide(const PossibleBy& possible_by, const Binding& binding) {
+  return std::any_of(binding.parameters.begin(), binding.parameters.end(),
+                     [&](std::size_t parameter) { return possible_by.holds(parameter); });
 }
 
 std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& binding) {

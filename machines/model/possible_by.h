@@ -18,6 +18,9 @@ PossibleBy possible_by(std::vector<Margin> margins, std::size_t parameters);
 /// What decides on any of the machines.
 PossibleBy united(std::vector<PossibleBy> all);
 
+/// Whether something varies of a binding that may decide. It spares a look at the margins.
+bool may_decide(const PossibleBy& possible_by, const Binding& binding);
+
 /// Of the parameters that vary of a binding those that decide whether there is a machine, with the
 /// others as they are there; increasing.
 std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& binding);

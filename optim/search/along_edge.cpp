@@ -2,14 +2,15 @@
 #include "optim/search/along_edge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "optim/problem/interrupted.h"
 #include "optim/search/local.h"
 #include "optim/search/with_numbers.h"
+#include "optim/verdict/unproved.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -81,16 +82,16 @@ bool is_taken(const Problem& problem, const Assessment& fresh, const Assessment&
 }
 
 void search_along(const Setting& setting, Trail& trail) {
-  constexpr double kShares[] = {1e-2, 1e-4, 1e-6, 1e-7};
+  constexpr std::array kShares{1e-2, 1e-4, 1e-6, 1e-7};
   const Problem& problem = setting.problem;
   Found& found = trail.found;
   std::vector<double> x = problem.start();
   std::vector<Edge> edges = edges_at(setting.original, x);
-  if (edges.empty() && has_numbers(found)) {
+  if (edges.empty()) {
     x = found.x;
     edges = edges_at(setting.original, x);
   }
-  if (edges.empty() || (!found.x.empty() && !is_beside(edges, found.x))) return;
+  if (edges.empty() || !is_beside(edges, found.x)) return;
   OptimiseOptions own = setting.options;
   own.starts = 1;
   for (const double share : kShares) {
@@ -103,16 +104,12 @@ void search_along(const Setting& setting, Trail& trail) {
     x = trail.last = next.x;
     Sizes there = sizes(problem, x);
     Assessment judged = assess(problem, there, x, false);
-    const bool is_last = share == *std::rbegin(kShares);
     std::optional<double> cost;
-    if (is_last) {
+    if (share == kShares.back()) {
       cost = cost_of_distance(within, next.assessment, setting.original.constraints.size());
     }
     if (!is_taken(problem, judged, found.assessment, cost.value_or(0))) continue;
-    found.x = x;
-    found.assessment = std::move(judged);
-    trail.sizes = std::move(there);
-    trail.told.clear();
+    trail.take(x, std::move(there), std::move(judged));
     trail.at_edge = cost ? SettledAtEdge{x, *cost} : SettledAtEdge();
   }
 }
@@ -131,17 +128,21 @@ void search_along_edge(const Setting& setting, Trail& trail) {
 
 void keep_from_edge(const Setting& setting, Trail& trail) {
   const Problem& problem = setting.problem;
-  Found& found = trail.found;
+  const Found& found = trail.found;
   const SettledAtEdge& edge = trail.at_edge;
-  if (edge.x.empty() || found.x == edge.x || setting.deadline.passed()) return;
+  if (edge.x.empty() || trail.is_at_edge() || setting.deadline.passed()) return;
   if (is_settled(found.assessment)) return;
   Sizes there = sizes(problem, edge.x);
   Assessment own = assess(problem, there, edge.x, setting.prove);
   if (!is_taken(problem, own, found.assessment, edge.cost)) return;
-  found.x = edge.x;
-  found.assessment = std::move(own);
-  trail.sizes = std::move(there);
-  trail.told.clear();
+  trail.take(edge.x, std::move(there), std::move(own));
+}
+
+std::string words_at_edge(const Setting& setting, const Trail& trail) {
+  const std::string why = unproved(setting.original, trail.sizes, trail.found.assessment);
+  return "the design lies beside the edge of where the model has numbers; the conditions of "
+         "optimality hold at this distance from the edge, and nearer to it a design may be better" +
+         (why.empty() ? "" : "; " + why);
 }
 
 }  // namespace camlaw::optim

@@ -195,10 +195,8 @@ void search_around(const Setting& setting, Trail& trail) {
     if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
     const auto x = better_elsewhere(setting, trail);
     if (!x) return;
-    trail.sizes = sizes(setting.problem, *x);
-    trail.found.x = *x;
-    trail.told.clear();
-    trail.found.assessment = assess(setting.problem, trail.sizes, *x, false);
+    const Sizes there = sizes(setting.problem, *x);
+    trail.take(*x, there, assess(setting.problem, there, *x, false));
     search_from_start(*x, setting, trail);
   }
 }
@@ -207,7 +205,7 @@ void search_around(const Setting& setting, Trail& trail) {
 /// away from it, where functions have kinks, and come back to none as good.
 void keep_start(const Setting& setting, Trail& trail) {
   const Problem& problem = setting.problem;
-  Found& found = trail.found;
+  const Found& found = trail.found;
   const std::vector<double> start = problem.start();
   if (found.x == start || setting.deadline.passed()) return;
   const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
@@ -217,9 +215,7 @@ void keep_start(const Setting& setting, Trail& trail) {
   const Sizes there = sizes(problem, start);
   const Assessment own = assess(problem, there, start, false);
   if (!is_feasible(own) || !better(problem, own, found.assessment)) return;
-  found.x = start;
-  found.assessment = assess(problem, there, start, setting.prove);
-  trail.sizes = there;
+  trail.take(start, there, assess(problem, there, start, setting.prove));
 }
 
 /// How many starts ended at designs as good as the best.
@@ -240,13 +236,7 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
   }
   if (deadline.passed() && a.verdict != Verdict::Certified)
     return fmt::format("{}; {}", deadline.reason(), a.reason);
-  if (a.verdict == Verdict::Feasible && found.x == trail.at_edge.x) {
-    const std::string why = unproved(setting.original, trail.sizes, a);
-    return "the design lies beside the edge of where the model has numbers; the conditions of "
-           "optimality hold at this distance from the edge, and nearer to it a design may be "
-           "better" +
-           (why.empty() ? "" : "; " + why);
-  }
+  if (a.verdict == Verdict::Feasible && trail.is_at_edge()) return words_at_edge(setting, trail);
   const bool unsolved =
       a.verdict == Verdict::Feasible && setting.prove && found.status != Status::Solved;
   if (a.verdict == Verdict::Failed || unsolved)
@@ -303,7 +293,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (!has_numbers(found))
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
   search_along_edge(setting, trail);
-  const bool may_be_endless = trail.unbounded && found.x != trail.at_edge.x;
+  const bool may_be_endless = trail.unbounded && !trail.is_at_edge();
   if (may_be_endless && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;
     return trail.fail("the objective improves without bound: a limit is missing");

@@ -88,6 +88,13 @@ void Trail::join(const Problem& problem, Trail next) {
   unbounded = unbounded || next.unbounded;
 }
 
+void Trail::take(std::vector<double> x, Sizes its_sizes, Assessment assessment) {
+  found.x = std::move(x);
+  found.assessment = std::move(assessment);
+  sizes = std::move(its_sizes);
+  told.clear();
+}
+
 FirstStart told_of(const FromStart& first) {
   if (first.trail.is_within_limits()) return FirstStart::Led;
   return first.trail.in_vain ? FirstStart::InVain : FirstStart::NoDesign;

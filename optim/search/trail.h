@@ -55,6 +55,10 @@ struct Trail {
   void count(const Attempt& attempt);
   /// Goes on after a search that did not know of this one, as if it had come next.
   void join(const Problem& problem, Trail next);
+  /// Whether the best design is the one of `at_edge`.
+  bool is_at_edge() const { return !at_edge.x.empty() && found.x == at_edge.x; }
+  /// Makes a design that no solve has led to the best one; what a solve told belonged to another.
+  void take(std::vector<double> x, Sizes its_sizes, Assessment assessment);
   /// Records that the search gave no answer.
   void fail(const std::string& why);
 };

@@ -177,10 +177,8 @@ void seek_numbers(const Setting& setting, Trail& trail) {
   const Problem& problem = setting.problem;
   const Assessment& found = trail.found.assessment;
   if (has_numbers(trail.found) && !better(problem, met.assessment, found)) return;
-  trail.sizes = sizes(problem, met.x);
-  trail.told.clear();
-  trail.found.x = met.x;
-  trail.found.assessment = assess(problem, trail.sizes, met.x, setting.prove);
+  const Sizes there = sizes(problem, met.x);
+  trail.take(met.x, there, assess(problem, there, met.x, setting.prove));
 }
 
 }  // namespace camlaw::optim

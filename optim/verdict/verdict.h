@@ -29,10 +29,6 @@ Assessment assess_in_haste(const Problem& problem, const Sizes& sizes, Design x)
 /// Takes every size to be 1 but those of the variables, which limits' tolerances depend on.
 Assessment assess_in_haste(const Problem& problem, Design x);
 
-/// Which limit of a design that meets every limit, or whether its objective, is not proved, in
-/// words; empty where nothing is missing.
-std::string unproved(const Problem& problem, const Sizes& sizes, const Assessment& a);
-
 /// What a lower bound from dividing the box adds to the assessment of a design within the limits,
 /// which was asked for with proofs. The bound that is tighter counts.
 void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivision& division,
