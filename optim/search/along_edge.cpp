@@ -49,38 +49,19 @@ bool is_beside(const std::vector<Edge>& edges, Design x) {
   });
 }
 
-/// Of a design where a margin is less than half of its bound, the place where it is that on the
-/// line from a design inside; other designs stay as they are.
-IntoDomain into_domain(const std::vector<Edge>& edges, double share, std::vector<double> inside) {
-  constexpr int kHalvings = 50;
+/// Draws a design where a margin is less than half of its bound back to where it is that.
+IntoDomain into_domain(const std::vector<Edge>& edges, double share,
+                       const std::vector<double>& inside) {
   std::vector<double> least;
   for (const Edge& edge : edges) {
     least.push_back(std::min(0.5 * share * edge.change, 0.5 * edge.margin.value(inside)));
   }
-  return [edges, least = std::move(least), inside = std::move(inside)](Design x) {
-    const auto is_within = [&](Design design) {
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (!(edges[i].margin.value(design) >= least[i])) return false;
-      }
-      return true;
-    };
-    std::vector<double> place(x.begin(), x.end());
-    if (is_within(place)) return place;
-    double within = 0;
-    double beyond = 1;
-    const auto at = [&](double part) {
-      for (std::size_t i = 0; i < place.size(); ++i) {
-        place[i] = inside[i] + part * (x[i] - inside[i]);
-      }
-      return Design(place);
-    };
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (within + beyond);
-      (is_within(at(middle)) ? within : beyond) = middle;
+  return drawn_towards(inside, [edges, least = std::move(least)](Design x) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!(edges[i].margin.value(x) >= least[i])) return false;
     }
-    at(within);
-    return place;
-  };
+    return true;
+  });
 }
 
 /// The problem with each margin limited to that share of its change at least, and with numbers

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -83,6 +84,38 @@ class HeldCurve final : public ForwardingCurve {
 };
 
 }  // namespace
+
+IntoDomain drawn_towards(std::vector<double> inside, std::function<bool(Design)> is_within) {
+  constexpr int kHalvings = 50;
+  struct Last {
+    std::mutex mutex;
+    std::vector<double> asked, given;
+  };
+  const auto last = std::make_shared<Last>();
+  return [inside = std::move(inside), is_within = std::move(is_within), last](Design x) {
+    const std::lock_guard lock(last->mutex);
+    if (std::equal(x.begin(), x.end(), last->asked.begin(), last->asked.end())) return last->given;
+    std::vector<double> place(x.begin(), x.end());
+    const auto go_to = [&](double part) {
+      for (std::size_t i = 0; i < place.size(); ++i) {
+        place[i] = inside[i] + part * (x[i] - inside[i]);
+      }
+    };
+    if (!is_within(place)) {
+      double within = 0;
+      double beyond = 1;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (within + beyond);
+        go_to(middle);
+        (is_within(place) ? within : beyond) = middle;
+      }
+      go_to(within);
+    }
+    last->asked.assign(x.begin(), x.end());
+    last->given = place;
+    return place;
+  };
+}
 
 Problem held_inside(Problem problem, const IntoDomain& into) {
   const std::size_t variables = problem.variables.size();
