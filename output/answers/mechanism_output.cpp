@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "machines/model/response_text.h"
 #include "machines/registry.h"
@@ -133,12 +137,14 @@ Table mechanism_inputs(const Mechanism& mechanism) {
   return table;
 }
 
-/// A page's list of its headings, each a link.
+/// A page's list of its headings, each a link; the anchor of a heading is in small letters.
 std::string contents_of(const std::vector<std::string>& headings) {
   std::string contents;
   for (const std::string& heading : headings) {
-    contents += fmt::format("{}[{}](#{})", contents.empty() ? "\n**Contents:** " : " ·\n", heading,
-                            heading);
+    std::string anchor = heading;
+    for (char& c : anchor) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    contents +=
+        fmt::format("{}[{}](#{})", contents.empty() ? "\n**Contents:** " : " ·\n", heading, anchor);
   }
   return contents + "\n";
 }
