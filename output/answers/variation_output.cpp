@@ -229,8 +229,8 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   }
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
-        "  {} of the limits {} searched anew for each part; --samples takes more parts\n",
-        answer.grid.without_grid, answer.grid.without_grid == 1 ? "is" : "are"));
+        "  {} of the limits {} a search for each part; use --samples N to count more parts\n",
+        answer.grid.without_grid, answer.grid.without_grid == 1 ? "needs" : "need"));
   }
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;
