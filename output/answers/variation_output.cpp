@@ -174,9 +174,10 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
 }
 
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
+  const bool nothing_fails = !answer.worst.empty() && answer.nothing_fails(varied.variations);
+  if (nothing_fails) document.say("\nyield: every part meets every limit, proved\n");
   if (!answer.yield) return;
   const optim::Yield& y = *answer.yield;
-  const bool nothing_fails = answer.nothing_fails(varied.variations);
   document.fact("yield", 1 - y.failing);
   document.fact("yield_at_least", 1 - y.failing_at_most);
   document.fact("standard_error", y.error);
@@ -202,10 +203,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("grid_places", answer.grid.places);
   document.fact("searched_limits", answer.grid.without_grid);
   document.fact("cycle_left", answer.grid.left);
-  if (nothing_fails) {
-    document.say("\nyield: every part meets every limit, proved\n");
-    return;
-  }
+  if (nothing_fails) return;
   document.say(
       fmt::format("\nyield: {} of all parts meet every limit, an estimate (standard error {:.2g} "
                   "%; {} {}samples, "

@@ -9,6 +9,7 @@
 #include "machines/contact/crowned_roller.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -74,12 +75,27 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
   }
 }
 
+/// Variations of the law and the program: searches and their verdicts take these values as they
+/// stand.
+void add_of_varying_law(const ProblemStatement& design, std::vector<Caution>& found) {
+  std::string names;
+  for (const VariationStatement& variation : variations_of(design)) {
+    if (!variation.parameter.of_law) continue;
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", variation.name(),
+                         variation_text(variation, meant_value(design, variation)));
+  }
+  if (names.empty()) return;
+  found.push_back({"a variation of the motion is left out of this verdict",
+                   names + "; `camlaw tolerance` shows what it does to the limits"});
+}
+
 }  // namespace
 
 std::vector<Caution> cautions(const ProblemStatement& design) {
   std::vector<Caution> found;
   add_of_ends(design, found);
   add_of_crown(design, found);
+  add_of_varying_law(design, found);
   return found;
 }
 
