@@ -220,15 +220,15 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
       fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
                   100 * y.failing_between.lower, 100 * y.failing_between.upper));
   if (y.by_importance) {
-    document.say(
-        fmt::format("  away from the likeliest failures, where no sample fell, up to {:.2g} % may "
-                    "fail besides\n",
-                    100 * y.unseen_at_most));
+    document.say(fmt::format(
+        "  away from the likeliest failures, where no sample fell, up to {:.2g} % more may "
+        "fail\n",
+        100 * y.unseen_at_most));
   }
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
-        "  {} of the limits {} searched anew for each part; --samples takes more parts\n",
-        answer.grid.without_grid, answer.grid.without_grid == 1 ? "is" : "are"));
+        "  {} of the limits {} a search for each part; use --samples N to count more parts\n",
+        answer.grid.without_grid, answer.grid.without_grid == 1 ? "needs" : "need"));
   }
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;

@@ -34,9 +34,9 @@ void add_of_ends(const ProblemStatement& design, std::vector<Caution>& found) {
   const double end = law.derivatives<3>(1.0, Side::Left)[2];
   if (std::abs(begin) <= kNoJump && std::abs(end) <= kNoJump) return;
   found.push_back({"the acceleration jumps at an end of the law",
-                   fmt::format("s'' begins with {:.4g} and ends with {:.4g}; beside a dwell the "
-                               "jerk is infinite there, and the jerk that is limited or sought is "
-                               "that between the ends",
+                   fmt::format("s'' begins with {:.4g} and ends with {:.4g}; next to a dwell the "
+                               "jerk is infinite there, and limits and objectives use the jerk "
+                               "between the ends",
                                begin, end)});
 }
 
