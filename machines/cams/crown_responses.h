@@ -71,7 +71,7 @@ std::vector<MechanismResponse> film_responses(const std::vector<std::string>& un
                   "1 they touch"});
   add(C::CrownThickness,
       {"crown_film", "um", "m",
-       "least thickness of the lubricant film between a crowned roller and " + cam_name});
+       "least thickness of the lubricant film between a crowned roller and the " + cam_name});
   add(C::CrownLambda, {"crown_lambda", "1", "1",
                        "film thickness of a crowned roller over the roughness of both surfaces; "
                        "below 1 they touch"});
