@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "machines/cams/elastic_contact.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -50,7 +52,8 @@ BuildableCheck undercut(const std::string& of, Closure closure = Closure::Any) {
 }
 
 /// Hollows of a profile; where it is undercut, what a tool would do there says nothing.
-Checks hollows(const std::string& of, const std::string& after, Closure closure = Closure::Any) {
+Checks hollows(const std::string& of, const std::vector<std::string>& after,
+               Closure closure = Closure::Any) {
   return {{.name = of + "hollow",
            .fault = "the tool does not fit into a hollow of the profile",
            .response = of + "tool_fit",
@@ -98,7 +101,7 @@ BuildableCheck stress(const char* name, const char* response, const char* after,
                        .needs = loads(closure),
                        .one_of = masses(),
                        .closure = closure,
-                       .after = after};
+                       .after = {after}};
   check.needs.insert(check.needs.begin(), {"allowable_pressure", "face_width"});
   return check;
 }
@@ -129,7 +132,7 @@ bool has_input(const BuildableCheck& check, const std::string& name) {
 
 Checks undercut_checks() { return {undercut("")}; }
 
-Checks hollow_checks() { return hollows("", ""); }
+Checks hollow_checks() { return hollows("", {}); }
 
 Checks roller_checks() {
   // A groove is cut by a tool that goes inside it: hollows of one flank say nothing of that.
@@ -142,7 +145,7 @@ Checks roller_checks() {
               .bound = whole,
               .needs = {"cutter_radius", "roller_radius"},
               .closure = Closure::Form}};
-  add(all, hollows("", "undercut", Closure::Force));
+  add(all, hollows("", {"undercut"}, Closure::Force));
   return all;
 }
 
@@ -159,7 +162,7 @@ Checks conjugate_checks() {
   for (const char* const which : {"", "second_"}) {
     const std::string of = which;
     all.push_back(undercut(of));
-    add(all, hollows(of, of + "undercut"));
+    add(all, hollows(of, {of + "undercut"}));
     all.push_back(wall_of(of));
   }
   add(all, stress_checks());
@@ -262,6 +265,7 @@ Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", 
 
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks) {
   for (const Checks& some : checks) add(mechanism.checks, some);
+  add_elastic_checks(mechanism);
   for (BuildableCheck& check : mechanism.checks) {
     keep_known(check.needs, mechanism);
     keep_known(check.one_of, mechanism);

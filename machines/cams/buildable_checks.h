@@ -43,7 +43,7 @@ Checks roller_stress_checks();
 /// Friction in the guide of a translating follower, where it is stated.
 Checks guide_checks();
 
-/// A mechanism with all of these, and the inputs that they have.
+/// A mechanism with all of these, those of its elastic follower, and the inputs that they have.
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks);
 
 }  // namespace camlaw::problems

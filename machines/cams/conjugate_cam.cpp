@@ -42,7 +42,10 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::dynamic_rating,
                                      &ConjugateCam<T>::static_rating,
                                      &ConjugateCam<T>::speed_limit,
-                                     &ConjugateCam<T>::crown_radius};
+                                     &ConjugateCam<T>::crown_radius,
+                                     &ConjugateCam<T>::viscosity,
+                                     &ConjugateCam<T>::pressure_viscosity,
+                                     &ConjugateCam<T>::roughness};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -61,7 +64,8 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               guide_parameters(),
               sliding_train(),
               bearing_parameters(),
-              crown_parameter()});
+              crown_parameter(),
+              lubricant_parameters()});
   return all;
 }
 
@@ -74,6 +78,10 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
+  append(all, film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
+                                           [](const auto& cam, FilmCurve which, const auto& f) {
+                                             return cam.film(which, f);
+                                           }));
   all.push_back(guide_response<ConjugateCam>());
   all.push_back(overhang_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));

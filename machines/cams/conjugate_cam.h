@@ -46,6 +46,9 @@ struct ConjugateCam {
   T static_rating = number<T>(1e4);               ///< C_0, N
   T speed_limit = number<T>(628.3185307179587);   ///< n_G, rad/s, of a roller on its pin
   T crown_radius = number<T>(0.5);                ///< R_c, m, of either roller along its axis
+  T viscosity = number<T>(0.05);                  ///< eta, Pa s
+  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
+  T roughness = number<T>(4e-7);                  ///< R_q, m, of a roller and its cam
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
@@ -79,14 +82,10 @@ struct ConjugateCam {
   }
   RollerContact<T> roller() const { return main().roller(); }
   SlidingGuide<T> guide() const { return {guide_friction, guide_length}; }
-  /// What either roller bears; the pair has no lubricant.
+  /// What either roller bears, and what lubricates it.
   RollerDuty<T> duty() const {
-    RollerDuty<T> result;
-    result.crown_radius = crown_radius;
-    result.dynamic_rating = dynamic_rating;
-    result.static_rating = static_rating;
-    result.speed_limit = speed_limit;
-    return result;
+    return {crown_radius, dynamic_rating,     static_rating, speed_limit,
+            viscosity,    pressure_viscosity, roughness};
   }
 
   template <class X>
@@ -150,16 +149,25 @@ struct ConjugateCam {
   /// Of the roller on the cam that bears, crowned or not.
   template <class X>
   X crown(CrownCurve which, const FollowerMotion<X>& f) const {
-    const X force = contact_force(f);
-    const RollerContact<T> contact = roller();
-    return unless_zero(
-        force,
-        crown_curve(which,
-                    pressed_roller(X(absolute(force)), contact.curvature_sum(loaded_curvature(f)),
-                                   duty().crown_curvature(), face_width, contact.material)));
+    return unless_zero(contact_force(f), crown_curve(which, loaded_roller(f)));
+  }
+  /// (RB7), (RB18) Film between that roller and its cam.
+  template <class X>
+  X film(FilmCurve which, const FollowerMotion<X>& f) const {
+    const X of_main = rolled_way(main().pitch_curve(f), roller_radius);
+    const X of_second = rolled_way(second().pitch_curve(second_motion(f)), roller_radius);
+    return film_curve(which, duty().lubricant(), loaded_roller(f),
+                      X(angular_speed * by_side(follower().force(f), of_main, of_second)));
   }
 
  private:
+  template <class X>
+  auto loaded_roller(const FollowerMotion<X>& f) const {
+    const RollerContact<T> contact = roller();
+    return pressed_roller(X(absolute(contact_force(f))),
+                          X(contact.curvature_sum(loaded_curvature(f))), duty().crown_curvature(),
+                          face_width, contact.material);
+  }
   /// Of the pitch curve of the cam that bears, 1/m.
   template <class X>
   X loaded_curvature(const FollowerMotion<X>& f) const {

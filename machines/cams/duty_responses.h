@@ -12,7 +12,7 @@
 /// duty: the life of its bearing, the shear below the surface, the film that carries it.
 namespace camlaw::problems {
 
-enum class DutyCurve { RollerSpeed, SpeedFraction, StaticFraction, FilmThickness, LambdaRatio };
+enum class DutyCurve { RollerSpeed, SpeedFraction, StaticFraction };
 
 /// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
 /// cam's own.
@@ -28,27 +28,24 @@ X own_flank_turns(const Cam& cam, const FollowerMotion<X>& f) {
                       cam.roller_radius);
 }
 
-/// (RB7) Film on the cam's own flank. The contact runs along roller and profile alike, which roll
-/// on one another: u = omega |w1| (1 - r_r k).
+/// The roller on the cam's own flank.
 template <class Cam, class X>
-X film_of(const Cam& cam, const FollowerMotion<X>& f) {
+auto own_flank_roller(const Cam& cam, const FollowerMotion<X>& f) {
   const auto roller = cam.roller();
-  const auto curve = cam.pitch_curve(f);
-  const X k = curve.curvature();
-  const X one = number<X>(1);
-  const X speed = cam.angular_speed * (curve.speed() * (one - cam.roller_radius * k));
-  return cam.duty.lubricant().film(X(cam.contact_force(f) / roller.face_width),
-                                   roller.curvature_sum(k), speed, roller.material.plane_modulus());
+  return pressed_roller(X(cam.contact_force(f)),
+                        X(roller.curvature_sum(cam.pitch_curve(f).curvature())),
+                        cam.duty.crown_curvature(), roller.face_width, roller.material);
 }
 
-/// On the cam's own flank.
 template <class Cam, class X>
 X own_flank_crown(const Cam& cam, CrownCurve which, const FollowerMotion<X>& f) {
-  const auto roller = cam.roller();
-  return crown_curve(
-      which, pressed_roller(X(cam.contact_force(f)),
-                            X(roller.curvature_sum(cam.pitch_curve(f).curvature())),
-                            cam.duty.crown_curvature(), roller.face_width, roller.material));
+  return crown_curve(which, own_flank_roller(cam, f));
+}
+
+template <class Cam, class X>
+X own_flank_film(const Cam& cam, FilmCurve which, const FollowerMotion<X>& f) {
+  return film_curve(which, cam.duty.lubricant(), own_flank_roller(cam, f),
+                    X(cam.angular_speed * rolled_way(cam.pitch_curve(f), cam.roller_radius)));
 }
 
 template <class Cam, class X>
@@ -59,13 +56,9 @@ X duty_curve(const Cam& cam, DutyCurve which, const FollowerMotion<X>& f) {
     case DutyCurve::SpeedFraction:
       return cam.angular_speed / cam.duty.speed_limit * own_flank_turns(cam, f);
     case DutyCurve::StaticFraction:
-      return absolute(cam.contact_force(f)) / cam.duty.static_rating;
-    case DutyCurve::FilmThickness:
-      return film_of(cam, f);
-    case DutyCurve::LambdaRatio:
       break;
   }
-  return film_of(cam, f) / cam.duty.roughness;
+  return absolute(cam.contact_force(f)) / cam.duty.static_rating;
 }
 
 /// Numbers that the whole cycle makes.
@@ -119,16 +112,14 @@ std::vector<MechanismResponse> duty_responses() {
   add(C::StaticFraction,
       {"static_fraction", "1", "1",
        "force on the roller over its static load rating: the inverse of the static safety factor"});
-  add(C::FilmThickness, {"film_thickness", "um", "m",
-                         "least thickness of the lubricant film between roller and cam"});
-  add(C::LambdaRatio, {"lambda_ratio", "1", "1",
-                       "film thickness over the roughness of both surfaces; below 1 they touch"});
-  for (const char* of_film : {"film_thickness", "lambda_ratio"}) {
-    set_defined_while(all, {of_film}, {.response = "undercut", .upper = 1});
-  }
+  append(all, film_responses<M>({"undercut"}, "cam",
+                                [](const auto& cam, FilmCurve which, const auto& f) {
+                                  return own_flank_film(cam, which, f);
+                                }));
   for (const char* of_contact :
-       {"max_shear", "shear_depth", "crown_stress", "crown_half_length", "crown_fraction",
-        "crown_elongation", "film_thickness", "lambda_ratio"}) {
+       {"max_shear", "shear_depth", "crown_stress", "crown_shear", "crown_shear_depth",
+        "crown_half_length", "crown_fraction", "crown_elongation", "film_thickness", "lambda_ratio",
+        "crown_film", "crown_lambda"}) {
     set_defined_while(all, {of_contact}, {.response = "contact_force", .lower = 0});
   }
   append(all, life_responses<M>());

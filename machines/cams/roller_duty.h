@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/contact/lubricant.h"
 #include "numerics/scalar/absolute.h"
@@ -63,6 +64,13 @@ template <class T, class X>
 X roller_turns(const X& force, const X& pitch_speed, const X& turning, const T& roller_radius) {
   const X rolled = number<T>(1) / roller_radius * pitch_speed;
   return absolute(by_side(force, X(rolled - turning), X(rolled + turning)));
+}
+
+/// (RB7) How far the contact runs along the profile, and along the roller alike, as they roll on
+/// one another, m by radian of the cam: |w1| (1 - r_r k).
+template <class T, class X>
+X rolled_way(const CamCurve<X>& pitch, const T& roller_radius) {
+  return pitch.speed() * (number<X>(1) - roller_radius * pitch.curvature());
 }
 
 }  // namespace camlaw

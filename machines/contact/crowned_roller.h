@@ -3,9 +3,11 @@
 
 #include "machines/contact/elliptic_contact.h"
 #include "machines/contact/hertz.h"
+#include "machines/contact/lubricant.h"
 
 /// What a roller and a flank bear below their surfaces, and where the roller is crowned
-/// (docs/theory.md, "Line contact" and "Crowned rollers").
+/// (docs/theory.md, "Line contact", "Crowned rollers" and
+/// "Lubricant film").
 namespace camlaw {
 
 /// A roller pressed on a flank. K is T, or X where the crown lies askew of the line of contact.
@@ -47,12 +49,22 @@ PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& t
 /// The greatest length by width of an ellipse at which the error of (RB9) is told: alpha = 500.
 inline constexpr double kKnownElongation = 46.63;
 
-enum class CrownCurve { MaxShear, ShearDepth, Stress, HalfLength, Fraction, Elongation };
+enum class CrownCurve {
+  MaxShear,
+  ShearDepth,
+  Stress,
+  Shear,
+  DepthOfShear,
+  HalfLength,
+  Fraction,
+  Elongation
+};
 
-/// (K5), (K6) of the line contact, (RB10) of the crowned roller.
+/// (K5), (K6) of the line contact, (RB10), (RB16), (RB17) of the crowned roller.
 template <class T, class K, class X>
 X crown_curve(CrownCurve which, const PressedRoller<T, K, X>& roller) {
   const X line_load = roller.force / roller.face_width;
+  const T& ratio = roller.material.poisson_ratio;
   switch (which) {
     case CrownCurve::MaxShear:
       return max_shear(X(roller.material.pressure(line_load, roller.across)));
@@ -60,6 +72,14 @@ X crown_curve(CrownCurve which, const PressedRoller<T, K, X>& roller) {
       return shear_depth(X(roller.material.half_width(line_load, roller.across)));
     case CrownCurve::Stress:
       return roller.ellipse().pressure;
+    case CrownCurve::Shear: {
+      const ContactEllipse<X> ellipse = roller.ellipse();
+      return crown_shear(ellipse.pressure, ellipse.elongation, ratio);
+    }
+    case CrownCurve::DepthOfShear: {
+      const ContactEllipse<X> ellipse = roller.ellipse();
+      return crown_shear_depth(ellipse.half_width, ellipse.elongation, ratio);
+    }
     case CrownCurve::HalfLength:
       return roller.ellipse().half_length;
     case CrownCurve::Elongation:
@@ -68,6 +88,34 @@ X crown_curve(CrownCurve which, const PressedRoller<T, K, X>& roller) {
       break;
   }
   return roller.ellipse().half_length / (number<X>(0.5) * roller.face_width);
+}
+
+enum class FilmCurve { Thickness, Lambda, CrownThickness, CrownLambda };
+
+/// (RB7) Film of the line contact, (RB18) of the crowned roller, m, or over the roughness of both
+/// surfaces, from the mean speed of the surfaces towards the contact, m/s.
+template <class T, class K, class X>
+X film_curve(FilmCurve which, const Lubricant<T>& oil, const PressedRoller<T, K, X>& roller,
+             const X& speed) {
+  const T modulus = roller.material.plane_modulus();
+  const auto of_line = [&] {
+    return oil.film(X(roller.force / roller.face_width), roller.across, speed, modulus);
+  };
+  const auto of_crown = [&] {
+    return oil.point_film(roller.force, roller.greater, roller.ellipse().elongation, speed,
+                          modulus);
+  };
+  switch (which) {
+    case FilmCurve::Thickness:
+      return of_line();
+    case FilmCurve::Lambda:
+      return of_line() / oil.roughness;
+    case FilmCurve::CrownThickness:
+      return of_crown();
+    case FilmCurve::CrownLambda:
+      break;
+  }
+  return of_crown() / oil.roughness;
 }
 
 }  // namespace camlaw

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "machines/contact/hertz.h"
 #include "numerics/scalar/power.h"
 #include "numerics/scalar/scalar.h"
 
@@ -64,6 +65,25 @@ ContactEllipse<X> contact_ellipse(const X& force, const X& across, const K& alon
   const X longer = sqrt(square);  // k
   const X pressure = number<T>(0.25) * modulus * ((across + along) * length / (longer * second));
   return {length, length / longer, pressure, longer};
+}
+
+/// (RB16) The greatest shear stress below the middle of an ellipse, Pa, from its greatest pressure,
+/// its length by width k and Poisson's ratio: (g^(5/2) + (0.480 - 0.922 nu - 0.166 / k) / (k +
+/// 3.055)) p, g = (sqrt 5 - 1) / 2. Within 0.5 % for k from 1 to 47 and nu from 0.25 to 0.4; of a
+/// long ellipse it is that of the line contact (K5).
+template <class T, class X>
+X crown_shear(const X& pressure, const X& elongation, const T& poisson_ratio) {
+  const X more =
+      poisson_ratio * number<X>(-0.922) + number<X>(0.48) - number<X>(0.166) / elongation;
+  return pressure * (max_shear(number<X>(1)) + more / (elongation + number<X>(3.055)));
+}
+/// (RB17) How deep it is, m, from half the ellipse's width b: (sqrt(g) - (2.85 - 2.68 nu) / (k^2 +
+/// 3.41 k + 2.31)) b, within 1.5 % likewise.
+template <class T, class X>
+X crown_shear_depth(const X& half_width, const X& elongation, const T& poisson_ratio) {
+  const X less = poisson_ratio * number<X>(-2.68) + number<X>(2.85);
+  const X square = elongation * (elongation + number<X>(3.41)) + number<X>(2.31);
+  return half_width * (shear_depth(number<X>(1)) - less / square);
 }
 
 }  // namespace camlaw

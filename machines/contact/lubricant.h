@@ -25,6 +25,21 @@ struct Lubricant {
     return number<T>(2.65) * power(T(pressure_viscosity * modulus), 0.54) *
            (power(moved, 0.7) * power(pressed, -0.13) / curvature);
   }
+
+  /// (RB18) Least film of a contact ellipse, m, after Hamrock and Dowson: h = 3.63 R U^0.68 G^0.49
+  /// W^-0.073 (1 - exp(-0.68 k)) with U, G and R as above and W = F / (E' R^2), from the force F,
+  /// N, the sum of the curvatures 1 / R along the motion, 1/m, and the ellipse's length, square to
+  /// the motion, by its width.
+  template <class X>
+  X point_film(const X& force, const X& curvature, const X& elongation, const X& speed,
+               const T& modulus) const {
+    using std::exp;
+    const X moved = viscosity / modulus * (speed * curvature);
+    const X pressed = number<T>(1) / modulus * (force * (curvature * curvature));
+    const X closed = number<X>(1) - exp(number<X>(-0.68) * elongation);
+    return number<T>(3.63) * power(T(pressure_viscosity * modulus), 0.49) *
+           (power(moved, 0.68) * power(pressed, -0.073) / curvature * closed);
+  }
 };
 
 }  // namespace camlaw

@@ -11,6 +11,7 @@
 #include "machines/follower_train/parts_at.h"
 #include "machines/follower_train/standing_turn.h"
 #include "machines/follower_train/train_boxes.h"
+#include "machines/model/enclosed.h"
 #include "machines/model/joint_angle.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/law_looks.h"
@@ -168,6 +169,16 @@ class TrainTrace final : public optim::Trace, public ExpandsTrain {
     if (!expanded) return {};
     const Interval range = expanded->range();
     return {range.lower(), range.upper()};
+  }
+
+  std::array<optim::Bounds, 3> expand(double from, double to) const override {
+    const auto expanded = expansion(from, to);
+    if (!expanded) return {};
+    const Interval off(-expanded->radius, expanded->radius);
+    Series<Interval, 3> over(expanded->range());
+    over.c[1] = expanded->slope + expanded->second * off;
+    over.c[2] = Interval(0.5) * expanded->second;
+    return by_place(over, Interval(length_of(run_)));
   }
 
   std::optional<TrainExpansion> expansion(double from, double to) const override {

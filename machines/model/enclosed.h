@@ -49,7 +49,7 @@ inline std::array<optim::Bounds, 3> by_place(const Series<Interval, 3>& series,
 }
 
 /// Bounds of a function f over a stretch (docs/theory.md, "Enclosing a stretch"): from its series
-/// over the whole stretch, its values at the two ends where it is monotone, else from
+/// over the whole stretch, its values at the two ends where it is monotone and has both, else from
 /// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius of the middle c.
 /// low() and high() -> Interval, middle() -> Series<Interval, 2>.
 template <class Low, class High, class Middle>
@@ -58,7 +58,9 @@ optim::Bounds enclosed(const Series<Interval, 3>& over, double radius, const Low
   Interval range = both(Interval::whole(), over.c[0]);
   const bool has_value = !boost::numeric::empty(over.c[0]);  // else a slope of 0 says nothing
   if (has_value && (over.c[1].lower() >= 0 || over.c[1].upper() <= 0)) {
-    range = both(range, boost::numeric::hull(low(), high()));
+    const Interval first = low(), last = high();
+    const bool has_ends = !boost::numeric::empty(first) && !boost::numeric::empty(last);
+    if (has_ends) range = both(range, boost::numeric::hull(first, last));
   } else {
     const Series<Interval, 2> at = middle();
     const Interval bend = over.c[2] * Interval(0, step_up(radius * radius));

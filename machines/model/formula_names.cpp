@@ -134,7 +134,8 @@ NameMeaning response_meaning(const Mechanism& mechanism, const ResponseName& fou
   if (!response.curve && !response.write) {
     return inner_meaning(inner_number(response), resolved);
   }
-  if (!response.write) {
+  const bool is_of_curves = response.curve && !response.held.empty() && !is_shafts;
+  if (!response.write || is_of_curves) {
     throw std::invalid_argument(
         fmt::format("{0} is a curve that is not computed by one formula; of it a formula can use "
                     "\"peak {0}\", \"highest {0}\" or \"lowest {0}\"",

@@ -236,12 +236,12 @@ Mechanism with_cases(const Mechanism& mechanism, const std::vector<LoadCase>& ca
       own.name = check.name + " in " + load.name;
       own.response = name_in_case(result, check.response, load);
       own.in_case = load.parameters;
-      const auto first =
-          std::find_if(mechanism.checks.begin(), mechanism.checks.end(),
-                       [&](const BuildableCheck& other) { return other.name == check.after; });
-      if (first != mechanism.checks.end() &&
-          differs(*looked_at(mechanism, first->response), cases)) {
-        own.after = check.after + " in " + load.name;
+      for (std::string& after : own.after) {
+        const bool in_cases = std::any_of(
+            mechanism.checks.begin(), mechanism.checks.end(), [&](const BuildableCheck& other) {
+              return other.name == after && differs(*looked_at(mechanism, other.response), cases);
+            });
+        if (in_cases) after += " in " + load.name;
       }
       result.checks.push_back(std::move(own));
     }

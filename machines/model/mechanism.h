@@ -184,10 +184,11 @@ struct ResponseName {
   std::optional<CycleWindow> window = {};       ///< of a curve; none: the whole cycle
 };
 
-/// A curve of one of the cams on a shaft that a curve over the shaft's turn holds, at the phase of
-/// its cam.
+/// A curve that the formula of another curve holds: of one of the cams on a shaft, at the phase of
+/// its cam, or of the machine itself, at the same angle.
 struct HeldCurve {
-  std::size_t cam, phase;  ///< the cam, and the parameter that its phase is
+  std::size_t cam = 0;
+  std::optional<std::size_t> phase = {};  ///< the parameter that it is; none: of the machine itself
   std::shared_ptr<const MechanismResponse> response;
 };
 
@@ -214,8 +215,8 @@ struct MechanismResponse {
   std::shared_ptr<const ShaftTurn> turn = {};  ///< of a curve that no law moves
   std::vector<InnerNumber> inner = {};
   std::optional<std::size_t> cam = {};  ///< of several on one shaft the cam that it is of
-  /// Of a curve over the turn of such a shaft: its formula's other inputs are the shaft's angle and
-  /// these.
+  /// Of a curve over the turn of such a shaft, or of one that is made of the machine's own curves:
+  /// its formula's other inputs are the angle, rad, and these.
   std::vector<HeldCurve> held = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.
@@ -297,8 +298,11 @@ struct BuildableCheck {
   std::vector<std::string> one_of = {};  ///< ... and one of these
   /// An input that replaces a standard, and that standard in words.
   std::string input = {}, standard = {};
-  Closure closure = Closure::Any;  ///< the followers that it is made for
-  std::string after = {};          ///< a check that must hold for this one to mean something
+  Closure closure = Closure::Any;       ///< the followers that it is made for
+  std::vector<std::string> after = {};  ///< checks that must hold for this one to mean something
+  /// The check is made where a parameter is stated and above 0, or only where another one is not.
+  /// The two may have one name: a design has one of them.
+  std::string only_with = {}, only_without = {};
   std::vector<std::pair<std::size_t, double>> in_case = {};  ///< parameters that its load case sets
 };
 

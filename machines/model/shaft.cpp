@@ -148,7 +148,11 @@ MechanismResponse Renamed::response(const MechanismResponse& own) const {
   }
   for (ValidityLimit& valid : result.defined_while) valid = limit(valid);
   result.write = for_shaft(own.write, cam_.parameters);
-  result.domain = for_shaft(own.domain, cam_.parameters);
+  if (!own.held.empty()) {  // whose places in a formula are those of the cam's own turn
+    result.held.clear();
+    result.write = {};
+  }
+  result.domain = own.held.empty() ? for_shaft(own.domain, cam_.parameters) : Write();
   if (own.turn) {
     ShaftTurn turn{{}, for_shaft(own.turn->sided, cam_.parameters)};
     for (const Write& meet : own.turn->breaks) {
@@ -184,7 +188,9 @@ BuildableCheck Renamed::check(const BuildableCheck& own) const {
   result.needs = names(own.needs);
   result.one_of = names(own.one_of);
   result.input = name(own.input);
-  if (!own.after.empty()) result.after = cam_.name + ": " + own.after;
+  result.only_with = name(own.only_with);
+  result.only_without = name(own.only_without);
+  for (std::string& first : result.after) first.insert(0, cam_.name + ": ");
   return result;
 }
 

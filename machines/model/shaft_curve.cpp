@@ -9,6 +9,7 @@
 #include "machines/model/arguments.h"
 #include "machines/model/cycle.h"
 #include "machines/model/enclosed.h"
+#include "machines/model/held_boxes.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/recorded_response.h"
@@ -181,14 +182,19 @@ ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
   const optim::Shape shape = curve.response->write
                                  ? ruled_shape(*curve.response, own, parameters).shape
                                  : optim::Shape::General;
-  ShaftParts::Held held{
-      curve.response->curve(own, shape), binding.constants[curve.phase], {}, own.variables, {}};
+  ShaftParts::Held held{curve.response->curve(own, shape),
+                        curve.phase ? binding.constants[*curve.phase] : 0,
+                        {},
+                        own.variables,
+                        {}};
   for (const LawVariable& v : own.law->variables()) held.variables.push_back(v.variable);
-  const auto phase = std::find(binding.parameters.begin(), binding.parameters.end(), curve.phase);
-  if (phase != binding.parameters.end()) {
-    held.phase_variable =
-        binding.variables[static_cast<std::size_t>(phase - binding.parameters.begin())];
+  const auto& varying = binding.parameters;
+  const auto phase =
+      curve.phase ? std::find(varying.begin(), varying.end(), *curve.phase) : varying.end();
+  if (phase != varying.end()) {
+    held.phase_variable = binding.variables[static_cast<std::size_t>(phase - varying.begin())];
   }
+  if (!curve.phase) held.response = curve.response;
   if (!held.curve->breaks_move()) held.breaks = held.curve->trace(own_design(binding))->breaks();
   return held;
 }
@@ -284,6 +290,11 @@ std::unique_ptr<optim::Trace> ShaftCurve::trace(optim::Design x) const {
   return std::make_unique<ShaftTrace>(parts_, x);
 }
 
+std::unique_ptr<OverBoxes> ShaftCurve::over_boxes(const Widened& wide, optim::Design x,
+                                                  TraceAt /*at*/) const {
+  return held_over_boxes(parts_, wide, x);
+}
+
 double ShaftCurve::memory() const {
   double bytes = 0;
   for (const ShaftParts::Held& h : parts_->held) bytes += h.curve->memory();
@@ -299,8 +310,8 @@ RuledShape shape_on_shaft(const MechanismResponse& response, const Binding& bind
   inputs.push_back({Varies::Not, Interval(0, 7)});  // the angle, rad: the place stays
   for (const HeldCurve& held : response.held) {
     const Binding own = binding_of(held, binding);
-    const bool turns =
-        std::binary_search(binding.parameters.begin(), binding.parameters.end(), held.phase);
+    const bool turns = held.phase && std::binary_search(binding.parameters.begin(),
+                                                        binding.parameters.end(), *held.phase);
     const bool stays = own.parameters.empty() && own.law->variables().empty();
     const bool is_linear =
         !turns && !stays && held.response->write &&
@@ -322,7 +333,8 @@ MechanismResponse shaft_curve_response(MechanismResponse response,
   const std::size_t others = 1 + response.held.size();
   std::vector<ParameterSet> used{used_parameters(response.write, parameters.size(), others)};
   for (const HeldCurve& held : response.held) {
-    used.insert(used.end(), {held.response->uses, {held.phase}});
+    used.push_back(held.response->uses);
+    if (held.phase) used.push_back({*held.phase});
     response.sees_law = response.sees_law || held.response->sees_law;
   }
   response.uses = united(std::move(used));

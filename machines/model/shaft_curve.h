@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "machines/model/box_traces.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recent.h"
 #include "machines/model/recorded_kernel.h"
@@ -15,7 +16,8 @@
 #include "optim/problem/curve.h"
 
 /// Curves over the turn of a shaft that several cams stand on, each at its phase: formulas of the
-/// shaft's angle and of the cams' own curves (docs/theory.md, "Several cams on one shaft").
+/// shaft's angle and of the cams' own curves (docs/theory.md, "Several cams on one shaft"). A
+/// machine alone has such curves too: formulas of its own curves, all at one angle.
 namespace camlaw::problems {
 
 /// Completes such a curve, which has write, held and, where it is known, domain.
@@ -39,6 +41,8 @@ struct ShaftParts {
     std::optional<std::size_t> phase_variable;  ///< of the design
     std::vector<std::size_t> variables;         ///< of the design: what the curve depends on
     std::vector<double> breaks;                 ///< where they are the same at every design
+    /// Of a curve of the machine itself, at no phase; else null.
+    std::shared_ptr<const MechanismResponse> response = {};
 
     double phase_at(optim::Design x) const { return phase_variable ? x[*phase_variable] : phase; }
   };
@@ -70,7 +74,7 @@ struct ShaftParts {
 
 /// Such a curve over the variables of a binding. A place may be tied to a break of a cam: there the
 /// shaft turns as that break does, with the cam's phase and with the cam's own joint.
-class ShaftCurve final : public optim::Curve {
+class ShaftCurve final : public optim::Curve, public BoundedOverBoxes {
  public:
   ShaftCurve(ShaftParts parts, optim::Shape shape);
 
@@ -81,6 +85,9 @@ class ShaftCurve final : public optim::Curve {
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
   double memory() const override;
+  /// Of a curve that is made of the machine's own.
+  std::unique_ptr<OverBoxes> over_boxes(const Widened& wide, optim::Design x,
+                                        TraceAt at) const override;
 
  private:
   std::shared_ptr<const ShaftParts> parts_;

@@ -197,7 +197,7 @@ MechanismResponse shaft_rms(MechanismResponse response, const std::vector<HeldCu
   std::vector<PossibleBy> possible_by;
   for (const HeldCurve& held : curves) {
     const MechanismResponse& own = *held.response;
-    used.insert(used.end(), {own.uses, {held.phase}});
+    used.insert(used.end(), {own.uses, {*held.phase}});
     possible_by.push_back(own.possible_by);
     response.defined_while.insert(response.defined_while.end(), own.defined_while.begin(),
                                   own.defined_while.end());
@@ -210,10 +210,10 @@ MechanismResponse shaft_rms(MechanismResponse response, const std::vector<HeldCu
     std::vector<CamOnShaft> cams;
     for (const HeldCurve& held : curves) {
       auto record = turn_record(*held.response, narrowed(binding, *held.response));
-      cams.push_back({record, variables.size(), binding.constants[held.phase], {}});
+      cams.push_back({record, variables.size(), binding.constants[*held.phase], {}});
       variables.insert(variables.end(), record->variables.begin(), record->variables.end());
       const auto& varying = binding.parameters;
-      const auto phase = std::find(varying.begin(), varying.end(), held.phase);
+      const auto phase = std::find(varying.begin(), varying.end(), *held.phase);
       if (phase == varying.end()) continue;
       cams.back().varying = variables.size();
       variables.push_back(binding.variables[static_cast<std::size_t>(phase - varying.begin())]);

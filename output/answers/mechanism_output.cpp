@@ -114,17 +114,22 @@ std::string needs_of(const problems::BuildableCheck& check) {
 Table mechanism_checks(const Mechanism& mechanism) {
   Table table{.key = "checks",
               .columns = {names("check", "name"), words("limits", "response"), data("side"),
-                          words("needs", "needs"), data("one_of"), data("input"),
-                          words("where it fails", "fault")}};
+                          words("needs", "needs"), data("one_of"), data("input"), data("only_with"),
+                          data("only_without"), words("where it fails", "fault")}};
   for (const auto& check : mechanism.checks) {
-    table.add({check.name,
-               {fmt::format("{} from {}", check.response, check.is_upper ? "above" : "below"),
-                check.response},
-               datum(check.is_upper ? "upper" : "lower"),
-               {needs_of(check), check.needs},
-               datum(check.one_of),
-               datum(check.input.empty() ? Json(nullptr) : Json(check.input)),
-               check.fault});
+    const std::string without =
+        check.only_without.empty() ? "" : fmt::format(", without {}", check.only_without);
+    table.add(
+        {check.name,
+         {fmt::format("{} from {}{}", check.response, check.is_upper ? "above" : "below", without),
+          check.response},
+         datum(check.is_upper ? "upper" : "lower"),
+         {needs_of(check), check.needs},
+         datum(check.one_of),
+         datum(check.input.empty() ? Json(nullptr) : Json(check.input)),
+         datum(check.only_with.empty() ? Json(nullptr) : Json(check.only_with)),
+         datum(check.only_without.empty() ? Json(nullptr) : Json(check.only_without)),
+         check.fault});
   }
   return table;
 }

@@ -103,16 +103,11 @@ Closure closure_of(const ProblemStatement& problem, std::optional<std::size_t> c
   return Closure::Force;
 }
 
-/// Of a problem's mechanism those that are made for its follower, of what it has.
-std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
-  std::vector<const BuildableCheck*> result;
-  for (const BuildableCheck& check : problem.mechanism->checks) {
-    const bool is_for = check.closure == Closure::Any ||
-                        check.closure == closure_of(problem, cam_of(problem, check));
-    const StatedNumber stated = stated_numbers(check, problem, problem.constants);
-    if (is_for && has_part_of(*problem.mechanism, check, stated)) result.push_back(&check);
-  }
-  return result;
+/// Whether the machine has what a check is made with, and not what it is made without.
+bool is_made_with(const BuildableCheck& check, const StatedNumber& stated) {
+  const auto has = [&](const std::string& parameter) { return stated(parameter).value_or(0) > 0; };
+  if (!check.only_with.empty() && !has(check.only_with)) return false;
+  return check.only_without.empty() || !has(check.only_without);
 }
 
 /// "mass is not stated", "neither speed nor mass is stated", "none of speed, mass and spring_rate
@@ -217,7 +212,9 @@ void await(std::vector<BuildableAnswer>& answers) {
   for (BuildableAnswer& answer : answers) {
     if (!answer.limit.of_check) continue;
     for (const BuildableAnswer& first : answers) {
-      if (first.check->name != answer.check->after || first.built == Built::Holds) continue;
+      const auto& after = answer.check->after;
+      const bool waits = std::find(after.begin(), after.end(), first.check->name) != after.end();
+      if (!waits || first.built == Built::Holds) continue;
       answer.built = Built::NotChecked;
       answer.why = fmt::format("{} {}", first.check->name,
                                first.built == Built::Fails ? "fails" : "is not checked");
@@ -290,6 +287,19 @@ void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
 }
 
 }  // namespace
+
+std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
+  std::vector<const BuildableCheck*> result;
+  for (const BuildableCheck& check : problem.mechanism->checks) {
+    const bool is_for = check.closure == Closure::Any ||
+                        check.closure == closure_of(problem, cam_of(problem, check));
+    const StatedNumber stated = stated_numbers(check, problem, problem.constants);
+    if (is_for && is_made_with(check, stated) && has_part_of(*problem.mechanism, check, stated)) {
+      result.push_back(&check);
+    }
+  }
+  return result;
+}
 
 bool runs_in_groove(const ProblemStatement& problem) {
   return closure_of(problem, {}) == Closure::Form;

@@ -40,6 +40,9 @@ struct Buildability {
 /// Of a statement's constants, inputs and starts.
 Buildability buildability(const ProblemStatement& design);
 
+/// Of a problem's mechanism the checks that are made for its follower, of what it has.
+std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem);
+
 /// Whether the roller runs in a groove: the problem asks for what grooves alone have.
 bool runs_in_groove(const ProblemStatement& problem);
 

@@ -8,6 +8,7 @@
 
 #include "machines/contact/crowned_roller.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/variation.h"
 
@@ -54,6 +55,54 @@ bool counts(const ProblemStatement& design, const std::string& parameter,
          std::any_of(design.constraints.begin(), design.constraints.end(), is_asked);
 }
 
+/// Whether a problem states that a roller is crowned, itself or by a part that it names.
+bool states_crown(const ProblemStatement& design, const std::string& parameter) {
+  const auto& parameters = design.mechanism->parameters;
+  return std::any_of(design.stated.begin(), design.stated.end(),
+                     [&](std::size_t i) { return parameters[i].name == parameter; });
+}
+
+/// Of a response of the line contact the one of a crowned roller; empty of others.
+std::string crowned_name(const std::string& of_line) {
+  if (of_line == "contact_stress") return "crown_stress";
+  if (of_line == "elastic_contact_stress") return "elastic_crown_stress";
+  if (of_line == "max_shear") return "crown_shear";
+  if (of_line == "shear_depth") return "crown_shear_depth";
+  if (of_line == "film_thickness") return "crown_film";
+  if (of_line == "lambda_ratio") return "crown_lambda";
+  return {};
+}
+
+/// Where a limit, an objective or a check is about a
+/// contact along the whole face, which a crowned roller does not have. Of a shaft's cam the names
+/// begin with `prefix`.
+void add_of_line_contact(const ProblemStatement& design, const std::string& prefix,
+                         std::vector<Caution>& found) {
+  if (!states_crown(design, prefix + "crown_radius")) return;
+  std::vector<std::string> asked;
+  const auto ask = [&](const MechanismResponse* response) {
+    if (response == nullptr) return;
+    const std::string name = response->in_case ? response->in_case->response : response->name;
+    if (!name.starts_with(prefix)) return;
+    const std::string own = name.substr(prefix.size());
+    if (crowned_name(own).empty()) return;
+    if (std::find(asked.begin(), asked.end(), own) == asked.end()) asked.push_back(own);
+  };
+  for (const ObjectiveStatement& o : design.objectives) ask(o.response.response);
+  for (const ConstraintStatement& c : design.constraints) ask(c.response.response);
+  for (const BuildableCheck* check : checks_for(design)) {
+    const bool is_made = design.buildable.inputs.contains(prefix + "allowable_pressure");
+    if (is_made) ask(find_response(*design.mechanism, check->response).response);
+  }
+  for (const std::string& own : asked) {
+    found.push_back(
+        {fmt::format("{}{} is that of a line contact, and the roller is crowned", prefix, own),
+         fmt::format("a crowned roller bears on an ellipse, where the stress is higher "
+                     "and the film thinner; see {}{}",
+                     prefix, crowned_name(own))});
+  }
+}
+
 /// Where the crown of a roller counts: a contact outside of what its formulas are checked for. On a
 /// shaft each cam's names have a prefix.
 void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
@@ -61,6 +110,7 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
   for (const MechanismResponse& response : design.mechanism->responses) {
     if (!response.name.ends_with(kElongation)) continue;
     const std::string prefix = response.name.substr(0, response.name.size() - kElongation.size());
+    add_of_line_contact(design, prefix, found);
     if (!counts(design, prefix + "crown_radius", prefix + "crown_")) continue;
     const EvaluatedResponse known = evaluate_response(design, response);
     const bool is_long = known.highest > kKnownElongation;

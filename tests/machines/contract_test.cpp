@@ -38,7 +38,12 @@ std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismRes
   std::vector<std::string> units;
   for (const MechanismParameter& p : mechanism.parameters) units.push_back(p.unit);
   for (const InnerNumber& inner : response.inner) units.push_back(inner.unit);
-  if (response.curve) units.insert(units.end(), other_names(response).size(), "1");
+  if (!response.held.empty()) {
+    units.emplace_back("rad");
+    for (const HeldCurve& held : response.held) units.push_back(held.response->unit);
+  } else if (response.curve) {
+    units.insert(units.end(), other_names(response).size(), "1");
+  }
   return units;
 }
 

@@ -89,7 +89,8 @@ TEST_CASE("every response gives the numbers that were recorded of it", "[machine
     const auto& row = rows[place->second];
     ++looked_at;
     // Formulas to the last digits, what is searched for as near as searches end.
-    const double tolerance = response.write && response.inner.empty() ? 1e-13 : 1e-9;
+    const double tolerance =
+        response.write && response.inner.empty() && response.held.empty() ? 1e-13 : 1e-9;
     for (std::size_t design = 0; design < kDesigns; ++design) {
       INFO("design " << design);
       const double recorded = std::stod(row.at(fmt::format("{}", design)));

@@ -708,8 +708,10 @@ TEST_CASE("every check of every mechanism names what there is", "[buildable]") {
       for (const std::string& needed : check.one_of) CHECK(is_known(needed));
       CHECK((check.input.empty() || find_input(mechanism, check.input) != nullptr));
       CHECK((check.after.empty() ||
-             std::any_of(mechanism.checks.begin(), mechanism.checks.end(),
-                         [&](const auto& other) { return other.name == check.after; })));
+             std::any_of(mechanism.checks.begin(), mechanism.checks.end(), [&](const auto& other) {
+               return std::find(check.after.begin(), check.after.end(), other.name) !=
+                      check.after.end();
+             })));
       ++count;
     }
   }

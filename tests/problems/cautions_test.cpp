@@ -80,6 +80,18 @@ TEST_CASE("a contact of a crowned roller beyond its formulas is named, where the
   // asked.
   CHECK(with("disc-cam-roller", "roller_radius = 0.5\n", "").empty());
   CHECK(with("disc-cam-roller", "roller_radius = 0.5\n", limit).size() == 1);
+  // A limit of the line contact beside a stated crown.
+  const auto of_line = with("disc-cam-roller", "crown_radius = '300 mm'\n",
+                            "[[constraints]]\nresponse = 'max_shear'\nupper = 900\n");
+  REQUIRE(of_line.size() == 1);
+  CHECK_THAT(of_line[0],
+             Contains("max_shear is that of a line contact") && Contains("crown_shear"));
+  const auto checked = with("disc-cam-roller", "crown_radius = '300 mm'\nface_width = 12\n",
+                            "[buildable]\nallowable_pressure = 900\n");
+  REQUIRE(checked.size() == 1);
+  CHECK_THAT(checked[0], Contains("contact_stress") && Contains("crown_stress"));
+  CHECK(with("disc-cam-roller", "", "[[constraints]]\nresponse = 'max_shear'\nupper = 900\n")
+            .empty());
   // A crown that is sharper than the roller.
   const auto sharp = with("disc-cam-roller", "crown_radius = '3 mm'\n", "");
   REQUIRE(sharp.size() == 1);

@@ -121,4 +121,43 @@ TEST_CASE("the second cam of a pair stands on its base circle when the carriage 
   CHECK_FALSE(is_possible(cam));
 }
 
+TEST_CASE("the film of a pair is that of the roller on the cam that bears", "[cams]") {
+  ConjugateCam<double> cam;
+  cam.offset = 0.009;
+  cam.viscosity = 0.08;
+  const double modulus = cam.youngs_modulus / 0.91;
+  int of_main = 0, of_second = 0;
+  for (double angle = 0.1; angle < 6.2; angle += 0.1) {
+    const auto f = motion_at(cam, angle);
+    if (cam.follower().force(f) == 0) continue;  // a dwell, in which nothing presses
+    const bool is_main = cam.follower().force(f) > 0;
+    const RollerCam<double> own = is_main ? cam.main() : cam.second();
+    const auto g = is_main ? f : cam.second_motion(f);
+    ++(is_main ? of_main : of_second);
+    const double pressed = std::abs(cam.contact_force(f)) / cam.face_width;
+    // How fast the contact runs along the profile, from where it is.
+    const double h = 1e-6;
+    const auto touch = [&](double at) {
+      const auto moved = motion_at(cam, at);
+      const auto [x, y] = own.pitch_curve(is_main ? moved : cam.second_motion(moved))
+                              .inside(cam.roller_radius)
+                              .place();
+      return on_cam({x, y}, at);
+    };
+    const double speed =
+        std::abs(touch(angle + h) - touch(angle - h)) / (2 * h) * cam.angular_speed;
+    const double sum = own.roller().curvature_sum(own.pitch_curve(g).curvature());
+    const double film = 2.65 / sum * std::pow(0.08 * speed * sum / modulus, 0.7) *
+                        std::pow(2e-8 * modulus, 0.54) * std::pow(pressed * sum / modulus, -0.13);
+    CHECK(cam.film(FilmCurve::Thickness, f) == Approx(film).epsilon(1e-5));
+    CHECK(cam.film(FilmCurve::Lambda, f) == Approx(film / 4e-7).epsilon(1e-5));
+    // The crown: a point contact's film is thinner than that of the whole face.
+    CHECK(cam.film(FilmCurve::CrownThickness, f) < film);
+    CHECK(cam.film(FilmCurve::CrownLambda, f) ==
+          Approx(cam.film(FilmCurve::CrownThickness, f) / 4e-7).epsilon(1e-12));
+  }
+  CHECK(of_main > 10);
+  CHECK(of_second > 10);
+}
+
 }  // namespace camlaw::conjugate_cam_test
