@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "numerics/tables/turn.h"
+#include "problems/statement/problem_format.h"
 #include "problems/statement/program_units.h"
 
 namespace camlaw::problems {
@@ -115,9 +116,10 @@ FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
   FoundProgram result;
   std::string& text = result.problem;
   text = fmt::format(
-      "# A measured cam. Its angle 0 is at {} deg of the measurement.\ntitle = \"A measured "
+      "# A measured cam. Its angle 0 is at {} deg of the measurement.\nformat = \"{}\"\ntitle = "
+      "\"A measured "
       "cam\"\nmechanism = \"{}\"\n\n[constants]\n{}\n[program]\nmatched = \"displacement\"\n",
-      number(turn.phases.front().begin), machine.mechanism->name,
+      number(turn.phases.front().begin), kProblemFormat.text(), machine.mechanism->name,
       sizes_text(sizes_of(fit.cam, turn), machine));
   for (std::size_t i = 0; i < turn.phases.size(); ++i) {
     const Phase& p = turn.phases[i];

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "machines/usual_problem.h"
+#include "problems/statement/problem_format.h"
 
 namespace camlaw::problems {
 namespace {
@@ -118,8 +119,8 @@ std::string head_part(const Mechanism& mechanism) {
              "cm\".\n"
              "# A line starting with '#' and no space is an optional setting: remove the '#' to "
              "use it.\n\n"
-             "title = \"My first {0}\"\nmechanism = \"{0}\"\n",
-             mechanism.name);
+             "format = \"{1}\"\ntitle = \"My first {0}\"\nmechanism = \"{0}\"\n",
+             mechanism.name, kProblemFormat.text());
 }
 
 std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual) {

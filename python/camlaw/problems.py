@@ -112,6 +112,7 @@ class Problem(Searches):
             held=held,
         )
         laws = {name: law._native for name, law in held.items()}
+        table = {"format": native.problem_format, **table}
         self._native = native.problem(toml_text(table), _text(source, "source"), laws)
 
     @classmethod
