@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/known_names.h"
 #include "numerics/tables/turn.h"
 #include "problems/statement/problem_format.h"
 #include "problems/statement/program_units.h"
@@ -90,11 +91,12 @@ std::string sizes_text(const FoundSizes& sizes, const ProblemStatement& machine)
   std::string text;
   const auto& parameters = machine.mechanism->parameters;
   const auto stroke = stroke_of(*machine.mechanism);
+  const auto base_radius = parameter_called(*machine.mechanism, known::kBaseRadius);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const MechanismParameter& p = parameters[i];
     double value = machine.constants[i];
     if (stroke == i) value = sizes.stroke;
-    if (p.name == "base_radius") value = sizes.base_radius;
+    if (base_radius == i) value = sizes.base_radius;
     text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
                           : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
   }

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <set>
 
+#include "machines/model/known_names.h"
 #include "machines/usual_problem.h"
 #include "problems/statement/problem_format.h"
 
@@ -132,8 +133,7 @@ std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual
     (matters ? fixed : optional) +=
         words_on(p) + assignment(matters ? kFixed : kOptional, p.name, value_of(p, usual), p.unit);
   }
-  const bool turns = std::any_of(mechanism.parameters.begin(), mechanism.parameters.end(),
-                                 [](const MechanismParameter& p) { return p.name == "speed"; });
+  const bool turns = parameter_called(mechanism, known::kSpeed).has_value();
   const char* const ranges = turns ? "# A limit can hold over a whole range of speeds: "
                                      "[ranges.speed] with lower and upper.\n"
                                    : "";
