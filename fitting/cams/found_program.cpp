@@ -35,7 +35,8 @@ std::vector<Phase> phases_of(const std::vector<MotionFit>& fits) {
       phases.begin(), phases.end(), [](const Phase& a, const Phase& b) { return a.from < b.from; });
   const double first = lowest->begin;
   for (Phase& p : phases) {
-    const double shift = kTurnDegrees * std::floor((p.begin - first) / kTurnDegrees + 1e-9);
+    constexpr double kRounding = 1e-9;  // of a turn: what begins with the first one stays there
+    const double shift = kTurnDegrees * std::floor((p.begin - first) / kTurnDegrees + kRounding);
     p.begin -= shift, p.end -= shift;
   }
   std::sort(phases.begin(), phases.end(),
