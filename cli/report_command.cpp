@@ -189,18 +189,18 @@ Command report_command() {
       .name = "report",
       .help =
           "Write a page for the browser about a design, a front or a sweep, or comparing designs",
-      .options =
-          {{.names = "INPUT",
-            .target = &options->inputs,
-            .takes = takes::kFile,
-            .help = "a problem file (.toml), at its own values, a result of 'camlaw "
-                    "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db); "
-                    "two to four problem files or results are compared on one page",
-            .required = true},
-           set_option(options->settings),
-           {"-o,--out", &options->output, takes::kFile,
-            "the HTML file (beside the input, under its name; of several comparison.html beside "
-            "the first)"}},
+      .options = {{.names = "INPUT",
+                   .target = &options->inputs,
+                   .takes = takes::kFile,
+                   .help =
+                       "a problem file (.toml), at its own values, a result of 'camlaw "
+                       "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db); "
+                       "two to four problem files or results are compared on one page",
+                   .required = true},
+                  set_option(options->settings),
+                  {"-o,--out", &options->output, takes::kFile,
+                   "the HTML file (by default next to the input, with its name; for several inputs "
+                   "comparison.html next to the first)"}},
       .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
                     "the design at the file's own values, on one page"},
                    {"camlaw report problems/cams/roller_least_base.toml "

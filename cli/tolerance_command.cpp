@@ -173,9 +173,8 @@ Command tolerance_command() {
             "find the tolerance the shop must hold if the peaks of acceleration, force and contact "
             "stress may grow by this share, such as '10 %'"},
            {"--samples", &options->samples, takes::kNumber,
-            "number of parts from which the yield is estimated (100000; fewer where a limit must "
-            "be "
-            "searched anew for each part)"},
+            "number of parts from which the yield is estimated (100000; fewer if a limit needs "
+            "a search for each part)"},
            {"--seed", &options->seed, takes::kNumber, "seed of the samples (1)"},
            workers_option(options->workers),
            executor_option(options->executor),

@@ -17,7 +17,7 @@ class Compass final : public Solver {
   bool is_global() const override { return false; }
   std::optional<std::string> refusal(const Program& program) const override {
     if (program.rows() == 0) return {};
-    return "compass takes no constraints beside bounds on the variables";
+    return "compass takes no constraints besides bounds on the variables";
   }
   std::vector<NativeRule> native_rules() const override {
     return {{.name = "first_step", .lower = 0, .above_lower = true}};

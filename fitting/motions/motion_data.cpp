@@ -45,7 +45,7 @@ std::optional<std::string> taken_as_plain(const SampleColumn& angle) {
   if (angle.values.empty() || !(*high - *low > kNearly * kTurn)) return {};
   return fmt::format(
       "column '{}' states no unit and covers a turn of radians: read as plain numbers, which do "
-      "not begin anew; write '{} [rad]'",
+      "not start again after a turn; write '{} [rad]'",
       angle.name, angle.name);
 }
 

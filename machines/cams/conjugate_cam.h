@@ -59,7 +59,10 @@ struct ConjugateCam {
   }
   auto conditions() const {
     using std::sqrt;
-    const T inside = roller_radius * roller_radius - offset * offset;
+    // Of an offset beyond the roller's radius this is a constant: the root of one above 0, a
+    // nanometre here, has derivatives, the root of 0 has none.
+    const T least = number<T>(1e-18);  // m^2
+    const T inside = greater_of(roller_radius * roller_radius - offset * offset, least);
     return joined(
         main().conditions(),
         std::to_array<Condition<T>>(
@@ -67,7 +70,7 @@ struct ConjugateCam {
              {second_height(),
               "roller_distance must be above stroke + sqrt((base_radius + roller_radius)^2 - "
               "offset^2)"},
-             {second_height() - sqrt(greater_of(inside, number<T>(0))),
+             {second_height() - sqrt(inside),
               "roller_distance must be so far above stroke + sqrt((base_radius + "
               "roller_radius)^2 - offset^2) that the second cam has a base radius"}}));
   }

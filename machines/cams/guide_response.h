@@ -25,8 +25,8 @@ template <template <class> class M>
 MechanismResponse overhang_response() {
   return curve_response<M>(
       {"guide_overhang", "mm", "m",
-       "distance of the follower's contact from its guide: overhang less the displacement; below 0 "
-       "the contact would enter the guide"},
+       "distance of the contact from its guide, overhang less displacement; below 0 the contact "
+       "would enter the guide"},
       turn_of_the_cam(), [](const auto& cam) {
         return [cam](const auto& motion) { return guide_overhang(cam, cam.over_angle(motion)); };
       });

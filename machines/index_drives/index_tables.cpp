@@ -55,8 +55,8 @@ Parameters turret_crown() {
 Parameters table_train() {
   Parameters all = oscillating_train();
   all.front().meaning =
-      "stiffness between the turret and the table at the end of the train; 0 stands for a rigid "
-      "one, without the responses of its end";
+      "stiffness of the train between turret and table; 0 stands for a rigid train, without the "
+      "responses of its end";
   return all;
 }
 

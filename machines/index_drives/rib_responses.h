@@ -41,6 +41,13 @@ inline const char* place_words(RollerPlace place) {
                                       : " at the roller's end towards the cam's axis";
 }
 
+/// The place in few words, for lines that say more than it.
+inline const char* short_place(RollerPlace place) {
+  return place == RollerPlace::Middle ? "mid-roller"
+         : place == RollerPlace::Root ? "the roller's root"
+                                      : "the roller's tip";
+}
+
 /// Of a driving roller at the angle psi.
 template <class Drive, class X>
 X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
@@ -113,11 +120,10 @@ std::vector<MechanismResponse> contact_lines() {
       for (const int coordinate : {0, 1, 2}) {
         const std::string name = std::string(side == kDrives ? "" : "second_") +
                                  place_prefix(place) + "contact_" + "xyz"[coordinate];
-        const std::string meaning = std::string("line of contact on the ") +
-                                    (side == kDrives ? "driving" : "holding") + " flank" +
-                                    place_words(place) +
-                                    ", in the cam's own coordinates; in a dwell at a "
-                                    "hand-over it is of the roller that takes over";
+        const std::string meaning =
+            std::string(side == kDrives ? "driving" : "holding") + " flank contact at " +
+            short_place(place) +
+            ", in cam coordinates; in a dwell at a hand-over, of the roller that takes over";
         all.push_back(listed_curve<M>(
             {name, "mm", "m", meaning}, turn_of_the_cam(), ContactPlace{coordinate, place, side},
             [](const auto& drive, const ContactPlace& which, const auto& motion, const auto& x) {

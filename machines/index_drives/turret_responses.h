@@ -58,8 +58,8 @@ inline TrainWords table_words() {
               "torque that turret, elastic train and load require, without friction; below "
               "0 the holding flank bears",
           .lost =
-              "lowest speed at which the elastic train presses the turret against the holding "
-              "flank, without friction; undefined if none is found",
+              "lowest speed at which the holding flank bears, with the elastic train and no "
+              "friction; undefined if none is found",
           .least =
               "least torque with the elastic train, without friction; above 0 the driving "
               "flank bears all round",

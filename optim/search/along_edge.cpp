@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "optim/problem/interrupted.h"
+#include "optim/search/held_inside.h"
 #include "optim/search/local.h"
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/unproved.h"
@@ -48,10 +49,27 @@ bool is_beside(const std::vector<Edge>& edges, Design x) {
   });
 }
 
-/// The problem with each margin limited to that share of its change at least.
-Problem kept_from(const Problem& problem, const std::vector<Edge>& edges, double share) {
+/// Draws a design where a margin is less than half of its bound back to where it is that.
+IntoDomain into_domain(const std::vector<Edge>& edges, double share,
+                       const std::vector<double>& inside) {
+  std::vector<double> least;
+  for (const Edge& edge : edges) {
+    least.push_back(std::min(0.5 * share * edge.change, 0.5 * edge.margin.value(inside)));
+  }
+  return drawn_towards(inside, [edges, least = std::move(least)](Design x) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!(edges[i].margin.value(x) >= least[i])) return false;
+    }
+    return true;
+  });
+}
+
+/// The problem with each margin limited to that share of its change at least, and with numbers
+/// beyond these limits too.
+Problem kept_from(const Problem& problem, const std::vector<Edge>& edges, double share,
+                  const std::vector<double>& inside) {
   constexpr double kTolerance = 0.1;  // of the bound
-  Problem result = problem;
+  Problem result = held_inside(problem, into_domain(edges, share, inside));
   result.domain = {};
   for (const Edge& edge : edges) {
     const double least = share * edge.change;
@@ -81,8 +99,15 @@ bool is_taken(const Problem& problem, const Assessment& fresh, const Assessment&
   return std::abs(fresh.objective.value - old.objective.value) <= 2 * cost;
 }
 
+/// The distances of one search after the other, as shares of what a margin changes over the
+/// variables' ranges: below the last, rounding moves limits that follow the root of a margin by
+/// more than the tolerances that go with the distance.
+constexpr std::array kShares{1e-2, 1e-4, 1e-6, 1e-7, 1e-8};
+/// From this distance on an answer may be the last.
+constexpr double kFirstToStay = 1e-7;
+
 void search_along(const Setting& setting, Trail& trail) {
-  constexpr std::array kShares{1e-2, 1e-4, 1e-6, 1e-7};
+  constexpr double kDear = 1e-6;  // of the objective's size, what a nearer design may gain
   const Problem& problem = setting.problem;
   Found& found = trail.found;
   std::vector<double> x = problem.start();
@@ -96,21 +121,27 @@ void search_along(const Setting& setting, Trail& trail) {
   own.starts = 1;
   for (const double share : kShares) {
     if (setting.deadline.passed() || is_settled(found.assessment)) return;
-    Problem within = kept_from(setting.original, edges, share);
+    Problem within = kept_from(setting.original, edges, share, x);
     for (std::size_t i = 0; i < x.size(); ++i) within.variables[i].start = x[i];
     const Found next = search_continuous(within, own, setting.deadline, false);
     found.add_work(next);
     if (!has_numbers(next) || !is_feasible(next.assessment)) continue;
+    std::optional<double> cost;
+    if (share <= kFirstToStay) {
+      cost = cost_of_distance(within, next.assessment, setting.original.constraints.size());
+    }
+    if (!cost && !trail.at_edge.x.empty()) return;  // nothing is known of a nearer one
     x = trail.last = next.x;
     Sizes there = sizes(problem, x);
     Assessment judged = assess(problem, there, x, false);
-    std::optional<double> cost;
-    if (share == kShares.back()) {
-      cost = cost_of_distance(within, next.assessment, setting.original.constraints.size());
+    const bool is_last = cost && *cost <= kDear * there.objective;
+    if (is_taken(problem, judged, found.assessment, cost.value_or(0))) {
+      trail.take(x, std::move(there), std::move(judged));
+      found.status = next.status;
+      found.solver = next.solver;
+      if (cost) trail.at_edge = {x, *cost};
     }
-    if (!is_taken(problem, judged, found.assessment, cost.value_or(0))) continue;
-    trail.take(x, std::move(there), std::move(judged));
-    trail.at_edge = cost ? SettledAtEdge{x, *cost} : SettledAtEdge();
+    if (is_last) return;
   }
 }
 

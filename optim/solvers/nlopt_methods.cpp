@@ -36,7 +36,7 @@ std::optional<std::string> row_refusal(const NloptMethod& method, const Program&
   }
   if (method.augmented || method.takes == Takes::AllRows) return {};
   if (method.takes == Takes::NoRows) {
-    return fmt::format("{} takes no constraints beside bounds on the variables", method.name);
+    return fmt::format("{} takes no constraints besides bounds on the variables", method.name);
   }
   if (equations > 0) return fmt::format("{} takes no equations", method.name);
   if (method.algorithm == NLOPT_GN_AGS && sides > kAgsSides) {

@@ -77,7 +77,7 @@ void check_alone(const std::string& path, const std::string& place) {
     if (!fs::exists(fs::symlink_status(place + ending, ignored))) continue;
     if (fs::exists(place, ignored)) return;  // another program has just begun it: its own log
     refuse_study(path,
-                 fmt::format("'{}{}' stands beside it, which may hold the last searches of a study "
+                 fmt::format("'{}{}' is next to it and may hold the last searches of a study "
                              "that was moved away; put that study back, or move this file away",
                              place, ending));
   }

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "machines/model/response_text.h"
 #include "machines/registry.h"
@@ -133,6 +137,18 @@ Table mechanism_inputs(const Mechanism& mechanism) {
   return table;
 }
 
+/// A page's list of its headings, each a link; the anchor of a heading is in small letters.
+std::string contents_of(const std::vector<std::string>& headings) {
+  std::string contents;
+  for (const std::string& heading : headings) {
+    std::string anchor = heading;
+    for (char& c : anchor) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    contents +=
+        fmt::format("{}[{}](#{})", contents.empty() ? "\n**Contents:** " : " ·\n", heading, anchor);
+  }
+  return contents + "\n";
+}
+
 }  // namespace
 
 Document mechanism_document(const Mechanism& mechanism) {
@@ -199,12 +215,9 @@ Document mechanisms_page() {
       "its\nparameters and limits or optimises its responses "
       "([problem-files.md](problem-files.md)). Of a curve, a file names\n`peak`, `highest` or "
       "`lowest` of it. The formulas of each are in [machine-formulas](machine-formulas).\n");
-  std::string contents;
-  for (const Mechanism& m : problems::mechanisms()) {
-    contents +=
-        fmt::format("{}[{}](#{})", contents.empty() ? "\n**Contents:** " : " ·\n", m.name, m.name);
-  }
-  page.say(contents + "\n");
+  std::vector<std::string> headings;
+  for (const Mechanism& m : problems::mechanisms()) headings.push_back(m.name);
+  page.say(contents_of(headings));
   for (const Mechanism& m : problems::mechanisms()) page.add(mechanism_document(m));
   return page;
 }
@@ -214,17 +227,24 @@ Document formulas_page(const Mechanism& mechanism) {
   page.add(Heading{fmt::format("Formulas of {}", mechanism.name), 1});
   page.say(fmt::format(
       "Printed by `camlaw mechanisms {0} --formulas` from what is computed. Quantities are in SI "
-      "units and\nangles in rad; a response is then given in the unit beside its name. The symbols "
+      "units and\nangles in rad; a response is then given in the unit below its name. The symbols "
       "are those of\n[mechanisms.md](../mechanisms.md#{0}). $s$ is the displacement in strokes "
       "over the cycle $x$ from 0 to 1, $\\varphi$ the angle of\na shaft. $[\\dots]_{{y > 0}}$ has "
       "a value only where $y$ is positive.\n",
       mechanism.name));
+  std::vector<std::string> headings;
+  Document formulas;
   for (const auto& response : mechanism.responses) {
     if (!response.write) continue;
-    page.say(fmt::format("\n`{}`, {}: {}\n\n$$\n{}\n$$\n", response.name,
-                         response.unit == "1" ? "a plain number" : response.unit, response.meaning,
-                         formula_latex(mechanism, response)));
+    headings.push_back(response.name);
+    formulas.add(Heading{response.name});
+    formulas.say(
+        fmt::format("{}: {}\n\n$$\n{}\n$$\n",
+                    response.unit == "1" ? "A plain number" : fmt::format("In {}", response.unit),
+                    response.meaning, formula_latex(mechanism, response)));
   }
+  page.say(contents_of(headings));
+  page.add(std::move(formulas));
   return page;
 }
 

@@ -68,11 +68,12 @@ void say_bridging(const WaveEffects& waves, Document& document) {
 void say_left_out(const WaveEffects& waves, Document& document) {
   constexpr double kWorthSaying = 1e-3;
   if (!waves.left_out || *waves.left_out < kWorthSaying) return;
-  document.say(fmt::format(
-      "  waves of this height are not small beside the cam: the changes may be off by about {:.2g} "
-      "%{}\n",
-      100 * *waves.left_out,
-      *waves.left_out > problems::kMostLeftOut ? ", so that nothing is proved" : ""));
+  document.say(
+      fmt::format("  waves of this height are not small compared with the cam: the changes may be "
+                  "off by about {:.2g} "
+                  "%{}\n",
+                  100 * *waves.left_out,
+                  *waves.left_out > problems::kMostLeftOut ? ", so that nothing is proved" : ""));
 }
 
 void add_waviness(const ProfileAnswer& answer, Document& document) {

@@ -174,9 +174,10 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
 }
 
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
+  const bool nothing_fails = !answer.worst.empty() && answer.nothing_fails(varied.variations);
+  if (nothing_fails) document.say("\nyield: every part meets every limit, proved\n");
   if (!answer.yield) return;
   const optim::Yield& y = *answer.yield;
-  const bool nothing_fails = answer.nothing_fails(varied.variations);
   document.fact("yield", 1 - y.failing);
   document.fact("yield_at_least", 1 - y.failing_at_most);
   document.fact("standard_error", y.error);
@@ -202,10 +203,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("grid_places", answer.grid.places);
   document.fact("searched_limits", answer.grid.without_grid);
   document.fact("cycle_left", answer.grid.left);
-  if (nothing_fails) {
-    document.say("\nyield: every part meets every limit, proved\n");
-    return;
-  }
+  if (nothing_fails) return;
   document.say(
       fmt::format("\nyield: {} of all parts meet every limit, an estimate (standard error {:.2g} "
                   "%; {} {}samples, "
@@ -222,15 +220,15 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
       fmt::format("  between {:.3g} % and {:.3g} % of all parts fail, at a confidence of 95 %\n",
                   100 * y.failing_between.lower, 100 * y.failing_between.upper));
   if (y.by_importance) {
-    document.say(
-        fmt::format("  away from the likeliest failures, where no sample fell, up to {:.2g} % may "
-                    "fail besides\n",
-                    100 * y.unseen_at_most));
+    document.say(fmt::format(
+        "  away from the likeliest failures, where no sample fell, up to {:.2g} % more may "
+        "fail\n",
+        100 * y.unseen_at_most));
   }
   if (answer.grid.without_grid > 0) {
     document.say(fmt::format(
-        "  {} of the limits {} searched anew for each part; --samples takes more parts\n",
-        answer.grid.without_grid, answer.grid.without_grid == 1 ? "is" : "are"));
+        "  {} of the limits {} a search for each part; use --samples N to count more parts\n",
+        answer.grid.without_grid, answer.grid.without_grid == 1 ? "needs" : "need"));
   }
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;

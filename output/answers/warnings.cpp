@@ -114,7 +114,7 @@ Warnings begins_with_parts(const problems::ProblemStatement& problem,
     if (part == nullptr || !part->is_chosen()) continue;
     warnings.push_back(
         fmt::format("{0} = {1} is where the search begins, and it may choose another row; choose = "
-                    "\"{1}\" beside its catalogue fixes it",
+                    "\"{1}\" next to its catalogue fixes it",
                     part->name, part->items[problems::item_named(*part, row)].name));
   }
   return warnings;

@@ -296,8 +296,8 @@ VerifiedDesign verified(const ReadDesign& read,
   const auto held = held_problem(read);
   if (!held)
     throw std::invalid_argument(
-        "no number varies in this result: a choice among laws alone is not judged again, "
-        "optimize makes it anew");
+        "no number varies in this result: verify does not judge a choice among laws alone; run "
+        "optimize again");
   VerifiedDesign result;
   result.found = held->problem.objectives.size() == 1 ? judged(*held) : judged_on_front(*held);
   if (also && held->problem.objectives.size() == 1) also(result.found);

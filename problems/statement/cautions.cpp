@@ -10,6 +10,7 @@
 #include "machines/model/known_names.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -34,9 +35,9 @@ void add_of_ends(const ProblemStatement& design, std::vector<Caution>& found) {
   const double end = law.derivatives<3>(1.0, Side::Left)[2];
   if (std::abs(begin) <= kNoJump && std::abs(end) <= kNoJump) return;
   found.push_back({"the acceleration jumps at an end of the law",
-                   fmt::format("s'' begins with {:.4g} and ends with {:.4g}; beside a dwell the "
-                               "jerk is infinite there, and the jerk that is limited or sought is "
-                               "that between the ends",
+                   fmt::format("s'' begins with {:.4g} and ends with {:.4g}; next to a dwell the "
+                               "jerk is infinite there, and limits and objectives use the jerk "
+                               "between the ends",
                                begin, end)});
 }
 
@@ -75,12 +76,27 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
   }
 }
 
+/// Variations of the law and the program: searches and their verdicts take these values as they
+/// stand.
+void add_of_varying_law(const ProblemStatement& design, std::vector<Caution>& found) {
+  std::string names;
+  for (const VariationStatement& variation : variations_of(design)) {
+    if (!variation.parameter.of_law) continue;
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", variation.name(),
+                         variation_text(variation, meant_value(design, variation)));
+  }
+  if (names.empty()) return;
+  found.push_back({"a variation of the motion is left out of this verdict",
+                   names + "; `camlaw tolerance` shows what it does to the limits"});
+}
+
 }  // namespace
 
 std::vector<Caution> cautions(const ProblemStatement& design) {
   std::vector<Caution> found;
   add_of_ends(design, found);
   add_of_crown(design, found);
+  add_of_varying_law(design, found);
   return found;
 }
 

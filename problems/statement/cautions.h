@@ -17,7 +17,9 @@ struct Caution {
   std::string text() const { return what + ": " + detail; }
 };
 
-/// Of a law whose jerk is sought or limited: an acceleration that jumps at its ends.
+/// Of a law whose jerk is sought or limited: an acceleration that jumps at its ends. Of a crowned
+/// roller: a contact beyond what its formulas are checked for. Of variations: those of the motion,
+/// which no search and no verdict counts.
 std::vector<Caution> cautions(const ProblemStatement& design);
 
 }  // namespace camlaw::problems

@@ -91,7 +91,8 @@ void say_impossible(const BoundProblem& bound, optim::Optimum& optimum) {
   } else if (assessment.verdict == optim::Verdict::Feasible) {
     const std::string why = condition_beside(bound, optimum);
     if (!why.empty())
-      assessment.reason += "; it ended beside machines that are not possible: " + why;
+      assessment.reason +=
+          "; it ended next to designs for which the machine is not possible: " + why;
   }
 }
 

@@ -14,7 +14,7 @@ namespace camlaw::problems {
 std::string why_impossible(const ProblemStatement& statement);
 
 /// Adds that to the reason of a search that found no numbers, where it ends at such values; and to
-/// that of one which ended beside them, without proof, the condition that fails there.
+/// that of one which ended next to them, without proof, the condition that fails there.
 void say_impossible(const BoundProblem& bound, optim::Optimum& optimum);
 
 }  // namespace camlaw::problems

@@ -63,13 +63,15 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
 bool ToleranceAnswer::nothing_fails(const std::vector<optim::Variation>& variations) const {
   const bool is_bounded = std::none_of(variations.begin(), variations.end(),
                                        [](const optim::Variation& v) { return v.is_normal; });
-  return is_bounded && cut_short.empty() &&
+  // Of work that ended before the worst parts were known nothing is proved.
+  return is_bounded && (cut_short.empty() || !worst.empty()) &&
          std::all_of(worst.begin(), worst.end(),
                      [](const WorstPart& part) { return part.holds == Holds::Proved; });
 }
 
 ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions& options) {
   constexpr std::size_t kSpreadSamples = 1000;  // each searches every limit and objective
+  constexpr std::size_t kProvedSamples = 1000;  // of a yield that no sample can change
   ToleranceAnswer answer;
   answer.samples_asked = options.samples;
   try {
@@ -77,7 +79,9 @@ ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions&
     answer.broken_alone = broken_alone(varied);
     answer.worst = worst_parts(varied);
     if (!varied.problem.constraints.empty()) {
-      answer.yield = yield_of(varied, options, answer.grid);
+      ToleranceOptions own = options;
+      if (!own.samples && answer.nothing_fails(varied.variations)) own.samples = kProvedSamples;
+      answer.yield = yield_of(varied, own, answer.grid);
     }
     const bool is_stopped = answer.yield && answer.yield->stopped;
     if (is_stopped && answer.yield->samples == 0) answer.yield.reset();

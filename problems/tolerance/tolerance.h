@@ -38,7 +38,7 @@ struct ToleranceAnswer {
 };
 
 struct ToleranceOptions {
-  /// Without: 100000, fewer where limits are searched anew for each part.
+  /// Without: 100000, fewer where limits need a search for each part.
   std::optional<std::size_t> samples = {};
   std::size_t least = 0;  ///< without samples: no fewer than these
   std::uint64_t seed = 1;

@@ -301,7 +301,7 @@ class Searches:
 
         tolerances: deviations, plus and minus, such as {"base_radius": "0.02 mm"}; without any, the
         problem's variations are used. samples: the number of parts from which the yield is estimated, by
-        default 100000, and fewer if a limit must be searched anew for each part. workers and executor:
+        default 100000, and fewer if a limit needs a search for each part. workers and executor:
         what counts the parts, as in pareto(), if that takes longer than a few seconds; the yield does not
         depend on them. record and resume: a file that keeps which parts have been counted, as in
         pareto(). time_limit: seconds, or a text such as "1 min", after which the answer is what is

@@ -57,7 +57,7 @@ TEST_CASE("a search that ends at values that make no machine names the condition
   CHECK(answer({"pareto", two, "--points", "3", "--json"})["why_impossible"] == why);
 }
 
-TEST_CASE("a search that ends beside impossible machines names their condition", "[program]") {
+TEST_CASE("a search that ends next to impossible machines names their condition", "[program]") {
   const Folder folder;
   const std::string path =
       file_of(folder, std::string("mechanism = 'disc-cam-oscillating-roller'\n[constants]\nswing = "
@@ -68,8 +68,9 @@ TEST_CASE("a search that ends beside impossible machines names their condition",
   const ParsedJson answer = ParsedJson::parse(run({"optimize", path, "--json"}).out);
   CHECK(answer["verdict"] == "feasible");
   CHECK_THAT(answer["reason"].get<std::string>(),
-             Contains("it ended beside machines that are not possible: base_radius + roller_radius "
-                      "must be above the difference of arm_length and pivot_distance"));
+             Contains("it ended next to designs for which the machine is not possible: "
+                      "base_radius + roller_radius must be above the difference of arm_length and "
+                      "pivot_distance"));
 }
 
 TEST_CASE("a follower that jams is said to, and where", "[program]") {

@@ -201,4 +201,45 @@ upper = 35
   }
 }
 
+TEST_CASE("the margins of a machine's conditions have slopes wherever there is a machine",
+          "[mechanism]") {
+  // A search that keeps them above 0 needs these.
+  constexpr int kDesigns = 200;
+  std::mt19937 random(20261130);
+  const auto law =
+      std::make_shared<const LawBinding>(find_law("cycloidal"), std::vector<LawVariable>{});
+  std::uniform_real_distribution<double> wide(-1, 1);
+  int machines_seen = 0;
+  for (const Mechanism& mechanism : mechanisms()) {
+    const std::vector<double> began = some_parameters(mechanism, random);
+    Binding varying{began, {}, {}, law};
+    for (std::size_t k = 0; k < began.size(); ++k) {
+      varying.parameters.push_back(k);
+      varying.variables.push_back(k);
+    }
+    const auto make_margins = margins_that_decide(mechanism, varying);
+    if (!make_margins) continue;
+    const std::vector<optim::Function> margins = make_margins();
+    for (int i = 0; i < kDesigns; ++i) {
+      std::vector<double> design = some_parameters(mechanism, random);
+      for (std::size_t k = 0; k < design.size(); ++k) {  // an offset of some size, either way
+        const MechanismParameter& p = mechanism.parameters[k];
+        if (p.default_value == 0) design[k] = std::clamp(20 * wide(random), p.low, p.high);
+      }
+      const bool is_machine =
+          std::all_of(margins.begin(), margins.end(),
+                      [&](const optim::Function& margin) { return margin.value(design) > 0; });
+      if (!is_machine) continue;
+      ++machines_seen;
+      for (const optim::Function& margin : margins) {
+        INFO(mechanism.name << ", condition " << &margin - margins.data());
+        std::vector<double> slope(margin.inputs().size());
+        margin.gradient(design, slope);
+        CHECK(std::all_of(slope.begin(), slope.end(), [](double v) { return std::isfinite(v); }));
+      }
+    }
+  }
+  CHECK(machines_seen > 1000);
+}
+
 }  // namespace camlaw::problems::possible_machines_test

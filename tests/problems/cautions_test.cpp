@@ -49,6 +49,18 @@ TEST_CASE("a law whose jerk counts and whose acceleration jumps at its ends is n
   CHECK(said(law("-5", "C_v")).empty());   // nobody asks for the jerk
 }
 
+TEST_CASE("a variation of the motion is named where a verdict leaves it out", "[cautions]") {
+  const std::string limit = "[[constraints]]\nresponse = 'pressure_angle'\nupper = 30\n";
+  const auto with = [&](const std::string& varied) {
+    return said(cam("disc-cam-roller", limit + "[variation." + varied + "]\nplus = 0.1\n"));
+  };
+  CHECK(with("base_radius").empty());
+  const auto angle = with("rise_angle");
+  REQUIRE(angle.size() == 1);
+  CHECK_THAT(angle[0],
+             Contains("left out of this verdict") && Contains("rise_angle (+0.1/+0 deg)"));
+}
+
 TEST_CASE("a contact of a crowned roller beyond its formulas is named, where the crown counts",
           "[cautions]") {
   const auto with = [](const std::string& mechanism, const std::string& constants,

@@ -75,7 +75,7 @@ TEST_CASE("some back ends refuse, and none drops a limit", "[optimise]") {
   Problem limited = bowl();
   limited.constraints = {at_least("sum", sum(), 1)};
   CHECK(optimise(limited, {.solver = "lbfgs"}).found.assessment.reason ==
-        "lbfgs takes no constraints beside bounds on the variables");
+        "lbfgs takes no constraints besides bounds on the variables");
   limited.constraints = {equal("sum", sum(), 1)};
   CHECK(optimise(limited, {.solver = "mma"}).found.assessment.reason == "mma takes no equations");
   limited.variables[0].upper = kInfinity;

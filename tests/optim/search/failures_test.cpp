@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "optim/search/held_inside.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::failures_test {
@@ -60,6 +61,26 @@ TEST_CASE("a search moves along the edge of a stated domain", "[optimise]") {
   CHECK(found.x[1] == Approx(0.5).epsilon(1e-2));
   CHECK_THAT(found.assessment.reason,
              Catch::Contains("optimality hold at this distance from the edge"));
+}
+
+TEST_CASE("a problem held inside its domain has numbers outside, and the same inside",
+          "[optimise]") {
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, 4), variable("y", -5, 5, 1)};
+  problem.objectives = {least(linear({1}, [](const auto& u) { return 3.0 * u[0]; }))};
+  problem.constraints = {
+      at_most("root", function({0}, [](const auto& u) { return sqrt(u[0]); }), 1)};
+  const auto into = [](Design x) { return std::vector<double>{std::max(x[0], 0.25), x[1]}; };
+  const Problem held = held_inside(problem, into);
+  const Function& root = held.constraints[0].response.function();
+  CHECK(root.value(std::vector{4.0, 1.0}) == 2);
+  CHECK(root.value(std::vector{-3.0, 1.0}) == 0.5);
+  std::vector<double> slope(root.inputs().size());
+  CHECK(root.gradient(std::vector{-3.0, 1.0}, slope) == 0.5);
+  CHECK(slope == std::vector{1.0, 0.0});
+  const Function& objective = held.objective().response.function();
+  CHECK(objective.shape() == Shape::Linear);
+  CHECK(objective.value(std::vector{-3.0, 2.0}) == 6);
 }
 
 TEST_CASE("a start without numbers does no harm where there are numbers elsewhere", "[optimise]") {

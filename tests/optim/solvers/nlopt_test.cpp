@@ -316,8 +316,8 @@ TEST_CASE("a refusal names the method and its reason", "[nlopt]") {
           std::string(name) +
               " searches the whole box: each variable needs a lower and an upper bound");
   }
-  CHECK(why("lbfgs", corner()) == "lbfgs takes no constraints beside bounds on the variables");
-  CHECK(why("bobyqa", circle()) == "bobyqa takes no constraints beside bounds on the variables");
+  CHECK(why("lbfgs", corner()) == "lbfgs takes no constraints besides bounds on the variables");
+  CHECK(why("bobyqa", circle()) == "bobyqa takes no constraints besides bounds on the variables");
   CHECK(why("mma", circle()) == "mma takes no equations");
   CHECK(why("ccsaq", circle()) == "ccsaq takes no equations");
   const Row equation{.function = squares(), .lower = 1, .upper = 1};
@@ -340,7 +340,7 @@ TEST_CASE("ags works where NLopt has it, and says so where not", "[nlopt]") {
 TEST_CASE("a program that was refused is not solved without its rows", "[nlopt]") {
   const Solution s = method("lbfgs").solve(corner(), {});
   CHECK(s.status == Status::Failed);
-  CHECK(s.message == "lbfgs takes no constraints beside bounds on the variables");
+  CHECK(s.message == "lbfgs takes no constraints besides bounds on the variables");
   CHECK(s.y.empty());
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("what SQLite would take for its own beside a study stays", "[study]") 
     write(folder / "s.db" + ending, "mine");
     CHECK_THROWS_AS(StudyRecord::create(folder / "s.db", kSettings), std::invalid_argument);
     CHECK_THROWS_WITH(StudyRecord::create(folder / "s.db", kSettings),
-                      Contains("s.db" + ending + "' stands beside it"));
+                      Contains("s.db" + ending + "' is next to it"));
     CHECK(read(folder / "s.db" + ending) == "mine");
     CHECK(folder.content() == std::set<std::string>{"s.db" + ending});
     fs::remove(folder / "s.db" + ending);
