@@ -3,8 +3,10 @@
 """What the house measures: benchmarks/house.py [TREE] [--build FOLDER] [--headers]
 
 Prints, for a checkout (this one where none is named), a line for each room: files, statements, lines
-of code and of comments, the longest file and how many have more than 400 lines; then the
-cycles in which folders include one another. With --build FOLDER (a build by Ninja) also objects, the seconds that they took and the weak
+of code and of comments, the longest file and how many have more than 400 lines; then its functions by
+size, in lines from their heads to their closing braces: how many, the median, the share of at most 25
+lines, how many have more than 60, and the longest; then the cycles in which folders include one
+another. With --build FOLDER (a build by Ninja) also objects, the seconds that they took and the weak
 symbols in them. With --headers each installed header: its lines, how many headers of camlaw it
 reaches, and the CPU seconds (user and system, the median of five) that g++ takes to read it, beside
 those for the headers of other libraries that it reaches: what lies between is camlaw's own share.
@@ -19,6 +21,7 @@ import subprocess
 
 ROOMS = ["numerics", "kinematics", "optim", "machines", "problems", "fitting", "output", "cli"]
 OTHERS = ["tests", "benchmarks", "examples"]
+SHORT, LONG = 25, 60  # lines of a function that are read at a glance, and that no longer are
 TOKENS = re.compile(
     r'R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*(?s:.*?)\*/')
 
@@ -46,6 +49,69 @@ def statements(code):
     """Semicolons outside of for's parentheses, and blocks of control."""
     code = re.sub(r"\bfor \([^{};]*;[^{};]*;", "for (", code)
     return code.count(";") + len(re.findall(r"\b(?:if|for|while|switch|else|case)\b", code))
+
+
+CONTROL = re.compile(r"(?:else\s+)?(?:if|for|while|switch|catch|do|else|return|case)\b")
+HEAD = re.compile(r"^[^=]*[\w>~)\]=+\-*/%!<&|^,]\s*\(.*\)\s*"
+                  r"(?:const|noexcept|override|final|mutable|&{1,2}|->[\w:<>,\s*&]+|:(?!:).*)*\s*$", re.S)
+NAME = re.compile(r"([\w:~]+|operator\s*\S+?)\s*\(")
+
+
+def is_function(head):
+    """Whether text before a brace is a function's head: no control, no lambda, no class, no value."""
+    head = re.sub(r"^(?:public|private|protected)\s*:", "", head.strip()).strip()
+    if not head or CONTROL.match(head) or re.search(r"\[[^\[\]]*\]\s*(?:<[^(]*>)?\s*\(", head):
+        return False
+    if re.match(r"(?:namespace|extern|TEST_CASE|BENCHMARK)\b", head):
+        return False
+    before = head.split("(")[0]
+    is_value = "=" in before.replace("operator==", "").replace("operator=", "")
+    return "(" in head and not is_value and HEAD.match(head.replace("operator==", "operator")) is not None
+
+
+def functions(text):
+    """Name and lines of every function that is defined in a text without comments and strings."""
+    text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", "", text, flags=re.M)  # directives
+    found, open_braces, begin = [], [], 0
+    for i, letter in enumerate(text):
+        if letter == ";" and text.count("(", begin, i) == text.count(")", begin, i):
+            begin = i + 1
+        elif letter == "{":
+            head = text[begin:i]
+            within = any(of is not None for of in open_braces)
+            start = begin + len(head) - len(head.lstrip())
+            open_braces.append((head, start) if not within and is_function(head) else None)
+            begin = i + 1
+        elif letter == "}":
+            of = open_braces.pop() if open_braces else None
+            if of is not None:
+                name = NAME.search(of[0])
+                found.append((name.group(1) if name else "?", text.count("\n", of[1], i) + 1))
+            begin = i + 1
+    return found
+
+
+def function_table(tree):
+    print(f"\n{'functions':<12}{'count':>7}{'median':>8}{f'<= {SHORT}':>7}{f'> {LONG}':>6}  longest")
+    every = []
+    for room in ROOMS:
+        if not (tree / room).is_dir():
+            continue
+        sizes = []
+        for path in sources(tree, room):
+            code, _ = without_comments(path.read_text())
+            sizes += [(lines, name, path.relative_to(tree)) for name, lines in functions(code)]
+        print_functions(room, sizes)
+        every += sizes
+    print_functions("product", every)
+
+
+def print_functions(room, sizes):
+    lines = [size[0] for size in sizes]
+    longest = max(sizes, default=(0, "", ""))
+    short = sum(1 for n in lines if n <= SHORT) / max(1, len(lines))
+    print(f"{room:<12}{len(lines):>7}{statistics.median(lines or [0]):>8.0f}{short:>7.1%}"
+          f"{sum(1 for n in lines if n > LONG):>6}  {longest[0]}: {longest[1]}, {longest[2]}")
 
 
 def circles(edges):
@@ -188,6 +254,7 @@ def main():
     parser.add_argument("--headers", action="store_true", help="the installed headers")
     arguments = parser.parse_args()
     table(arguments.tree)
+    function_table(arguments.tree)
     found = folder_circles(arguments.tree)
     print(f"\ninclude cycles of folders: {len(found)}")
     for circle in found:

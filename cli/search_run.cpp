@@ -204,6 +204,133 @@ std::string show(const SearchCommand& command, const Answer& answer,
   return text;
 }
 
+/// The files that --out may make, the result first, once they are known to be writable.
+std::vector<std::filesystem::path> checked_outputs(const SearchOptions& options,
+                                                   const SearchCommand& command,
+                                                   const problems::ProblemStatement& statement) {
+  std::vector<std::string> names = command.files;
+  if (command.more_files) {
+    for (std::string& name : command.more_files(statement)) names.push_back(std::move(name));
+  }
+  auto possible = possible_files(options.out.value_or(""), names);
+  if (options.out) {
+    check_writable(possible);
+    keep_other_results(possible, statement);
+  }
+  return possible;
+}
+
+/// The knots that the file leaves to the program; none where it states them, or needs none.
+std::optional<problems::RefinedKnots> found_knots(problems::ProblemStatement& statement,
+                                                  const optim::OptimiseOptions& search, int workers,
+                                                  bool is_shown, const Seconds& clock) {
+  if (!statement.finds_knots) return {};
+  ProgressLine line(is_shown);
+  SearchProgress shown(line, begun_state(statement));
+  return problems::find_knots(
+      statement, line.is_shown() ? shown_by(shown, search) : search, workers,
+      [&] { return clock.spent(); }, [&shown](const auto& stage) { shown.begins(stage); });
+}
+
+/// A search of the command line, ready to begin.
+struct SearchRun {
+  const SearchOptions& options;
+  const SearchCommand& command;
+  const problems::BoundProblem& bound;
+  const optim::ProblemSpace& space;
+  const std::optional<problems::RefinedKnots>& knots;
+  std::vector<std::filesystem::path> outputs;  ///< that --out may make
+  optim::OptimiseOptions search;
+  int workers;
+  const Seconds& clock;
+};
+
+/// A search's end: the optimum, and what was reached of limits on shares.
+struct SearchEnd {
+  optim::Optimum optimum;
+  problems::Reached reached;
+};
+
+/// Gives the answer; returns the exit status.
+int give(const SearchRun& run, const SearchEnd& end) {
+  const auto& [optimum, reached] = end;
+  Answer answer{run.bound, run.space, optimum, run.search.solver, run.search.seed};
+  answer.reached = reached;
+  answer.knots = run.knots;
+  // The doubts of a large problem take time of their own.
+  const bool late = run.search.time_limit && run.clock.spent() >= *run.search.time_limit;
+  if (!late || !is_large(run.bound.statement())) {
+    answer.warnings = warnings_of(answer);
+    answer.built = buildability_of(answer);
+  }
+  for (std::string& note : begins_with_parts(run.bound.statement(), run.options.settings)) {
+    answer.warnings.push_back(std::move(note));
+  }
+  // Printed first: the search is not lost where a file cannot be written after all.
+  const std::string json =
+      show(run.command, answer, rest_of(run.search, optimum), run.workers, run.options);
+  if (run.options.out) {
+    std::vector<OutputFile> files = run.command.figures(answer, *run.options.out);
+    files.insert(files.begin(), {run.outputs.front(), json});
+    write_out(run.outputs, files, !run.options.json);
+    if (!run.options.json) say_next("report " + shell_word(run.outputs.front().string()));
+  }
+  return exit_status(optimum.found.assessment.verdict);
+}
+
+/// Searches. What is told of the first search is kept where this process is ended; of the further
+/// ones, for limits that are stricter than those stated, nothing is.
+SearchEnd searched(const SearchRun& run, const optim::OptimiseOptions& how) {
+  SearchState begun = begun_state(run.bound.statement());
+  for (const optim::Choice& choice : run.space.choices) begun.combinations *= choice.options.size();
+  ProgressLine line(!run.options.json);
+  SearchProgress shown(line, begun);
+  const auto followed = [&](const optim::OptimiseOptions& o) {
+    return line.is_shown() ? shown_by(shown, o) : o;
+  };
+  const auto begins = [&](const std::string& stage) { shown.begins(stage); };
+  optim::Optimum optimum;
+  optim::OptimiseOptions further = run.search;
+  if (run.knots) {
+    optimum = run.knots->optimum;
+    optimum.wall_s = run.clock.spent();
+    further.spent = 0;  // it is in the optimum's
+  } else {
+    optim::Crew crew(
+        {.workers = run.workers, .program = problems::worker_program(run.bound.statement())});
+    optimum = optim::optimise(run.space, followed(how), crew);
+    if (!crew.remark().empty()) warn(crew.remark());
+  }
+  problems::Reached reached = search_until_reached(run.bound, followed(further), optimum, begins);
+  return {std::move(optimum), std::move(reached)};
+}
+
+/// What a search that was ended from outside has told of.
+SearchEnd told_of(const SearchRun& run, const Unfinished& unfinished) {
+  optim::Optimum optimum = unfinished_optimum(run.space, unfinished);
+  optimum.wall_s = run.clock.spent();
+  optimum.found.solver = run.search.solver;
+  optimum.found.why_solver = "ended from outside";
+  problems::Reached reached = judge_optimum(run.bound, run.search, optimum);
+  return {std::move(optimum), std::move(reached)};
+}
+
+/// Searches in a process of its own, which is ended where a step takes longer than the limit.
+int give_watched(const SearchRun& run) {
+  const Watch watch{run.search.time_limit, run.clock.spent(), run.search.stop};
+  const auto ended = watched(watch, [&](const Teller& teller) {
+    optim::OptimiseOptions how = run.search;
+    how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
+    const SearchEnd end = searched(run, how);
+    teller.answers();
+    return give(run, end);
+  });
+  if (const int* status = std::get_if<int>(&ended)) return *status;
+  SearchRun rest = run;
+  rest.search.spent = 0;  // it is in the optimum's
+  return give(rest, told_of(rest, std::get<Unfinished>(ended)));
+}
+
 }  // namespace
 
 int run_search(const SearchOptions& options, const SearchCommand& command) {
@@ -218,102 +345,20 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   if (options.start) begin_with(statement, *options.start);
   command.check(statement);
   auto search = search_options(stated, statement.solver);
-  const std::filesystem::path out = options.out.value_or("");
-  std::vector<std::string> names = command.files;
-  if (command.more_files) {
-    for (std::string& name : command.more_files(statement)) names.push_back(std::move(name));
-  }
-  const auto possible = possible_files(out, names);
-  if (options.out) {
-    check_writable(possible);
-    keep_other_results(possible, statement);
-  }
+  auto outputs = checked_outputs(options, command, statement);
   const Interruptible interruptible;
   search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);
-  std::optional<problems::RefinedKnots> knots;
-  if (statement.finds_knots) {
-    ProgressLine line(!options.json);
-    SearchProgress shown(line, begun_state(statement));
-    knots = problems::find_knots(
-        statement, line.is_shown() ? shown_by(shown, search) : search, wanted,
-        [&] { return clock.spent(); }, [&shown](const auto& stage) { shown.begins(stage); });
-  }
+  const auto knots = found_knots(statement, search, wanted, !options.json, clock);
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
   search.spent = clock.spent();
   const int workers =
       optim::workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
-  const auto give = [&](const optim::Optimum& optimum, const problems::Reached& reached) {
-    Answer answer{bound, space, optimum, search.solver, search.seed};
-    answer.reached = reached;
-    answer.knots = knots;
-    // The doubts of a large problem take time of their own.
-    const bool late = search.time_limit && clock.spent() >= *search.time_limit;
-    if (!late || !is_large(bound.statement())) {
-      answer.warnings = warnings_of(answer);
-      answer.built = buildability_of(answer);
-    }
-    for (std::string& note : begins_with_parts(bound.statement(), options.settings)) {
-      answer.warnings.push_back(std::move(note));
-    }
-    // Printed first: the search is not lost where a file cannot be written after all.
-    const std::string json = show(command, answer, rest_of(search, optimum), workers, options);
-    if (options.out) {
-      std::vector<OutputFile> files = command.figures(answer, out);
-      files.insert(files.begin(), {possible.front(), json});
-      write_out(possible, files, !options.json);
-      if (!options.json) say_next("report " + shell_word(possible.front().string()));
-    }
-    return exit_status(optimum.found.assessment.verdict);
-  };
-  SearchState begun = begun_state(bound.statement());
-  for (const optim::Choice& choice : space.choices) begun.combinations *= choice.options.size();
-  // What is told of the first search is kept where this process is ended; of the further ones, for
-  // limits that are stricter than those stated, nothing is.
-  const auto look = [&](const optim::OptimiseOptions& how) {
-    ProgressLine line(!options.json);
-    SearchProgress shown(line, begun);
-    const auto followed = [&](const optim::OptimiseOptions& o) {
-      return line.is_shown() ? shown_by(shown, o) : o;
-    };
-    const auto begins = [&](const std::string& stage) { shown.begins(stage); };
-    optim::Optimum optimum;
-    optim::OptimiseOptions further = search;
-    if (knots) {
-      optimum = knots->optimum;
-      optimum.wall_s = clock.spent();
-      further.spent = 0;  // it is in the optimum's
-    } else {
-      optim::Crew crew(
-          {.workers = workers, .program = problems::worker_program(bound.statement())});
-      optimum = optim::optimise(space, followed(how), crew);
-      if (!crew.remark().empty()) warn(crew.remark());
-    }
-    problems::Reached reached = search_until_reached(bound, followed(further), optimum, begins);
-    return std::pair(std::move(optimum), std::move(reached));
-  };
-  const auto look_and_give = [&](const optim::OptimiseOptions& how, const auto& before) {
-    const auto [optimum, reached] = look(how);
-    before();
-    return give(optimum, reached);
-  };
-  const bool is_watched = !knots && is_large(bound.statement());
-  if (!is_watched) return look_and_give(search, [] {});
-  const Watch watch{search.time_limit, clock.spent(), search.stop};
-  const auto ended = watched(watch, [&](const Teller& teller) {
-    optim::OptimiseOptions how = search;
-    how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
-    return look_and_give(how, [&teller] { teller.answers(); });
-  });
-  if (const int* status = std::get_if<int>(&ended)) return *status;
-  optim::Optimum optimum = unfinished_optimum(space, std::get<Unfinished>(ended));
-  optimum.wall_s = clock.spent();
-  search.spent = 0;  // it is in the optimum's
-  optimum.found.solver = search.solver;
-  optimum.found.why_solver = "ended from outside";
-  const problems::Reached reached = judge_optimum(bound, search, optimum);
-  return give(optimum, reached);
+  const SearchRun run{options, command, bound, space, knots, std::move(outputs),
+                      search,  workers, clock};
+  if (!knots && is_large(bound.statement())) return give_watched(run);
+  return give(run, searched(run, search));
 }
 
 std::vector<Option> search_options(SearchOptions& options, const std::string& files) {

@@ -24,253 +24,339 @@ Questions all_questions() {
   return result;
 }
 
+/// A smooth piece by its place in the law.
 template <class T>
-class PeakSearch {
- public:
-  PeakSearch(const Law<T>& law, const Law<double>& plain, double tolerance)
-      : law_(law), plain_(plain), questions_(all_questions()), tolerance_(tolerance) {}
-
-  Questions run(std::span<const double> places) {
-    for (piece_ = 0; piece_ < law_.pieces().size(); ++piece_) {
-      look_at_end(Where::Begin);
-      look_at_end(Where::End);
-    }
-    for (const double x : places) look_at(x);
-    for (piece_ = 0; piece_ < law_.pieces().size(); ++piece_) {
-      const Piece<T>& piece = law_.pieces()[piece_];
-      highest_frequency_ = 0;
-      for (const auto& h : piece.harmonics) {
-        highest_frequency_ = std::max(highest_frequency_, size(h.frequency));
-      }
-      unsigned open = (1u << questions_.size()) - 1;
-      if (closed_moment(piece, 0.5)) open &= ~kMomentQuestions;  // linear: its ends were seen
-      divide(lower(piece.begin), upper(piece.end), open);
-    }
-    return questions_;
-  }
-
- private:
-  static constexpr unsigned kMomentQuestions = 3u << (2 * (kQuantities - 1));
-
-  /// The quantity's largest finite size as known so far: where one side has no bound, the other is
-  /// still found to its own accuracy.
-  double scale(std::size_t i) const {
-    // An interval rounds infinity outwards to the largest double, which counts as infinite here.
-    const auto finite = [](double x) { return std::abs(x) < 1e300 ? std::abs(x) : 0.0; };
-    return std::max(finite(questions_[i].known), finite(questions_[i ^ 1].known));
-  }
-
-  static void propose(Extremum& best, Extremum candidate, double margin) {
-    const bool first = best.value == -kUnbounded && !std::isnan(candidate.value);
-    if (first || candidate.value > best.value + margin) best = candidate;
-  }
-
-  void look_at_end(Where where) {
-    const Piece<T>& piece = law_.pieces()[piece_];
-    const T x = where == Where::Begin ? piece.begin : piece.end;
-    const auto d = derivatives<6>(piece, x);
-    for (std::size_t i = 0; i < questions_.size(); ++i) {
-      Question& question = questions_[i];
-      T value = quantity_from(question.quantity, d)[0];
-      if (question.quantity == Quantity::Moment) {
-        if (const auto moment = closed_moment(piece, x)) value = *moment;
-      }
-      value = T(question.sign) * value;
-      question.known = std::max(question.known, lower(value));
-      question.ceiling = std::max(question.ceiling, upper(value));
-      propose(question.peak, {value_of(value), value_of(x), piece_, where}, 1e-15 * scale(i));
-    }
-  }
+struct NumberedPiece {
+  const Piece<T>& piece;
+  std::size_t index;
 
   /// Whether x lies in the piece wherever in their intervals its ends are.
-  bool is_inside(double x) const {
-    const Piece<T>& piece = law_.pieces()[piece_];
-    return x >= upper(piece.begin) && x <= lower(piece.end);
-  }
-
-  /// Takes the values at a point inside a piece as reached.
-  void look_at(double x) {
-    piece_ = plain_.piece_at(x, Side::Right);
-    if (!is_inside(x)) return;
-    const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
-    for (Question& question : questions_) {
-      const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
-      question.known = std::max(question.known, lower(value));
-      propose(question.sample, {value_of(value), x, piece_, Where::Sample}, 0);
-    }
-  }
-
-  /// Answers the open questions on [low, high], dividing while some stay open.
-  void divide(double low, double high, unsigned open) {
-    const Box box(low, high);
-    if (box.radius * highest_frequency_ <= kWidestAngle) {
-      models_.expand(law_.pieces()[piece_], box);
-      for (std::size_t q = 0; q < kQuantities; ++q) {
-        const unsigned pair = open >> (2 * q) & 3u;
-        if (pair != 0) open &= ~(answer(q, pair, box) << (2 * q));
-      }
-    }
-    if (open == 0) return;
-    if (++boxes_ > kMostBoxes || box.high - box.low <= kSmallestBox) return give_up(box, open);
-    divide(low, box.middle, open);
-    divide(box.middle, high, open);
-  }
-
-  /// Takes the ranges over a box as the upper bounds.
-  void give_up(const Box& box, unsigned open) {
-    models_.expand(law_.pieces()[piece_], box);
-    for (std::size_t i = 0; i < questions_.size(); ++i) {
-      if ((open >> i & 1u) == 0) continue;
-      const Interval range = models_.range(questions_[i].quantity);
-      const double bound = questions_[i].sign > 0 ? range.upper() : -range.lower();
-      questions_[i].ceiling =
-          std::isnan(bound) ? kUnbounded : std::max(questions_[i].ceiling, bound);
-    }
-  }
-
-  /// Which of a quantity's two questions (bits of `open`) the box answers.
-  unsigned answer(std::size_t q, unsigned open, const Box& box) {
-    const Interval range = models_.range(static_cast<Quantity>(q));
-    unsigned left = open;
-    if (close(2 * q, range.upper())) left &= ~1u;
-    if (close(2 * q + 1, -range.lower())) left &= ~2u;
-    if (left == 0) return open;
-    const TaylorModel<T>& model = models_.quantity(static_cast<Quantity>(q));
-    bernstein_ = model.c;
-    rounding_ = to_bernstein(bernstein_);
-    for (unsigned side = 0; side < 2; ++side) {
-      if ((left >> side & 1u) != 0 && answer_by_course(2 * q + side, model, box)) {
-        left &= ~(1u << side);
-      }
-    }
-    return open & ~left;
-  }
-
-  /// Closes a box whose upper bound is as good as reached.
-  bool close(std::size_t i, double bound) {
-    Question& question = questions_[i];
-    if (!(bound <= question.known + tolerance_ * scale(i))) return false;
-    question.ceiling = std::max(question.ceiling, bound);
-    return true;
-  }
-
-  bool answer_by_course(std::size_t i, const TaylorModel<T>& model, const Box& box) {
-    Question& question = questions_[i];
-    // The middle is reached; its Taylor coefficient is the value itself.
-    const T middle = T(question.sign) * model.c[0];
-    question.known = std::max(question.known, lower(middle));
-    propose(question.sample, {value_of(middle), box.middle, piece_, Where::Sample}, 0);
-    reach_ends(i, box);
-    T highest = T(question.sign) * bernstein_.front();
-    double bound = upper(highest), noise = upper(highest) - lower(highest);
-    for (const T& b : bernstein_) {
-      const T value = T(question.sign) * b;
-      bound = std::max(bound, upper(value));
-      noise = std::max(noise, upper(value) - lower(value));
-    }
-    bound += rounding_;
-    noise += 2 * rounding_;
-    if (close(i, upper(T(bound) + T(model.remainder)))) return true;
-    const double tolerance = tolerance_ * scale(i);
-    if (model.remainder <= 0.25 * tolerance && rounding_ <= tolerance) {
-      const Course found = course(bernstein_, question.sign);
-      if (found == Course::PeakAtEnd) {
-        const double ends = std::max(upper(T(question.sign) * bernstein_.front()),
-                                     upper(T(question.sign) * bernstein_.back()));
-        question.ceiling = std::max(question.ceiling, upper(T(ends) + T(model.remainder)));
-        return true;
-      }
-      if (found == Course::PeakInside) {
-        polish(i, model, box);
-        return true;
-      }
-    }
-    const double excess = bound + model.remainder - question.known;
-    const double width = box.high - box.low;
-    if (width > kSmallestBox) {
-      if (!(excess <= 2 * noise + tolerance)) return false;
-      if (noise > tolerance && width > kNoisyBox) return false;
-    }
-    // What keeps the box open is rounding, which no division lessens.
-    const double natural = question.sign > 0 ? model.range.upper() : -model.range.lower();
-    const double ceiling = upper(T(bound) + T(model.remainder));
-    question.ceiling =
-        std::max(question.ceiling, std::isnan(ceiling) ? natural : std::min(ceiling, natural));
-    return true;
-  }
-
-  /// Takes the values at a box's ends as reached.
-  void reach_ends(std::size_t i, const Box& box) {
-    Question& question = questions_[i];
-    const double ends = std::max(lower(T(question.sign) * bernstein_.front()),
-                                 lower(T(question.sign) * bernstein_.back()));
-    if (ends + rounding_ <= question.known) return;
-    for (const double x : {box.low, box.high}) {
-      if (!is_inside(x)) continue;  // the piece's own ends were looked at
-      const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
-      const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
-      question.known = std::max(question.known, lower(value));
-      propose(question.sample, {value_of(value), x, piece_, Where::Sample}, 0);
-    }
-  }
-
-  /// The single peak of a box.
-  void polish(std::size_t i, const TaylorModel<T>& model, const Box& box) {
-    Question& question = questions_[i];
-    plain_coefficients_.clear();
-    for (const T& c : model.c) plain_coefficients_.push_back(value_of(c));
-    const double u = turning_point(plain_coefficients_, question.sign);
-    const double x = std::min(box.high, std::max(box.low, box.middle + box.radius * u));
-    const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
-    const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
-    if (is_inside(x)) question.known = std::max(question.known, lower(value));
-    propose(question.peak, {value_of(value), x, piece_, Where::Stationary}, 1e-15 * scale(i));
-    question.ceiling = std::max(question.ceiling, peak_bound(model, question.sign, u));
-  }
-
-  /// Upper bound of a polynomial with a single peak: where the slope's sign is proved on both sides
-  /// of u, the peak lies between and is no higher than the slopes allow.
-  static double peak_bound(const TaylorModel<T>& model, double sign, double u) {
-    for (double reach = 1e-8; reach < 4; reach *= 4) {
-      const double left = std::max(-1.0, u - reach), right = std::min(1.0, u + reach);
-      const T rise = T(sign) * value_and_slope(model.c, T(left)).second;
-      const T fall = T(sign) * value_and_slope(model.c, T(right)).second;
-      const bool proved = (lower(rise) >= 0 || left == -1) && (upper(fall) <= 0 || right == 1);
-      if (!proved) continue;
-      // |p'(w)| <= |p'(u)| + h (|p''(u)| + h max |p'''|) for |w - u| <= h.
-      const auto [value, slope] = value_and_slope(model.c, T(u));
-      T bend(0.0), twist(0.0);
-      for (std::size_t k = model.c.size(); k-- > 2;) {
-        const double pairs = static_cast<double>(k * (k - 1));
-        bend = bend * T(u) + T(pairs) * model.c[k];
-        twist = twist + T(pairs * static_cast<double>(k - 2)) * T(size(model.c[k]));
-      }
-      const T h(step_up(std::max(right - u, u - left)));
-      const T steepest = T(size(slope)) + (T(size(bend)) + twist * h) * h;
-      return upper(T(sign) * value + steepest * h + T(model.remainder));
-    }
-    return kUnbounded;
-  }
-
-  const Law<T>& law_;
-  const Law<double>& plain_;
-  Questions questions_;
-  double tolerance_;
-  std::size_t piece_ = 0;
-  double highest_frequency_ = 0;
-  std::size_t boxes_ = 0;
-  BoxModels<T> models_;
-  std::vector<T> bernstein_;
-  double rounding_ = 0;  ///< of bernstein_
-  std::vector<double> plain_coefficients_;
+  bool holds(double x) const { return x >= upper(piece.begin) && x <= lower(piece.end); }
 };
+
+/// A box and the questions that it has open, a bit for each.
+struct OpenBox {
+  double low, high;
+  unsigned open;
+};
+
+/// What boxes are worked out in: kept from box to box for its memory alone.
+template <class T>
+struct Scratch {
+  BoxModels<T> models;
+  std::vector<T> bernstein;
+  std::vector<double> plain;
+  std::vector<OpenBox> left;
+};
+
+/// A box of a piece, a quantity's model on it, and that in Bernstein form.
+template <class T>
+struct ModelledBox {
+  const NumberedPiece<T>& in;
+  const Box& box;
+  const TaylorModel<T>& model;
+  const std::vector<T>& bernstein;
+  double rounding;  ///< of the Bernstein form
+};
+
+/// A question as a box leaves it, and whether the box is done with.
+struct Answer {
+  Question question;
+  bool is_closed;
+};
+
+/// The quantity's largest finite size as known so far: where one side has no bound, the other is
+/// still found to its own accuracy.
+double scale(const Question& question, const Question& opposite) {
+  // An interval rounds infinity outwards to the largest double, which counts as infinite here.
+  const auto finite = [](double x) { return std::abs(x) < 1e300 ? std::abs(x) : 0.0; };
+  return std::max(finite(question.known), finite(opposite.known));
+}
+
+/// Of the scale: values that differ by less are the same peak, of which the first counts.
+constexpr double kSamePeak = 1e-15;
+
+Extremum better(const Extremum& best, const Extremum& candidate, double margin) {
+  const bool first = best.value == -kUnbounded && !std::isnan(candidate.value);
+  return first || candidate.value > best.value + margin ? candidate : best;
+}
+
+/// The question's value at a point of a piece, of the law's derivatives there.
+template <class T, class Derivatives>
+T value_at(const Question& question, const Derivatives& d) {
+  return T(question.sign) * quantity_from(question.quantity, d)[0];
+}
+
+/// With a value that is reached at a point inside a piece, whether or not it is a peak.
+template <class T>
+Question reached(Question question, const T& value, double x, std::size_t piece) {
+  question.known = std::max(question.known, lower(value));
+  question.sample = better(question.sample, {value_of(value), x, piece, Where::Sample}, 0);
+  return question;
+}
+
+/// With the values at an end of a piece.
+template <class T>
+Questions with_end(Questions questions, const NumberedPiece<T>& in, Where where) {
+  const T x = where == Where::Begin ? in.piece.begin : in.piece.end;
+  const auto d = derivatives<6>(in.piece, x);
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    Question& question = questions[i];
+    T value = value_at<T>(question, d);
+    if (question.quantity == Quantity::Moment) {
+      if (const auto moment = closed_moment(in.piece, x)) value = T(question.sign) * *moment;
+    }
+    question.known = std::max(question.known, lower(value));
+    question.ceiling = std::max(question.ceiling, upper(value));
+    question.peak = better(question.peak, {value_of(value), value_of(x), in.index, where},
+                           kSamePeak * scale(question, questions[i ^ 1]));
+  }
+  return questions;
+}
+
+/// With the values at places inside pieces; `plain` tells in which.
+template <class T>
+Questions with_places(Questions questions, const Law<T>& law, const Law<double>& plain,
+                      std::span<const double> places) {
+  for (const double x : places) {
+    const std::size_t index = plain.piece_at(x, Side::Right);
+    const NumberedPiece<T> in{law.pieces()[index], index};
+    if (!in.holds(x)) continue;
+    const auto d = derivatives<6>(in.piece, T(x));
+    for (Question& question : questions) {
+      question = reached(question, value_at<T>(question, d), x, index);
+    }
+  }
+  return questions;
+}
+
+/// Whether a box with this upper bound holds nothing that is better than what is known.
+bool is_reached(const Question& question, const Question& opposite, double bound,
+                double tolerance) {
+  return bound <= question.known + tolerance * scale(question, opposite);
+}
+
+Question with_ceiling(Question question, double ceiling) {
+  question.ceiling = std::max(question.ceiling, ceiling);
+  return question;
+}
+
+/// With the values at a box's ends, where these may be better than what is known.
+template <class T>
+Question with_ends_of(Question question, const ModelledBox<T>& at) {
+  const double ends = std::max(lower(T(question.sign) * at.bernstein.front()),
+                               lower(T(question.sign) * at.bernstein.back()));
+  if (ends + at.rounding <= question.known) return question;
+  for (const double x : {at.box.low, at.box.high}) {
+    if (!at.in.holds(x)) continue;  // the piece's own ends were looked at
+    const auto d = derivatives<6>(at.in.piece, T(x));
+    question = reached(question, value_at<T>(question, d), x, at.in.index);
+  }
+  return question;
+}
+
+/// Upper bound of a polynomial with a single peak: where the slope's sign is proved on both sides
+/// of u, the peak lies between and is no higher than the slopes allow.
+template <class T>
+double peak_bound(const TaylorModel<T>& model, double sign, double u) {
+  for (double reach = 1e-8; reach < 4; reach *= 4) {
+    const double left = std::max(-1.0, u - reach), right = std::min(1.0, u + reach);
+    const T rise = T(sign) * value_and_slope(model.c, T(left)).second;
+    const T fall = T(sign) * value_and_slope(model.c, T(right)).second;
+    const bool proved = (lower(rise) >= 0 || left == -1) && (upper(fall) <= 0 || right == 1);
+    if (!proved) continue;
+    // |p'(w)| <= |p'(u)| + h (|p''(u)| + h max |p'''|) for |w - u| <= h.
+    const auto [value, slope] = value_and_slope(model.c, T(u));
+    T bend(0.0), twist(0.0);
+    for (std::size_t k = model.c.size(); k-- > 2;) {
+      const double pairs = static_cast<double>(k * (k - 1));
+      bend = bend * T(u) + T(pairs) * model.c[k];
+      twist = twist + T(pairs * static_cast<double>(k - 2)) * T(size(model.c[k]));
+    }
+    const T h(step_up(std::max(right - u, u - left)));
+    const T steepest = T(size(slope)) + (T(size(bend)) + twist * h) * h;
+    return upper(T(sign) * value + steepest * h + T(model.remainder));
+  }
+  return kUnbounded;
+}
+
+/// With the single peak of a box.
+template <class T>
+Question with_peak_inside(Question question, const Question& opposite, const ModelledBox<T>& at,
+                          std::vector<double>& plain) {
+  plain.clear();
+  for (const T& c : at.model.c) plain.push_back(value_of(c));
+  const double u = turning_point(plain, question.sign);
+  const double x = std::min(at.box.high, std::max(at.box.low, at.box.middle + at.box.radius * u));
+  const T value = value_at<T>(question, derivatives<6>(at.in.piece, T(x)));
+  if (at.in.holds(x)) question.known = std::max(question.known, lower(value));
+  question.peak = better(question.peak, {value_of(value), x, at.in.index, Where::Stationary},
+                         kSamePeak * scale(question, opposite));
+  return with_ceiling(question, peak_bound(at.model, question.sign, u));
+}
+
+/// A polynomial's upper bound by its Bernstein form, and how wide rounding makes its numbers.
+struct BernsteinBound {
+  double bound, noise;
+};
+template <class T>
+BernsteinBound bernstein_bound(const ModelledBox<T>& at, double sign) {
+  const T first = T(sign) * at.bernstein.front();
+  BernsteinBound found{upper(first), upper(first) - lower(first)};
+  for (const T& b : at.bernstein) {
+    const T value = T(sign) * b;
+    found.bound = std::max(found.bound, upper(value));
+    found.noise = std::max(found.noise, upper(value) - lower(value));
+  }
+  return {found.bound + at.rounding, found.noise + 2 * at.rounding};
+}
+
+/// Looks at the polynomial's course over the box: what its bound does not settle, its turns may.
+template <class T>
+Answer answer_by_course(Question question, const Question& opposite, const ModelledBox<T>& at,
+                        double tolerance, std::vector<double>& plain) {
+  const TaylorModel<T>& model = at.model;
+  // The middle is reached; its Taylor coefficient is the value itself.
+  question = reached(question, T(question.sign) * model.c[0], at.box.middle, at.in.index);
+  question = with_ends_of(question, at);
+  const auto [bound, noise] = bernstein_bound(at, question.sign);
+  const double ceiling = upper(T(bound) + T(model.remainder));
+  if (is_reached(question, opposite, ceiling, tolerance)) {
+    return {with_ceiling(question, ceiling), true};
+  }
+  const double accuracy = tolerance * scale(question, opposite);
+  if (model.remainder <= 0.25 * accuracy && at.rounding <= accuracy) {
+    const Course found = course(at.bernstein, question.sign);
+    if (found == Course::PeakAtEnd) {
+      const double ends = std::max(upper(T(question.sign) * at.bernstein.front()),
+                                   upper(T(question.sign) * at.bernstein.back()));
+      return {with_ceiling(question, upper(T(ends) + T(model.remainder))), true};
+    }
+    if (found == Course::PeakInside) {
+      return {with_peak_inside(question, opposite, at, plain), true};
+    }
+  }
+  const double excess = bound + model.remainder - question.known;
+  const double width = at.box.high - at.box.low;
+  if (width > kSmallestBox) {
+    if (!(excess <= 2 * noise + accuracy)) return {question, false};
+    if (noise > accuracy && width > kNoisyBox) return {question, false};
+  }
+  // What keeps the box open is rounding, which no division lessens.
+  const double natural = question.sign > 0 ? model.range.upper() : -model.range.lower();
+  return {with_ceiling(question, std::isnan(ceiling) ? natural : std::min(ceiling, natural)), true};
+}
+
+/// Which of a quantity's two questions, highest and lowest, stay open on a box, of those that are
+/// (a bit for each); the questions become what the box tells. `scratch` has the models of the box.
+template <class T>
+unsigned left_open(std::span<Question, 2> sides, unsigned open, const NumberedPiece<T>& in,
+                   const Box& box, double tolerance, Scratch<T>& scratch) {
+  const Quantity quantity = sides[0].quantity;
+  const Interval range = scratch.models.range(quantity);
+  const std::array bounds{range.upper(), -range.lower()};
+  for (unsigned side = 0; side < 2; ++side) {
+    if (!is_reached(sides[side], sides[side ^ 1], bounds[side], tolerance)) continue;
+    sides[side].ceiling = std::max(sides[side].ceiling, bounds[side]);
+    open &= ~(1u << side);
+  }
+  if (open == 0) return open;
+  const TaylorModel<T>& model = scratch.models.quantity(quantity);
+  scratch.bernstein = model.c;
+  const double rounding = to_bernstein(scratch.bernstein);
+  const ModelledBox<T> at{in, box, model, scratch.bernstein, rounding};
+  for (unsigned side = 0; side < 2; ++side) {
+    if ((open >> side & 1u) == 0) continue;
+    const auto [question, is_closed] =
+        answer_by_course(sides[side], sides[side ^ 1], at, tolerance, scratch.plain);
+    sides[side] = question;
+    if (is_closed) open &= ~(1u << side);
+  }
+  return open;
+}
+
+/// With the ranges over a box as the upper bounds of what is open.
+template <class T>
+Questions given_up(Questions questions, unsigned open, const NumberedPiece<T>& in, const Box& box,
+                   BoxModels<T>& models) {
+  models.expand(in.piece, box);
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    if ((open >> i & 1u) == 0) continue;
+    const Interval range = models.range(questions[i].quantity);
+    const double bound = questions[i].sign > 0 ? range.upper() : -range.lower();
+    questions[i].ceiling = std::isnan(bound) ? kUnbounded : std::max(questions[i].ceiling, bound);
+  }
+  return questions;
+}
+
+constexpr unsigned kAllOpen = (1u << (2 * kQuantities)) - 1;
+constexpr unsigned kMomentQuestions = 3u << (2 * (kQuantities - 1));
+
+/// The search so far: what is known, and how many boxes it has taken.
+struct Searched {
+  Questions questions;
+  std::size_t boxes = 0;
+};
+
+template <class T>
+double highest_frequency(const Piece<T>& piece) {
+  double highest = 0;
+  for (const auto& h : piece.harmonics) highest = std::max(highest, size(h.frequency));
+  return highest;
+}
+
+/// Answers all questions on a piece, dividing boxes from left to right while some stay open.
+template <class T>
+Searched with_piece(Searched so_far, const NumberedPiece<T>& in, double tolerance,
+                    Scratch<T>& scratch) {
+  auto& [questions, boxes] = so_far;
+  const double frequency = highest_frequency(in.piece);
+  // A closed form of the moment is linear, and its ends were seen.
+  const unsigned open = closed_moment(in.piece, 0.5) ? kAllOpen & ~kMomentQuestions : kAllOpen;
+  std::vector<OpenBox>& left = scratch.left;
+  left.assign({{lower(in.piece.begin), upper(in.piece.end), open}});
+  while (!left.empty()) {
+    OpenBox next = left.back();
+    left.pop_back();
+    const Box box(next.low, next.high);
+    if (box.radius * frequency <= kWidestAngle) {
+      scratch.models.expand(in.piece, box);
+      for (std::size_t q = 0; q < kQuantities; ++q) {
+        const unsigned asked = next.open >> (2 * q) & 3u;
+        if (asked == 0) continue;
+        const std::span<Question, 2> sides(&questions[2 * q], 2);
+        const unsigned open_yet = left_open(sides, asked, in, box, tolerance, scratch);
+        next.open &= ~((asked & ~open_yet) << (2 * q));
+      }
+    }
+    if (next.open == 0) continue;
+    if (++boxes > kMostBoxes || box.high - box.low <= kSmallestBox) {
+      questions = given_up(questions, next.open, in, box, scratch.models);
+      continue;
+    }
+    left.push_back({box.middle, next.high, next.open});
+    left.push_back({next.low, box.middle, next.open});
+  }
+  return so_far;
+}
 
 }  // namespace
 
 template <class T>
 Questions search_peaks(const Law<T>& law, const Law<double>& plain, double tolerance,
                        std::span<const double> places) {
-  return PeakSearch<T>(law, plain, tolerance).run(places);
+  Questions questions = all_questions();
+  for (std::size_t i = 0; i < law.pieces().size(); ++i) {
+    for (const Where end : {Where::Begin, Where::End}) {
+      questions = with_end<T>(questions, {law.pieces()[i], i}, end);
+    }
+  }
+  Searched found{with_places(questions, law, plain, places)};
+  Scratch<T> scratch;
+  for (std::size_t i = 0; i < law.pieces().size(); ++i) {
+    found = with_piece<T>(found, {law.pieces()[i], i}, tolerance, scratch);
+  }
+  return found.questions;
 }
 
 template Questions search_peaks(const Law<double>&, const Law<double>&, double,

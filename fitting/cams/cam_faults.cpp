@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "numerics/tables/turn.h"
@@ -67,9 +68,25 @@ PossibleFault own_size(const MeasuredCam& cam, const char* name,
           })}};
 }
 
+constexpr const char *kRollerRadius = "roller_radius", *kOffset = "offset",
+                     *kArmLength = "arm_length", *kPivotDistance = "pivot_distance";
+
+/// The sizes that may be other ones, as faults name them.
+std::map<std::string_view, double*> sizes_of(MeasuredFollower& follower) {
+  if (auto* roller = std::get_if<TranslatingRoller>(&follower)) {
+    return {{kRollerRadius, &roller->roller_radius}, {kOffset, &roller->offset}};
+  }
+  if (auto* arm = std::get_if<OscillatingRoller>(&follower)) {
+    return {{kRollerRadius, &arm->roller_radius},
+            {kArmLength, &arm->arm_length},
+            {kPivotDistance, &arm->pivot_distance}};
+  }
+  return {};
+}
+
 PossibleFault roller_radius(const MeasuredCam& cam) {
   return {FaultKind::OwnSize,
-          {"roller_radius"},
+          {kRollerRadius},
           {column(cam, [](const LiftSample& sample) { return sample.follows; })}};
 }
 
@@ -86,16 +103,17 @@ std::vector<PossibleFault> possible_faults(const MeasuredCam& cam) {
   std::vector<PossibleFault> faults{centre_of(cam), drift(0, kTurnDegrees, kTurnDegrees)};
   if (std::holds_alternative<TranslatingRoller>(cam.lift.follower())) {
     faults.push_back(roller_radius(cam));
-    faults.push_back(own_size(cam, "offset", [](const LiftSample&) { return Complex(1, 0); }));
+    faults.push_back(own_size(cam, kOffset, [](const LiftSample&) { return Complex(1, 0); }));
+    faults.back().may_be_far = true;
   }
   if (std::holds_alternative<OscillatingRoller>(cam.lift.follower())) {
     faults.push_back(roller_radius(cam));
     faults.push_back(
-        own_size(cam, "pivot_distance", [](const LiftSample&) { return Complex(1, 0); }));
+        own_size(cam, kPivotDistance, [](const LiftSample&) { return Complex(1, 0); }));
     const double zero = cam.lift.coordinate(0);
     // The arm is seen in the mirror where the cam turns clockwise.
     const double sense = cam.lift.rotation() == Rotation::Clockwise ? 1 : -1;
-    faults.push_back(own_size(cam, "arm_length", [zero, sense](const LiftSample& sample) {
+    faults.push_back(own_size(cam, kArmLength, [zero, sense](const LiftSample& sample) {
       return -std::polar(1.0, sense * (zero + sample.s));
     }));
   }
@@ -103,13 +121,8 @@ std::vector<PossibleFault> possible_faults(const MeasuredCam& cam) {
 }
 
 MeasuredFollower with_less(MeasuredFollower follower, const std::string& name, double less) {
-  if (auto* roller = std::get_if<TranslatingRoller>(&follower)) {
-    (name == "offset" ? roller->offset : roller->roller_radius) -= less;
-  }
-  if (auto* arm = std::get_if<OscillatingRoller>(&follower)) {
-    (name == "arm_length"       ? arm->arm_length
-     : name == "pivot_distance" ? arm->pivot_distance
-                                : arm->roller_radius) -= less;
+  for (const auto& [size, value] : sizes_of(follower)) {
+    if (size == name) *value -= less;
   }
   return follower;
 }

@@ -177,9 +177,10 @@ std::optional<RankedMotions> with_plain_laws(const MeasuredCam& cam, const CamFi
 FaultTest followed_from_elsewhere(const FaultTest& near, const FaultTest& test, const CamFit& fit,
                                   const LawFitOptions& options) {
   constexpr double kBeyondChance = 5;  // deviations
+  const std::string& name = test.fault.names.front();
   FaultTest best = near;
   for (const double less : less_offset(fit.cam)) {
-    const auto other = with_follower(fit.cam, with_less(fit.cam.lift.follower(), "offset", less));
+    const auto other = with_follower(fit.cam, with_less(fit.cam.lift.follower(), name, less));
     if (!other) continue;
     const auto motions = with_plain_laws(*other, fit, options);
     if (!motions) continue;
@@ -187,7 +188,7 @@ FaultTest followed_from_elsewhere(const FaultTest& near, const FaultTest& test, 
     for (PossibleFault& fault : possible_faults(*other)) {
       if (fault.names == test.fault.names) there.fault = std::move(fault);
     }
-    FaultTest found = followed(there, *motions, other_size(*other, "offset"), options);
+    FaultTest found = followed(there, *motions, other_size(*other, name), options);
     found.size[0] += less;
     found.with_plain_laws =
         found.covariance.allFinite() &&
@@ -209,8 +210,8 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
       const std::string& name = test.fault.names.front();
       FaultTest near = followed(test, motions, other_size(fit.cam, name), options);
       const bool is_told = near.with_plain_laws && near.gain > kGainWithPlainLaws;
-      test =
-          name == "offset" && !is_told ? followed_from_elsewhere(near, test, fit, options) : near;
+      const bool is_lost = test.fault.may_be_far && !is_told;
+      test = is_lost ? followed_from_elsewhere(near, test, fit, options) : near;
     }
   }
   return seen_faults(std::move(tests));

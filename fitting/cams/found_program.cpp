@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/known_names.h"
 #include "numerics/tables/turn.h"
+#include "problems/statement/problem_format.h"
 #include "problems/statement/program_units.h"
 
 namespace camlaw::problems {
@@ -33,7 +35,8 @@ std::vector<Phase> phases_of(const std::vector<MotionFit>& fits) {
       phases.begin(), phases.end(), [](const Phase& a, const Phase& b) { return a.from < b.from; });
   const double first = lowest->begin;
   for (Phase& p : phases) {
-    const double shift = kTurnDegrees * std::floor((p.begin - first) / kTurnDegrees + 1e-9);
+    constexpr double kRounding = 1e-9;  // of a turn: what begins with the first one stays there
+    const double shift = kTurnDegrees * std::floor((p.begin - first) / kTurnDegrees + kRounding);
     p.begin -= shift, p.end -= shift;
   }
   std::sort(phases.begin(), phases.end(),
@@ -89,11 +92,12 @@ std::string sizes_text(const FoundSizes& sizes, const ProblemStatement& machine)
   std::string text;
   const auto& parameters = machine.mechanism->parameters;
   const auto stroke = stroke_of(*machine.mechanism);
+  const auto base_radius = parameter_called(*machine.mechanism, known::kBaseRadius);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const MechanismParameter& p = parameters[i];
     double value = machine.constants[i];
     if (stroke == i) value = sizes.stroke;
-    if (p.name == "base_radius") value = sizes.base_radius;
+    if (base_radius == i) value = sizes.base_radius;
     text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
                           : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
   }
@@ -115,9 +119,10 @@ FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
   FoundProgram result;
   std::string& text = result.problem;
   text = fmt::format(
-      "# A measured cam. Its angle 0 is at {} deg of the measurement.\ntitle = \"A measured "
+      "# A measured cam. Its angle 0 is at {} deg of the measurement.\nformat = \"{}\"\ntitle = "
+      "\"A measured "
       "cam\"\nmechanism = \"{}\"\n\n[constants]\n{}\n[program]\nmatched = \"displacement\"\n",
-      number(turn.phases.front().begin), machine.mechanism->name,
+      number(turn.phases.front().begin), kProblemFormat.text(), machine.mechanism->name,
       sizes_text(sizes_of(fit.cam, turn), machine));
   for (std::size_t i = 0; i < turn.phases.size(); ++i) {
     const Phase& p = turn.phases[i];

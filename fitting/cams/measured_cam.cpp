@@ -14,6 +14,7 @@
 #include "fitting/samples/condensed.h"
 #include "fitting/samples/lift_samples.h"
 #include "fitting/samples/lone_samples.h"
+#include "machines/model/known_names.h"
 #include "machines/registry.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/tables/columns.h"
@@ -241,7 +242,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
   cam.left_out = points.left_out;
   cam.lacking = own.left_out;
   cam.rounded = rounded;
-  const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
+  const bool swings = find_response(*machine.mechanism, known::kDisplacement).unit == "deg";
   cam.samples.place_unit = "deg";
   cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
   return with_samples(std::move(cam)).value();

@@ -164,8 +164,9 @@ std::optional<AgreementSteps::Step> AgreementSteps::step(const std::vector<doubl
     limits[r] = row.limit + row.share * (unknown ? kInside : misfit);
     if (!unknown) matrix(r, size - 1) = row.share * misfit;
     if (unknown && limits[r] < 0 && limits[r] > -2 * (1 - kInside)) limits[r] = 0;
+    constexpr double kNotZero = 1e-300;  // rows of zeros stay what they are
     const double by =
-        std::max({largest, std::abs(limits[r]), unknown ? 0.0 : row.share * misfit, 1e-300});
+        std::max({largest, std::abs(limits[r]), unknown ? 0.0 : row.share * misfit, kNotZero});
     matrix.row(r) /= by;
     limits[r] /= by;
     if (limits[r] < 0) {  // says nothing of steps from here
@@ -223,7 +224,8 @@ std::optional<std::vector<double>> AgreementSteps::to_agreement(std::vector<doub
       before = here;
     }
     auto next = step(x, reach, rows_with(x, cuts), {.enough = enough});
-    if (!next || next->gain <= 1e-9 * here) return {};
+    constexpr double kNoGain = 1e-9;  // what rounding makes of the small program
+    if (!next || next->gain <= kNoGain * here) return {};
     if (std::isnan(misfit(next->to))) next->to = short_of(x, next->to);
     const double there = misfit(next->to), gained = here - there;  // NaN where there is no law
     if (gained > 0.1 * next->gain) {

@@ -95,7 +95,8 @@ Found best_place(const Window& window, const Shape& shape, double low, double hi
 double error_of(const Window& window, const Shape& shape, double place) {
   const MatrixXd A = columns(window, shape, place);
   const VectorXd c = optim::least_squares(A, window.s);
-  const double h = 1e-4 * std::max(window.scale.before, window.scale.after);
+  constexpr double kStep = 1e-4;  // squared it is far below what the place is known to
+  const double h = kStep * std::max(window.scale.before, window.scale.after);
   const VectorXd slope =
       (columns(window, shape, place + h) * c - columns(window, shape, place - h) * c) / (2 * h);
   const double own = (slope - A * optim::least_squares(A, slope)).norm();

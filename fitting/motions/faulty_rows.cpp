@@ -53,7 +53,7 @@ struct Parting {
 
 std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_angle) {
   constexpr double kGap = 10;
-  const bool is_long = is_angle && left.range() > kTurnDegrees * (1 + 1e-6);
+  const bool is_long = is_angle && left.range() > kLongestTurn;
   for (std::size_t k = 0; k < most; ++k) {
     const std::size_t inner = left.first + k + 1, outer = left.last - k - 1;
     if (outer <= inner) break;
@@ -61,8 +61,8 @@ std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_
                  after = left.at(outer + 1) - left.at(outer);
     const double within_begin = left.at(left.last) - left.at(inner),
                  within_end = left.at(outer) - left.at(left.first);
-    const bool fits_begin = is_long && within_begin <= kTurnDegrees * (1 + 1e-6),
-               fits_end = is_long && within_end <= kTurnDegrees * (1 + 1e-6);
+    const bool fits_begin = is_long && within_begin <= kLongestTurn,
+               fits_end = is_long && within_end <= kLongestTurn;
     const double own = is_angle ? kTurnDegrees : 0;  // a turn is not far for an angle
     if (fits_begin || before > kGap * std::max(within_begin, own / kGap))
       return Parting{true, inner};

@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "fitting/samples/motion_samples.h"
+#include "numerics/tables/turn.h"
 
 /// Rows of a record that are slips of the pen or of the instrument.
 namespace camlaw::problems {
+
+/// A turn of angles that a table prints with some digits, deg: longer ones come round again.
+inline constexpr double kLongestTurn = kTurnDegrees * (1 + 1e-6);
 
 /// A row that was left out.
 struct FaultyRow {

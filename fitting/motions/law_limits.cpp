@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fitting/motions/fit_parameters.h"
+#include "kinematics/laws/free_ends.h"
 #include "numerics/linear/statistics.h"
 #include "optim/fit/eigen_matrix.h"
 
@@ -32,13 +33,8 @@ std::optional<LawLimit> limit_of(const Member& law) {
   return limit;
 }
 
-bool has_free_ends(const Member& law) {
-  const std::string& family = law.family->name;
-  return family == "boundary-5" || family == "boundary-7";
-}
-
 bool is_end_value(const Member& law, const Coefficient& coefficient) {
-  return has_free_ends(law) && (coefficient.name == "s0" || coefficient.name == "s1");
+  return has_free_ends(*law.family) && is_end_displacement(coefficient.name);
 }
 
 LimitedResiduals::LimitedResiduals(const optim::Residuals& residuals, LawLimit limit,

@@ -24,10 +24,6 @@ struct LawLimit {
 /// whose coefficients are free of one another.
 std::optional<LawLimit> limit_of(const Member& law);
 
-/// Whether the law's own values at its ends are free, so that it is the same curve over any
-/// stretch.
-bool has_free_ends(const Member& law);
-
 /// Whether it is what zero shift and stroke of a motion stand for: the law's own end values.
 bool is_end_value(const Member& law, const Coefficient& coefficient);
 

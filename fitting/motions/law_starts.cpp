@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fitting/motions/law_residuals.h"
+#include "kinematics/laws/free_ends.h"
 
 namespace camlaw::problems {
 namespace {
@@ -106,7 +107,7 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& means
   if (goes_beyond(means, parameters) && !fault) {
     add(where_it_ends(between_ends(fit, own, own[kBegin].start, own[kEnd].start)));
   }
-  if (has_free_ends(law) && !fault) add(where_it_ends(over_ends(fit, own)));
+  if (has_free_ends(*law.family) && !fault) add(where_it_ends(over_ends(fit, own)));
   if (fault) return std::move(*fault);
   // Where the samples do not determine the numbers no start helps.
   const bool is_single = own.size() < few.first() + 2 || !found.front().free_directions.empty();

@@ -125,14 +125,16 @@ Possible<LiftCurve> lift_curve(const LiftSamples& lift, const SegmentOptions& op
   if (!curve) return curve.reason();
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const double whole = *high - *low;
+  constexpr double kLeastNoise = 1e-9;  // of the whole travel: exact samples have their rounding
+  constexpr double kAboveNoise = 5;     // a travel that is surely none of it
   LiftCurve result{.samples = {.x = lift.phi, .s = lift.s, .curve = {}, .leverage = {}},
                    .curve = std::move(*curve),
                    .is_periodic = options.period.has_value(),
                    .begin = options.period ? 0 : lift.phi.front(),
                    .end = options.period.value_or(lift.phi.back()),
-                   .least = std::max(options.least_motion * whole, 5 * lift.noise),
+                   .least = std::max(options.least_motion * whole, kAboveNoise * lift.noise),
                    .least_dwell = 0,
-                   .noise = std::max(lift.noise, 1e-9 * whole)};
+                   .noise = std::max(lift.noise, kLeastNoise * whole)};
   result.least_dwell = options.least_dwell * result.length();
   for (std::size_t i = 0; i < lift.s.size(); ++i) {
     const optim::SmoothedSample& smoothed = result.curve.samples()[i];

@@ -135,7 +135,7 @@ Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
   const auto [first, last] = std::minmax_element(samples.place.begin(), samples.place.end());
   const double range = *last - *first;
   const bool is_angle = samples.place_unit == "deg";
-  if (is_angle && range > kTurnDegrees * (1 + 1e-6)) {
+  if (is_angle && range > kLongestTurn) {
     return Impossible{
         fmt::format("the angles go over {:.6g} deg; give at most one turn of 360 deg", range)};
   }

@@ -26,6 +26,8 @@ struct PossibleFault {
   std::vector<std::function<double(double place)>> by;
   /// Where it jumps: here, and every `jump_period` before and after; 0: nowhere.
   double jump = 0, jump_period = 0;
+  /// Steps from 0 may not lead to the right size, as where the sign of the stated one is wrong.
+  bool may_be_far = false;
 };
 
 /// The drift of a record whose first place is `first` and which goes over `range`; the unknown is

@@ -29,8 +29,9 @@ void check(const SegmentOptions& options) {
 
 /// Whether one chain goes all the way round.
 bool is_closed(const LiftCurve& lift, const std::vector<Chain>& chains) {
+  constexpr double kRounding = 1e-9;
   return lift.is_periodic && chains.size() == 1 &&
-         chains[0].back().place - chains[0].front().place > (1 - 1e-9) * lift.length();
+         chains[0].back().place - chains[0].front().place > (1 - kRounding) * lift.length();
 }
 
 /// Where that begins which is seen of the dwell before a chain, and where that ends which is seen

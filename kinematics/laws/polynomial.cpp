@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "kinematics/laws/families.h"
+#include "kinematics/laws/free_ends.h"
 
 namespace camlaw {
 
@@ -173,9 +174,12 @@ std::vector<Family> free_polynomials() {
   };
 }
 
+constexpr const char *kBoundary5 = "boundary-5", *kBoundary7 = "boundary-7";
+constexpr const char* kDisplacementLetter = "s";
+
 /// s, v, a, j at an end, as many as wanted.
 std::vector<Parameter> end_values(int count, char end, double displacement) {
-  const std::array<const char*, 4> letters{"s", "v", "a", "j"};
+  const std::array<const char*, 4> letters{kDisplacementLetter, "v", "a", "j"};
   const std::array<const char*, 4> meanings{"displacement", "velocity s'", "acceleration s''",
                                             "jerk s'''"};
   std::vector<Parameter> result;
@@ -213,13 +217,21 @@ Family boundary_family(int count, std::string name, std::string alias, std::stri
 }
 
 std::vector<Family> boundary_polynomials() {
-  return {boundary_family(3, "boundary-5", "Polynom 5. Grades mit Randwerten",
+  return {boundary_family(3, kBoundary5, "Polynom 5. Grades mit Randwerten",
                           "the polynomial of degree 5 with s, s', s'' given at both ends"),
-          boundary_family(4, "boundary-7", "Polynom 7. Grades mit Randwerten",
+          boundary_family(4, kBoundary7, "Polynom 7. Grades mit Randwerten",
                           "the polynomial of degree 7 with s, s', s'', s''' given at both ends")};
 }
 
 }  // namespace
+
+bool has_free_ends(const Family& family) {
+  return family.name == kBoundary5 || family.name == kBoundary7;
+}
+
+bool is_end_displacement(std::string_view parameter) {
+  return parameter.size() == 2 && parameter.starts_with(kDisplacementLetter);
+}
 
 std::vector<Family> polynomial_families() {
   std::vector<Family> all = whole_polynomials();

@@ -4,28 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 #include <vector>
+
+#include "numerics/text/unit_kinds.h"
 
 namespace camlaw {
 namespace {
-
-/// Kinds that messages name.
-constexpr std::pair<const char*, const char*> kKinds[] = {{"a length", "m"},
-                                                          {"an area", "m2"},
-                                                          {"a volume", "m3"},
-                                                          {"a time", "s"},
-                                                          {"a frequency", "1/s"},
-                                                          {"a velocity", "m/s"},
-                                                          {"an acceleration", "m/s2"},
-                                                          {"a mass", "kg"},
-                                                          {"a density", "kg/m3"},
-                                                          {"a force", "N"},
-                                                          {"a spring rate", "N/m"},
-                                                          {"a stress", "Pa"},
-                                                          {"a torque or an energy", "N m"},
-                                                          {"a power", "W"},
-                                                          {"a moment of inertia", "kg m2"}};
 
 std::string unit_text(const Dimension& d) {
   std::string text;
@@ -63,13 +47,19 @@ Dimension power(const Dimension& d, double exponent) {
 
 std::string to_string(const Dimension& d) {
   if (d.is_plain()) return "a plain number";
-  static const std::vector<Dimension> kinds = [] {
-    std::vector<Dimension> all;
-    for (const auto& [name, unit] : kKinds) all.push_back(si_unit(unit).dimension);
+  struct Kind {
+    UnitKind words;
+    Dimension dimension;
+  };
+  static const std::vector<Kind> kinds = [] {
+    std::vector<Kind> all;
+    for (const UnitKind& kind : kUnitKinds) {
+      if (!kind.has_angle) all.push_back({kind, si_unit(kind.unit).dimension});
+    }
     return all;
   }();
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i] == d) return fmt::format("{} ({})", kKinds[i].first, kKinds[i].second);
+  for (const auto& [words, dimension] : kinds) {
+    if (dimension == d) return fmt::format("{} ({})", words.name, words.unit);
   }
   return fmt::format("a quantity in {}", unit_text(d));
 }

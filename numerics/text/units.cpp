@@ -18,6 +18,7 @@
 #include "numerics/own_files.h"
 #include "numerics/text/dimension.h"
 #include "numerics/text/names.h"
+#include "numerics/text/unit_kinds.h"
 #include "numerics/text/unit_spelling.h"
 
 namespace camlaw {
@@ -80,16 +81,8 @@ const cv_converter* converter_between(const std::string& from, const std::string
 
 /// What kind of quantity a unit measures, for messages.
 std::string kind_of(const Unit& unit) {
-  struct Kind {
-    const char* unit;
-    const char* name;
-  };
-  constexpr std::array kNamedKinds{
-      Kind{"1", "a plain number"}, Kind{"rad", "an angle"}, Kind{"m", "a length"},
-      Kind{"m/s", "a velocity"},   Kind{"kg", "a mass"},    Kind{"N", "a force"},
-      Kind{"s", "a time"},         Kind{"Pa", "a stress"},  Kind{"rad/s", "an angular velocity"},
-      Kind{"N m", "a torque"}};
-  for (const Kind& kind : kNamedKinds) {
+  if (same_kind(unit, find_unit("1"))) return "a plain number";
+  for (const UnitKind& kind : kUnitKinds) {
     if (same_kind(unit, find_unit(kind.unit))) return kind.name;
   }
   return "a quantity of another kind";

@@ -42,7 +42,8 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
     const double next = inside ? newton : std::midpoint(left, right);
     const double width = std::abs(next - x);
     x = next;
-    if (width <= 1e-15 * std::max(std::abs(x), right - left) || !(left < right)) break;
+    constexpr double kLastDigits = 1e-15;
+    if (width <= kLastDigits * std::max(std::abs(x), right - left) || !(left < right)) break;
   }
   const auto f = curve({x});
   return f[0] >= best.f[0] ? Sample{{x}, f} : best;
@@ -136,7 +137,8 @@ void add_stretch(const Turned& curve, const Samples& s, std::vector<Extreme>& fo
 void add_level_ends(const Turned& curve, const Samples& s, std::size_t first,
                     std::vector<Extreme>& found) {
   constexpr double kLevel = 1e-9;
-  const double near = 1e-6 * (s.place(s.last()).angle - s.place(0).angle);
+  constexpr double kNear = 1e-6;  // of the stretch: an end that near a maximum is that place
+  const double near = kNear * (s.place(s.last()).angle - s.place(0).angle);
   double highest = -kInfinity;
   for (std::size_t i = first; i < found.size(); ++i) {
     highest = std::max(highest, curve.sign * found[i].value);

@@ -49,7 +49,8 @@ class LevelCurve final : public Curve {
 
 /// The break that rounding has left an angle beside, else the angle.
 double onto_break(double angle, const std::vector<double>& breaks) {
-  const double beside = 1e-9 * (breaks.back() - breaks.front());
+  constexpr double kRounding = 1e-9;  // of the cycle
+  const double beside = kRounding * (breaks.back() - breaks.front());
   const auto next = std::lower_bound(breaks.begin(), breaks.end(), angle - beside);
   return next != breaks.end() && *next <= angle + beside ? *next : angle;
 }

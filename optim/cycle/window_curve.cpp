@@ -50,7 +50,8 @@ class WindowTrace final : public Trace {
   /// The window's ends and the breaks between them. An end that rounding has left beside a break is
   /// that break, so that nothing of the curve beyond it is seen.
   static std::vector<double> breaks_within(const std::vector<double>& all, const Window& window) {
-    const double beside = 1e-9 * (all.back() - all.front());
+    constexpr double kRounding = 1e-9;  // of the cycle, as an angle of ten digits in a file has
+    const double beside = kRounding * (all.back() - all.front());
     const auto at_break = [&](double end) {
       const auto near = std::find_if(all.begin(), all.end(),
                                      [&](double b) { return std::abs(b - end) <= beside; });

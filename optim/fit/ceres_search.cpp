@@ -62,6 +62,7 @@ ceres::Solver::Options settings(int max_iterations, double tolerance, Pace pace)
   options.logging_type = ceres::SILENT;
 
   options.function_tolerance = options.parameter_tolerance = tolerance;
+  // Never: a gradient has units, in which no number is small for every problem.
   options.gradient_tolerance = 1e-30;
   options.max_num_consecutive_invalid_steps = 50;
   if (pace == Pace::Cautious) {
@@ -69,6 +70,7 @@ ceres::Solver::Options settings(int max_iterations, double tolerance, Pace pace)
     // columns: a parameter that hardly matters at the start is not sent far for it.
     options.jacobi_scaling = false;
     options.min_lm_diagonal = options.max_lm_diagonal = 1;
+    // The damping is the reciprocal: 1e4 in the parameters' scales, which shortens the first steps.
     options.initial_trust_region_radius = 1e-4;
   }
   return options;

@@ -291,7 +291,9 @@ class Search {
   /// Fits and estimates in turn, from a fit without a loss.
   End with_estimated_scale(const End& plain, Way way) {
     constexpr int kRounds = 100;
-    const double settled = options_.reach == FitReach::Rough ? 1e-3 : 1e-8;
+    // The scale enters the fit smoothly, so its last digits move nothing; a rough fit only ranks.
+    constexpr double kSettled = 1e-8, kRoughly = 1e-3;
+    const double settled = options_.reach == FitReach::Rough ? kRoughly : kSettled;
     // Where more than half of the residuals vanish, so would the scale. This share of the first
     // fit's deviation is kept, and keeps the outliers' pull below what could be seen.
     constexpr double kLeast = 1e-6;

@@ -103,7 +103,8 @@ class Checker {
     std::vector<double> g(inputs.size()), h(packed_size(inputs.size()));
     const double value = f.hessian(x_, g, h);
     // Less than this of the value differences cannot tell from nothing.
-    double first = std::max(1e-6 * std::abs(value), kNoiseOfCurve * size), second = first;
+    constexpr double kNoiseOfNumber = 1e-6;
+    double first = std::max(kNoiseOfNumber * std::abs(value), kNoiseOfCurve * size), second = first;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       first = std::max(first, std::abs(g[i]) * scales_[inputs[i]]);
       for (std::size_t j = 0; j <= i; ++j) {
@@ -154,7 +155,8 @@ class Checker {
       }
       const double a = f.value(points[k]), b = f.value(points[k + 1]), m = f.value(middle);
       if (std::isnan(a) || std::isnan(b)) continue;
-      const double room = 1e-9 * std::max({std::abs(a), std::abs(b), std::abs(m)});
+      constexpr double kRounding = 1e-9;
+      const double room = kRounding * std::max({std::abs(a), std::abs(b), std::abs(m)});
       const bool below = m <= std::midpoint(a, b) + room, above = m >= std::midpoint(a, b) - room;
       const bool under = m <= std::max(a, b) + room, over = m >= std::min(a, b) - room;
       const Shape shape = f.shape();

@@ -20,7 +20,8 @@ Deadline::Deadline(std::optional<double> limit, const std::atomic<bool>* stop, d
 
 std::optional<double> Deadline::left() const {
   if (!limit_) return {};
-  return std::max(1e-3, *limit_ - (now() - began_));
+  constexpr double kLeast = 1e-3;  // s: solvers take 0 for no limit
+  return std::max(kLeast, *limit_ - (now() - began_));
 }
 
 double Deadline::spent() const { return now() - began_; }

@@ -10,7 +10,8 @@ namespace {
 /// Bounds of a sum of `count` products as rounded: what rounding may have moved is a share of their
 /// sizes.
 Bounds widened(Bounds sum, double sizes, std::size_t count) {
-  const double room = static_cast<double>(count + 2) * 4e-16 * sizes;
+  constexpr double kOfOne = 4e-16;  // two operations of 2^-53 each, and more
+  const double room = static_cast<double>(count + 2) * kOfOne * sizes;
   return {sum.lower - room, sum.upper + room};
 }
 

@@ -118,11 +118,13 @@ void pass_on(Ipopt::OptionsList& list, const NativeOptions& options) {
 
 void set_warm_start(Ipopt::OptionsList& list) {
   list.SetStringValue("warm_start_init_point", "yes");
-  list.SetNumericValue("mu_init", 1e-5);
+  // The start is an optimum but for angles that were added: a larger barrier would leave it.
+  constexpr double kBarrier = 1e-5, kPush = 1e-6;
+  list.SetNumericValue("mu_init", kBarrier);
   for (const char* push :
        {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
         "warm_start_slack_bound_frac", "warm_start_mult_bound_push"}) {
-    list.SetNumericValue(push, 1e-6);
+    list.SetNumericValue(push, kPush);
   }
 }
 

@@ -94,7 +94,8 @@ NloptHandle NloptSearch::create(nlopt_algorithm algorithm) const {
   const bool searches_box = method_.is_global && algorithm != NLOPT_LD_LBFGS;
   if (searches_box) return opt;
   nlopt_set_xtol_rel(opt.get(), options_.tolerance);
-  if (method_.uses_gradients) nlopt_set_ftol_rel(opt.get(), 1e-3 * options_.tolerance);
+  constexpr double kTighter = 1e-3;
+  if (method_.uses_gradients) nlopt_set_ftol_rel(opt.get(), kTighter * options_.tolerance);
   return opt;
 }
 
@@ -109,8 +110,10 @@ NloptHandle NloptSearch::create_inner() const {
     // What solves the dual problems. By default that is MMA with 100000 evaluations, which on 60
     // random convex programs was 50 times slower, and less accurate.
     helper = create(NLOPT_LD_TNEWTON_RESTART);
-    nlopt_set_ftol_rel(helper.get(), 1e-14);
-    nlopt_set_maxeval(helper.get(), 3000);
+    constexpr double kLastDigits = 1e-14;  // an inexact dual makes the outer steps inexact
+    constexpr int kMost = 3000;            // evaluations of a dual
+    nlopt_set_ftol_rel(helper.get(), kLastDigits);
+    nlopt_set_maxeval(helper.get(), kMost);
   }
   nlopt_set_vector_storage(inner.get(), 20);
   set_nlopt_options(method_, program_, options_.native, inner.get(), helper.get());

@@ -46,7 +46,7 @@ class Filter {
 class Sequence {
  public:
   Sequence(const Program& program, const SolverOptions& options, VectorXd y)
-      : program_(program), options_(options), place_(point_at(program, std::move(y))), met_(1e-9) {
+      : program_(program), options_(options), place_(point_at(program, std::move(y))) {
     multipliers_.rows = VectorXd::Zero(static_cast<Eigen::Index>(program.rows()));
     multipliers_.lower = multipliers_.upper = VectorXd::Zero(place_.y.size());
     interior_.least_objective = 1;  // programs are scaled, and a last step is worth nothing
@@ -75,10 +75,10 @@ class Sequence {
       if (stopped_) return answer(stopped_->status, stopped_->message);
       if (advance == Advance::None || advance == Advance::Undefined)
         return answer(Status::Stalled, "no step leads to a better point");
-      if (place_.violation <= met_ && is_far_out(program_, entries_of(place_.y)))
+      if (place_.violation <= kMet && is_far_out(program_, entries_of(place_.y)))
         return answer(Status::Unbounded, "the objective decreases without bound");
       if (advance == Advance::Last) {
-        if (place_.violation > met_) return answer(Status::Infeasible, "no step meets the limits");
+        if (place_.violation > kMet) return answer(Status::Infeasible, "no step meets the limits");
         return answer(Status::Solved, "no step improves the design");
       }
     }
@@ -103,7 +103,7 @@ class Sequence {
   double rounding() const { return kRounding * (1 + std::abs(place_.objective)); }
   /// Of a place; what is met is met.
   double passed(const ProgramPoint& place) const {
-    return place.violation <= met_ ? 0 : place.violation;
+    return place.violation <= kMet ? 0 : place.violation;
   }
 
   /// One step that is worth taking, from models of the place where it stands.
@@ -135,14 +135,14 @@ class Sequence {
       cut_region(radius_);
       return {};
     }
-    if (step->passed <= met_) {
+    if (step->passed <= kMet) {
       // Where the method has not solved the objective's program in this region, a smaller one.
       if (radius_ >= unsolved_radius_) cut_region(radius_);
       goal_ = StepGoal::Objective;
       return {};
     }
     const double promised = place_.violation - step->passed;
-    if (promised <= kWorth * met_ || promised <= kRounding * place_.violation)
+    if (promised <= kWorth * kMet || promised <= kRounding * place_.violation)
       return step->length() < kAtEdge * radius_ ? Advance::Last : Advance::None;
     ProgramPoint trial = moved(step->d);
     if (!trial.is_finite() || place_.violation - trial.violation < kGood * promised) {
@@ -189,7 +189,7 @@ class Sequence {
     const bool is_worthless = std::abs(promised) <= rounding() && (is_inside || radius_ >= kSmall);
     ProgramPoint trial = moved(step->d);
     if (is_short || (passed(place_) == 0 && is_worthless)) {
-      const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
+      const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, kMet);
       multipliers_ = step->multipliers;
       if (holds) place_ = std::move(trial);
       if (passed(place_) > 0) return Advance::None;
@@ -240,8 +240,9 @@ class Sequence {
     return !is_about_objective(promised) || place_.objective - trial.objective >= kGood * promised;
   }
   bool is_about_objective(double promised) const {
+    constexpr double kOfSquare = 1e-4;  // the switching condition of filter methods
     const double before = passed(place_);
-    return promised > 0 && promised >= 1e-4 * before * before && promised > rounding();
+    return promised > 0 && promised >= kOfSquare * before * before && promised > rounding();
   }
 
   Advance taken(ProgramPoint trial, const LocalModel& model, const ProgramStep& step,
@@ -307,6 +308,8 @@ class Sequence {
     return solution;
   }
 
+  /// A row passed by less, by its size, is met: far within the tolerance of any limit.
+  static constexpr double kMet = 1e-9;
   static constexpr double kShrink = 0.5, kAtEdge = 0.9, kWarmReach = 1e-2;
 
   const Program& program_;
@@ -316,7 +319,6 @@ class Sequence {
   InteriorOptions interior_;
   Filter filter_;
   StepGoal goal_ = StepGoal::Objective;
-  double met_;  ///< a row passed by less, by its size, is met
   const double passed_at_first_ = place_.violation;
   double radius_ = 10;
   double unsolved_radius_ = kInfinity;  ///< of a region whose program was not solved from here

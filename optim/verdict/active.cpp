@@ -236,8 +236,9 @@ class Collector {
   static bool is_smooth_at(const CurveLevel& side, Place place) {
     const std::vector<double>& breaks = side.breaks;
     const double cycle = breaks.back() - breaks.front();
+    constexpr double kRounding = 1e-12;  // of the cycle
     const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
-      return std::abs(angle - place.angle) <= 1e-12 * cycle;
+      return std::abs(angle - place.angle) <= kRounding * cycle;
     });
     if (inside) return true;
     if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
@@ -289,9 +290,10 @@ class Collector {
   void add_bounds(std::size_t i) {
     const Variable& v = problem_.variables[i];
     if (v.lower == v.upper) return;
+    constexpr double kStopsShort = 1e-7;  // solvers end about so far from a bound that holds them
     for (const double sign : {1.0, -1.0}) {
       ActiveLimit limit = bound_limit(i, sign);
-      if (limit.margin <= std::max(net_.width, 1e-7)) limits_.push_back(std::move(limit));
+      if (limit.margin <= std::max(net_.width, kStopsShort)) limits_.push_back(std::move(limit));
     }
   }
 

@@ -62,7 +62,10 @@ class Duality {
     const double start = value(row, x_);
     // Uphill to the level where x lies below it; downhill, not quite as far, where it lies above.
     constexpr int kTries = 40;
-    double step = (start < 0 ? 1.0 + 1e-9 : 1.0 - 1e-3) * -start / square;
+    constexpr double kBeyond = 1e-9;    // so that rounding leaves it at the level
+    constexpr double kShort = 1e-3;     // of the way down, so that it stays above the level
+    constexpr double kNoStep = 1e-300;  // halving it further would end in subnormal numbers
+    double step = (start < 0 ? 1.0 + kBeyond : 1.0 - kShort) * -start / square;
     for (int i = 0; i < kTries; ++i) {
       const std::vector<double> y = moved(row, here, step);
       const double there = value(row, y);
@@ -73,7 +76,7 @@ class Duality {
         accumulate(row, -way, own, sum);
         return true;
       }
-      step = start < 0 ? 2 * step : (step < -1e-300 ? 0.5 * step : 0);
+      step = start < 0 ? 2 * step : (step < -kNoStep ? 0.5 * step : 0);
     }
     return false;
   }

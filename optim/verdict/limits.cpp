@@ -118,7 +118,10 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
 }
 
 /// A little more than a peak that the search has found; `least` where that is near zero.
-double above(double value, double least) { return value + std::max(1e-9 * std::abs(value), least); }
+double above(double value, double least) {
+  constexpr double kLittle = 1e-9;  // more than a search leaves below a peak by rounding
+  return value + std::max(kLittle * std::abs(value), least);
+}
 
 /// Proves one side of the objective's peak, `value` times `sign` the highest that the search found.
 /// Where the proof finds more, the report takes it.
@@ -195,7 +198,8 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
   result.from_left = peak.place.from_left;
   if (prove) {
     const double found = result.value;
-    const double least = 1e-1 * sizes.objective_tolerance;
+    constexpr double kUnnoticed = 0.1;  // of the tolerance
+    const double least = kUnnoticed * sizes.objective_tolerance;
     const double one = prove_peak(*trace, result.sign, result, found, least);
     const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);

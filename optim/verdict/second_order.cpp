@@ -219,7 +219,8 @@ bool sparse_test(const Eigen::SparseMatrix<double>& H, const Eigen::SparseMatrix
   if (largest == 0) return true;
   Eigen::SparseMatrix<double> D(H.rows(), H.cols());
   D.setIdentity();
-  D.diagonal() = nothing.array() + 1e-9;
+  constexpr double kNeverSingular = 1e-9;  // where a variable is in no entry at all
+  D.diagonal() = nothing.array() + kNeverSingular;
   const Eigen::SparseMatrix<double> outer = A * A.transpose();
   for (const double rho : {1e2, 1e5, 1e8}) {
     const Eigen::SparseMatrix<double> sum = H + (rho * largest) * outer + D;
@@ -261,7 +262,8 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;
   // Rounding in a response of this size.
   const double value = objective_value(point.problem.objective(), point.x);
-  const double floor = 1e-9 * std::max(1.0, std::abs(value) / point.sizes.objective);
+  constexpr double kRounding = 1e-9;
+  const double floor = kRounding * std::max(1.0, std::abs(value) / point.sizes.objective);
   return ConeTest(dense_H, dense_P, dense_W, floor).run();
 }
 

@@ -70,8 +70,9 @@ std::pair<double, double> interval_of(std::vector<double> numbers) {
 
 /// Whether values differ by more than their rounding.
 bool changes(const SobolIndices& indices, double made_of) {
+  constexpr double kRounding = 1e-13;  // a few hundred units of the last place
   const double size = std::max({std::abs(indices.lowest), std::abs(indices.highest), made_of});
-  return indices.highest - indices.lowest > 1e-13 * size;
+  return indices.highest - indices.lowest > kRounding * size;
 }
 
 SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs, double made_of,

@@ -99,8 +99,9 @@ class Division {
   void take_rows() {
     const Objective& objective = problem_.objective();
     const Layout layout = lay_out(problem_, Optimality::Objective);
+    constexpr double kWidth = 1e-4;  // of a net that the verdict casts too (kkt.cpp)
     const Weighed weighed =
-        layout.rows > 0 ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, Net{1e-4})
+        layout.rows > 0 ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, Net{kWidth})
                         : Weighed{};
     if (objective.part == Part::Value) {
       rows_.push_back({objective.response.function(), sense_, 0, true, 1});
@@ -139,8 +140,9 @@ class Division {
   double level(std::size_t constraint, double sign) const {
     const Constraint& c = problem_.constraints[constraint];
     const ConstraintSize& size = sizes_.constraints[constraint];
+    constexpr double kOfTolerance = 1e-3, kOfSize = 1e-12;
     return sign * (sign > 0 ? *c.upper : *c.lower) +
-           std::max(1e-3 * size.tolerance, 1e-12 * size.size);
+           std::max(kOfTolerance * size.tolerance, kOfSize * size.size);
   }
 
   /// A row over a box: numbers that sign * function is not below there, and at the middle.
@@ -209,7 +211,11 @@ class Division {
   /// What a design must be below to be better.
   double goal() const { return best_ - 0.5 * tolerance_; }
 
-  static double radius(const Bounds& side) { return 0.5 * width(side) * (1 + 1e-15); }
+  /// A few units of the last place more than half the width, so that the box is covered.
+  static double radius(const Bounds& side) {
+    constexpr double kUnits = 1e-15;
+    return 0.5 * width(side) * (1 + kUnits);
+  }
   static Bounds turned(const Bounds& range, double sign) {
     return sign > 0 ? range : Bounds{-range.upper, -range.lower};
   }

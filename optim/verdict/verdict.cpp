@@ -128,11 +128,14 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
 
 /// A number rounded outwards for print: below where `sign` is above 0.
 std::string outwards(double value, double sign) {
+  constexpr int kPrinted = 8;        // digits
+  constexpr double kOfZero = 1e-12;  // any step does: 0 is a multiple of all
+  const double size = std::abs(value);
   const double step =
-      std::abs(value) > 0 ? std::pow(10, std::floor(std::log10(std::abs(value))) - 7) : 1e-12;
+      size > 0 ? std::pow(10, std::floor(std::log10(size)) - (kPrinted - 1)) : kOfZero;
   const double rounded =
       sign > 0 ? std::floor(value / step) * step : std::ceil(value / step) * step;
-  return fmt::format("{:.8g}", rounded);
+  return fmt::format("{:.{}g}", rounded, kPrinted);
 }
 
 /// Why no better design exists anywhere, with the bound that shows it; `why` as a lower bound of

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/answer_formats.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 
@@ -179,6 +180,7 @@ void add_misfits(const ConstantsFit& fit, Document& document) {
 Document constants_document(const std::vector<ConstantsFit>& fits) {
   const ConstantsFit& best = fits.front();
   Document document;
+  document.fact("format", kFitFormat.text());
   document.say(fmt::format("law {}\n", best.law.label()));
   document.fact("law", best.law.name());
   document.add(numbers_table(best));

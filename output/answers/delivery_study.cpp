@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "output/answers/answer_formats.h"
+
 namespace camlaw::cli {
 
 using problems::DeliveryChoice;
@@ -28,6 +30,7 @@ Table delivery_table(std::span<const DeliveryChoice> choices) {
 
 Document delivery_document(std::span<const DeliveryChoice> choices) {
   Document document;
+  document.fact("format", kTradeOffFormat.text());
   document.fact("study", "sheet-delivery");
   document.say("the greatest least efficiency of the sheet delivery for a required slow-down\n\n");
   document.add(delivery_table(choices));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "output/answers/answer_formats.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
@@ -157,6 +158,7 @@ Document evaluation_document(const ProblemStatement& statement,
                              const ClaimReview& review) {
   Document document;
   if (!statement.title.empty()) document.say(statement.title + "\n");
+  document.fact("format", kEvaluationFormat.text());
   document.fact("title", statement.title);
   document.fact("mechanism", statement.mechanism->name);
   const problems::MovedBy moved_by = statement.mechanism->moved_by;

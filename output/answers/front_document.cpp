@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "output/answers/answer_formats.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/front_output.h"
 #include "output/answers/front_words.h"
@@ -248,6 +249,7 @@ Document front_document(const FrontAnswer& answer) {
   std::iota(all.begin(), all.end(), std::size_t{0});
   Document document;
   if (!title.empty()) document.say(title + "\n\n");
+  document.fact("format", kFrontFormat.text());
   document.fact("title", title);
   document.fact("objectives", objectives_json(answer));
   document.add(points_table(answer, all));

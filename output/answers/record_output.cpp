@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "numerics/linear/statistics.h"
+#include "output/answers/answer_formats.h"
 #include "output/answers/fit_output.h"
 #include "output/answers/next_step.h"
 #include "output/document/formatting.h"
@@ -25,6 +26,7 @@ Document record_document(const RecordAnswer& answer) {
   const double largest = std::abs(fit.residuals[fit.largest]);
   const double largest_at = answer.record.place[fit.largest];
   Document document;
+  document.fact("format", kFitFormat.text());
   document.say(fmt::format("{} of {}, recorded at {} places\n", name, machine.mechanism->name,
                            fit.residuals.size()));
   document.fact("response", name);

@@ -7,6 +7,7 @@
 
 #include "fitting/motions/same_motion.h"
 #include "numerics/tables/turn.h"
+#include "output/answers/answer_formats.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 #include "output/figure/fit_panels.h"
@@ -292,6 +293,7 @@ Document samples_document(const SamplesAnswer& answer) {
     motions.push_back(std::move(motion));
   }
   Document document;
+  document.fact("format", kFitFormat.text());
   document.take_facts(
       json_of(motions[static_cast<std::size_t>(&main_motion(answer) - fits.data())]));
   add_condensed(answer.each, answer.outliers, document);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "machines/model/known_names.h"
 #include "output/answers/shop_export.h"
 #include "output/document/short_version.h"
 #include "output/export/solid/cam_solid.h"
@@ -23,12 +24,9 @@ constexpr double kMoved = 1e-9;  // more than writing moves a surface by, in any
 
 /// The width that the problem states for the contact, mm; none where it is left to its default.
 std::optional<double> stated_face_width(const problems::ProblemStatement& design) {
-  const auto& parameters = design.mechanism->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name != "face_width" || !design.stated.contains(i)) continue;
-    return problems::constant_of(design, "face_width");
-  }
-  return {};
+  const auto width = problems::parameter_called(*design.mechanism, problems::known::kFaceWidth);
+  if (!width || !design.stated.contains(*width)) return {};
+  return design.constants[*width];
 }
 
 /// A length that there is no value for but the user's.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/answers/answer_formats.h"
 #include "output/document/formatting.h"
 #include "output/figure/law_figure.h"
 
@@ -66,6 +67,7 @@ Table study_table(const SpineCutterStudy& study) {
 
 Document study_document(const SpineCutterStudy& study) {
   Document document;
+  document.fact("format", kTradeOffFormat.text());
   document.fact("study", "spine-cutter");
   document.say("Spine cutter: which motion law for the cam?\n\ninputs\n");
   Json givens = Json::array();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/answer_formats.h"
 #include "output/answers/sweep_answer.h"
 #include "output/document/formatting.h"
 
@@ -261,6 +262,7 @@ Document sweep_document(const SweepAnswer& answer) {
   const auto& plan = answer.study.plan();
   const problems::ProblemStatement& stated = answer.study.statement();
   Document document;
+  document.fact("format", kSweepFormat.text());
   if (!stated.title.empty()) document.say(stated.title + "\n");
   document.say(counts_text(answer));
   document.fact("title", stated.title);

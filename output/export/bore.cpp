@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "machines/model/known_names.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -14,11 +15,8 @@ namespace camlaw::problems {
 using Eigen::Vector2d;
 
 std::optional<double> own_size(const ProblemStatement& design, std::string_view name) {
-  const auto& parameters = design.mechanism->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == name) return constant_of(design, name);
-  }
-  return {};
+  if (!parameter_called(*design.mechanism, name)) return {};
+  return constant_of(design, name);
 }
 
 std::optional<Bore> bore_of(const ProblemStatement& design, std::optional<double> asked_radius,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kinematics/expansion.h"
+#include "machines/model/known_names.h"
 #include "machines/model/law_looks.h"
 #include "numerics/text/dimension.h"
 #include "numerics/text/units.h"
@@ -104,7 +105,7 @@ void add_velocity(const ProblemStatement& statement, const std::vector<optim::Re
                   ExportedMotion& motion) {
   std::vector<std::shared_ptr<const optim::Trace>> candidates;
   for (const optim::Response& other : curves) {
-    if (other.name == "velocity") candidates.push_back(other.curve().trace({}));
+    if (other.name == known::kVelocity) candidates.push_back(other.curve().trace({}));
   }
   const bool follows_law =
       statement.mechanism->moved_by != MovedBy::Nothing && statement.mechanism->cams.empty();
@@ -127,7 +128,7 @@ ExportedMotion curve_motion(const ProblemStatement& statement, const optim::Resp
   motion.slave = response.name;
   motion.unit = response.unit;
   motion.trace = response.curve().trace({});
-  if (response.name == "displacement") add_velocity(statement, curves, motion);
+  if (response.name == known::kDisplacement) add_velocity(statement, curves, motion);
   return motion;
 }
 
@@ -153,8 +154,9 @@ Possible<ExportedMotion> motion_of(const ProblemStatement& statement,
                                    const std::optional<std::string>& slave, bool inches) {
   std::vector<std::string> names;
   const auto curves = curves_of(statement);
+  const std::string wanted = slave.value_or(std::string(known::kDisplacement));
   for (const optim::Response& response : curves) {
-    if (response.name == slave.value_or("displacement")) {
+    if (response.name == wanted) {
       ExportedMotion motion = curve_motion(statement, response, curves);
       if (inches && is_length(motion.unit)) write_in_inches(motion);
       return motion;

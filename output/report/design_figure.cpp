@@ -10,6 +10,7 @@
 #include <limits>
 #include <set>
 
+#include "machines/model/known_names.h"
 #include "output/answers/cycle_figure.h"
 #include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
@@ -22,11 +23,12 @@ namespace {
 using problems::EvaluatedResponse;
 using problems::ProblemStatement;
 
-constexpr const char* kLawGroup = "Motion law, normalised";
+constexpr const char *kMotionGroup = "Motion", *kGeometryGroup = "Geometry",
+                     *kLoadGroup = "Forces, torques and power", *kContactGroup = "Contact",
+                     *kLawGroup = "Motion law, normalised";
 
 /// The groups in the order in which they are read.
-constexpr std::array kGroups{"Motion", "Geometry", "Forces, torques and power", "Contact",
-                             kLawGroup};
+constexpr std::array kGroups{kMotionGroup, kGeometryGroup, kLoadGroup, kContactGroup, kLawGroup};
 
 bool is_coordinate(const Panel& panel) {
   const std::string& name = panel.y.label;
@@ -37,18 +39,18 @@ bool is_coordinate(const Panel& panel) {
 bool is_of_law(const Panel& panel) { return panel.x.label == "x = t / T"; }
 
 std::string group_of(const Panel& panel) {
-  static const std::set<std::string> motion{"displacement", "velocity", "acceleration", "jerk",
-                                            "speed"};
-  static const std::set<std::string> loads{"N", "kN", "N m", "W", "J"};
   if (is_of_law(panel)) return kLawGroup;
-  const std::string& label = panel.y.label;  // on a shaft "infeed.displacement"
-  const std::string name = label.substr(label.rfind('.') + 1);
-  const std::string last = name.substr(name.rfind('_') + 1);
-  if (motion.contains(last)) return "Motion";
-  if (loads.contains(panel.y.unit) || name == "inertia_fraction" || last == "utilisation")
-    return "Forces, torques and power";
-  const bool contact = panel.y.unit == "MPa" || name.ends_with("half_width") || last == "approach";
-  return contact ? "Contact" : "Geometry";
+  switch (problems::subject_of(panel.y.label, panel.y.unit)) {
+    case problems::Subject::Motion:
+      return kMotionGroup;
+    case problems::Subject::Loads:
+      return kLoadGroup;
+    case problems::Subject::Contact:
+      return kContactGroup;
+    case problems::Subject::Geometry:
+      break;
+  }
+  return kGeometryGroup;
 }
 
 std::string law_meaning(const std::string& label) {
@@ -106,9 +108,9 @@ std::vector<std::string> limits_on(const std::string& curve, const ProblemStatem
 std::string alt_text(const Panel& panel, const PanelWords& words) {
   return fmt::format(
       "{} over the {}{}{}", words.name,
-      is_of_law(panel)           ? "law's time"
-      : panel.x.label == "speed" ? "speed"
-                                 : "cycle",
+      is_of_law(panel)                           ? "law's time"
+      : panel.x.label == problems::known::kSpeed ? "speed"
+                                                 : "cycle",
       words.extremes.empty() ? "" : ", " + words.extremes,
       words.limits.empty() ? "" : fmt::format("; limits: {}", fmt::join(words.limits, ", ")));
 }
@@ -135,8 +137,9 @@ Figure design_figure(const ProblemStatement& design, int points) {
   Figure figure = curves_figure(design, points);
   std::erase_if(figure.panels, is_coordinate);
   draw_limits(design, figure);
-  const bool shows_motion = std::any_of(figure.panels.begin(), figure.panels.end(),
-                                        [](const Panel& panel) { return panel.y.label == "jerk"; });
+  const bool shows_motion =
+      std::any_of(figure.panels.begin(), figure.panels.end(),
+                  [](const Panel& panel) { return panel.y.label == problems::known::kJerk; });
   if (design.mechanism->moved_by != problems::MovedBy::Law || shows_motion) return figure;
   const Figure law = motion_figure("", {{.name = "", .law = design.laws.front().law()}},
                                    std::min(points, kMotionPoints));

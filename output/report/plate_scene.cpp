@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "machines/cams/cam_shape.h"
+#include "machines/model/known_names.h"
 #include "output/report/scene.h"
 
 // Cams that are developed, or are plates: the profile travels along x under a roller. And the mark
@@ -70,21 +71,20 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
 
 std::optional<Scene> slider_scene(const ProblemStatement& design, int points) {
   const SceneCurves curves(design, points);
-  if (!curves.has("displacement")) return {};
-  for (const auto& declared : design.mechanism->responses) {
-    if (declared.name == "displacement" && declared.unit != "mm") return {};
-  }
-  const std::vector<double>& displacement = curves.values("displacement");
+  const std::string moved(problems::known::kDisplacement);
+  const auto* const declared = problems::response_called(*design.mechanism, moved);
+  if (!curves.has(moved) || (declared != nullptr && declared->unit != "mm")) return {};
+  const std::vector<double>& displacement = curves.values(moved);
   const auto [low, high] = std::minmax_element(displacement.begin(), displacement.end());
   const double stroke = *high - *low, zero = displacement.front();
   if (!std::isfinite(stroke) || !(stroke > 0)) return {};
   Scene scene(fmt::format("{}: where its follower is on its path", design.mechanism->title));
-  scene.drawn_at("displacement", zero);
+  scene.drawn_at(moved, zero);
   const double half = 0.05 * stroke, thick = 0.015 * stroke;
   scene.body("path of the follower");
   scene.segment("way", {*low, 0}, {*high, 0});
   for (const double end : {*low, *high}) scene.segment("way", {end, -half}, {end, half});
-  scene.body("follower", {{Kind::Slide, 1, {1, 0}, "displacement"}});
+  scene.body("follower", {{Kind::Slide, 1, {1, 0}, moved}});
   scene.polyline(
       "roller",
       {{zero - thick, -half}, {zero + thick, -half}, {zero + thick, half}, {zero - thick, half}},

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "machines/model/known_names.h"
 #include "output/figure/chart_svg.h"
 
 namespace camlaw::cli {
@@ -157,8 +158,7 @@ std::vector<Point> SceneCurves::points(const std::string& name) const {
 }
 
 bool has_parameter(const problems::ProblemStatement& design, std::string_view name) {
-  const auto& all = design.mechanism->parameters;
-  return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+  return problems::parameter_called(*design.mechanism, name).has_value();
 }
 
 void draw_pushed_roller(Scene& scene, Point centre, double radius, const std::string& curve) {

@@ -146,6 +146,11 @@ Json result_of(std::string_view json) {
       refuse_result(fmt::format("{}; {}", error.what(), kWanted));
     }
   }();
+  // Results of earlier programs state none; what another kind of answer is, its format says best.
+  if (const auto format = result.find("format"); format != result.end()) {
+    if (!format->is_string()) refuse_result("its format is not text");
+    kResultFormat.check(format->get<std::string>());
+  }
   if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
     refuse_result(fmt::format("it is not a result with a design in it; {}", kWanted));
   }
@@ -153,11 +158,6 @@ Json result_of(std::string_view json) {
     refuse_result(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
   }
   if (!result["design"].is_object()) refuse_result("its design is not an object");
-  // Results of earlier programs state none.
-  if (const auto format = result.find("format"); format != result.end()) {
-    if (!format->is_string()) refuse_result("its format is not text");
-    kResultFormat.check(format->get<std::string>());
-  }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "machines/model/known_names.h"
 #include "problems/statement/added_part.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/law_rooms.h"
@@ -184,9 +185,7 @@ std::string material_of(const BuildableCheck& check, const ProblemStatement& pro
 
 std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto& needs = check.needs;
-  const bool pressed = std::any_of(needs.begin(), needs.end(), [](const std::string& name) {
-    return name.ends_with("allowable_pressure");
-  });
+  const bool pressed = std::any_of(needs.begin(), needs.end(), is_allowable_pressure);
   if (pressed) return material_of(check, problem);
   const bool is_own = problem.buildable.inputs.contains(check.input);
   if (!is_beyond_keyway(check, problem)) return is_own ? "" : check.standard;

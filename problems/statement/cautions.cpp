@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "machines/contact/crowned_roller.h"
+#include "machines/model/known_names.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
@@ -16,7 +17,7 @@ namespace camlaw::problems {
 namespace {
 
 bool speaks_of_jerk(const ResponseName& name) {
-  return name.response != nullptr && name.response->name.find("jerk") != std::string::npos;
+  return name.response != nullptr && is_of_jerk(*name.response);
 }
 
 /// Where the jerk of a law is sought or limited: what stands beside its ends is not part of the

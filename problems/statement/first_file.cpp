@@ -7,7 +7,9 @@
 #include <cctype>
 #include <set>
 
+#include "machines/model/known_names.h"
 #include "machines/usual_problem.h"
+#include "problems/statement/problem_format.h"
 
 namespace camlaw::problems {
 namespace {
@@ -118,8 +120,8 @@ std::string head_part(const Mechanism& mechanism) {
              "cm\".\n"
              "# A line starting with '#' and no space is an optional setting: remove the '#' to "
              "use it.\n\n"
-             "title = \"My first {0}\"\nmechanism = \"{0}\"\n",
-             mechanism.name);
+             "format = \"{1}\"\ntitle = \"My first {0}\"\nmechanism = \"{0}\"\n",
+             mechanism.name, kProblemFormat.text());
 }
 
 std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual) {
@@ -131,8 +133,7 @@ std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual
     (matters ? fixed : optional) +=
         words_on(p) + assignment(matters ? kFixed : kOptional, p.name, value_of(p, usual), p.unit);
   }
-  const bool turns = std::any_of(mechanism.parameters.begin(), mechanism.parameters.end(),
-                                 [](const MechanismParameter& p) { return p.name == "speed"; });
+  const bool turns = parameter_called(mechanism, known::kSpeed).has_value();
   const char* const ranges = turns ? "# A limit can hold over a whole range of speeds: "
                                      "[ranges.speed] with lower and upper.\n"
                                    : "";

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "machines/model/known_names.h"
 #include "numerics/tables/turn.h"
 #include "numerics/text/units.h"
 #include "problems/statement/parameters.h"
@@ -148,7 +149,7 @@ double highest_level(const Entry& program, const std::string& unit) {
 std::optional<std::size_t> stroke_of(const Mechanism& mechanism) {
   const auto& all = mechanism.parameters;
   const auto at = std::find_if(all.begin(), all.end(), [](const auto& p) {
-    return p.name == "stroke" || p.name == "swing";
+    return p.name == known::kStroke || p.name == known::kSwing;
   });
   if (at == all.end()) return {};
   return static_cast<std::size_t>(at - all.begin());

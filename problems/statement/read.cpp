@@ -8,15 +8,12 @@
 #include "optim/study/record.h"
 #include "problems/statement/advancing_cycle.h"
 #include "problems/statement/law_rooms.h"
+#include "problems/statement/problem_format.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
-namespace {
-
-constexpr FileFormat kProblemFormat{"camlaw problem", 1};
-
-}  // namespace
+namespace {}  // namespace
 
 void read_motion(const Entry& file, ProblemStatement& problem, FixedNames& fixed) {
   read_laws(file, problem, fixed);

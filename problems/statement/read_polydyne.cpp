@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "machines/model/known_names.h"
 #include "machines/model/recorded_response.h"
 #include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
@@ -18,10 +19,8 @@ namespace {
 double read_periods(const Entry& file, const Entry* entry, const Mechanism& mechanism) {
   if (!has_unit(*entry)) return positive_of(*entry, "1");
   const double speed = positive_of(*entry, "rpm");
-  const auto frequency =
-      std::find_if(mechanism.responses.begin(), mechanism.responses.end(),
-                   [](const auto& response) { return response.name == "train_frequency"; });
-  if (frequency == mechanism.responses.end()) {
+  const MechanismResponse* const frequency = response_called(mechanism, "train_frequency");
+  if (frequency == nullptr) {
     refuse(*entry, fmt::format("{} has no elastic train; write a plain number, the natural periods "
                                "in a turn",
                                mechanism.name));

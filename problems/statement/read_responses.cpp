@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/known_names.h"
 #include "machines/model/over_ranges.h"
 #include "machines/model/robust_number.h"
 #include "problems/statement/cases.h"
@@ -142,9 +143,8 @@ std::optional<double> read_limit(const Entry* entry, const std::string& unit) {
 void check_possible(const Entry* entry, const std::optional<double>& bound,
                     const ResponseName& name) {
   constexpr double most = 90;
-  const bool is_pressure_angle =
-      name.response != nullptr && name.response->name.find("pressure_angle") != std::string::npos;
-  if (entry == nullptr || !is_pressure_angle || std::abs(*bound) <= most) return;
+  const bool is_angle = name.response != nullptr && is_pressure_angle(*name.response);
+  if (entry == nullptr || !is_angle || std::abs(*bound) <= most) return;
   const double least = is_size(name) ? 0 : -most;
   refuse(*entry, fmt::format("{} is never outside {}; the bound is {}", name.name,
                              range_text(least, most, name.unit), with_unit(*bound, name.unit)));

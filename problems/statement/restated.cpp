@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "machines/model/known_names.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/cases.h"
@@ -212,7 +213,8 @@ void put_free(Entry& file, std::string_view name, std::string_view text, const s
 const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::string_view name) {
   if (!problem.timing || !problem.timing->stays) return nullptr;
   for (const MechanismParameter& p : problem.mechanism->parameters) {
-    if (p.unit == "rpm" && p.name == "speed" && (name == p.name || name == p.symbol)) return &p;
+    if (p.unit == "rpm" && p.name == known::kSpeed && (name == p.name || name == p.symbol))
+      return &p;
   }
   return nullptr;
 }

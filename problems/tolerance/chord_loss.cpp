@@ -35,7 +35,9 @@ template <class F>
 ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const char* unit,
                         double drawn, const F& formula) {
   const double rough = highest(geometry, kInfinite, formula).value;
-  const CyclePeak peak = highest(geometry, std::max(1e-3 * rough, 1e-12), formula);
+  // An effect that is proved to a thousandth is known better than the errors it comes from.
+  constexpr double kOfPeak = 1e-3, kOfNothing = 1e-12;
+  const CyclePeak peak = highest(geometry, std::max(kOfPeak * rough, kOfNothing), formula);
   return {std::move(name), unit, drawn, peak.value, peak.at, peak.proved};
 }
 

@@ -25,6 +25,7 @@
 #include "problems/statement/default_machine.h"
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/problem_format.h"
 #include "problems/statement/shipped_files.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/mechanisms.h"
@@ -352,6 +353,7 @@ void add_problems(nb::module_& module) {
       .def("__setstate__", [](StatedProblem& problem, const ProblemState& state) {
         new (&problem) StatedProblem(problem_of(state));
       });
+  module.attr("problem_format") = problems::kProblemFormat.text();
   module.def("problem", &problem_of_text, nb::arg("text"), nb::arg("source"),
              nb::arg("laws") = std::map<std::string, const NamedLaw*>{});
   module.def("problem_file", &problem_file, nb::arg("path"));

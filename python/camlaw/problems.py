@@ -57,7 +57,8 @@ class Problem(Searches):
     deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"}, or tables. parts:
     tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name, each with the
     keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program": ...}}. free,
-    buildable and solver: the tables of these names. Raises InputError.
+    buildable and solver: the tables of these names. format: as a problem file states it, so that the
+    tables of one may be given, Problem(**tomllib.loads(text)). Raises InputError.
     """
 
     def __init__(
@@ -83,6 +84,7 @@ class Problem(Searches):
         buildable: Mapping[str, Any] | None = None,
         solver: Mapping[str, Any] | None = None,
         source: str = "problem",
+        format: str | None = None,
         _native: Any = None,
     ) -> None:
         if _native is not None:
@@ -112,6 +114,8 @@ class Problem(Searches):
             held=held,
         )
         laws = {name: law._native for name, law in held.items()}
+        stated = native.problem_format if format is None else _text(format, "format")
+        table = {"format": stated, **table}
         self._native = native.problem(toml_text(table), _text(source, "source"), laws)
 
     @classmethod

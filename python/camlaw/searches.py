@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import units
 from .arguments import flag, mapping, optional_text, optional_whole, record_path, shown, text, whole
@@ -28,6 +28,38 @@ _MOST_POINTS = 100_000
 _MOST_SEED = 2**63 - 1
 _MOST_SOBOL = 1 << 20
 _MOST_SAMPLES = 100_000_000
+
+
+_Answer = TypeVar("_Answer")
+
+
+def _carried_out(
+    what: str,
+    run: Callable[..., Any],
+    question: tuple[Any, ...],
+    answer: Callable[[Any], _Answer],
+    how: tuple[int | None, Any, str | Path | None, bool, Any, Any, Progress],
+) -> _Answer:
+    """What a study of many searches finds: `run` of the question, carried out as `how` says (workers,
+    executor, record, resume, time_limit, memory, progress). Raises Interrupted with what was found."""
+    from .executors import labour
+
+    workers, executor, record, resume, time_limit, memory, progress = how
+    with labour(executor, workers) as carrier, shown_to(progress, what) as tell:
+        found, interrupted = run(
+            *question,
+            optional_whole(workers, "workers", 1, _MOST_WORKERS),
+            carrier,
+            record_path(record),
+            flag(resume, "resume"),
+            units.seconds(time_limit),
+            units.size_in_bytes(memory),
+            tell,
+        )
+    result = answer(found)
+    if interrupted:
+        raise Interrupted(result)
+    return result
 
 
 class Searches:
@@ -160,26 +192,19 @@ class Searches:
         it has is not searched for again. start and memory: as in optimize(). time_limit: seconds, or a
         text such as "1 min", after which the answer is what was found, and is `stopped`.
         """
-        from .executors import labour
         from .fronts import Front
 
-        with labour(executor, workers) as carrier, shown_to(progress, "pareto") as tell:
-            found, interrupted = native.pareto(
+        return _carried_out(
+            "pareto",
+            native.pareto,
+            (
                 self._beginning_at(start),
                 whole(points, "points", 2, _MOST_POINTS),
                 text(method, "method"),
-                optional_whole(workers, "workers", 1, _MOST_WORKERS),
-                carrier,
-                record_path(record),
-                flag(resume, "resume"),
-                units.seconds(time_limit),
-                units.size_in_bytes(memory),
-                tell,
-            )
-        front = Front(found)
-        if interrupted:
-            raise Interrupted(front)
-        return front
+            ),
+            Front,
+            (workers, executor, record, resume, time_limit, memory, progress),
+        )
 
     def sweep(
         self,
@@ -212,14 +237,12 @@ class Searches:
         the design of a neighbour. workers, executor, record, resume, start, time_limit and memory: as in
         pareto().
         """
-        from .executors import labour
         from .sweeps import Sweep, axes_of, ranges_of
 
-        with (
-            labour(executor, workers) as carrier,
-            shown_to(progress, "sweep") as tell,
-        ):
-            found, interrupted = native.sweep(
+        return _carried_out(
+            "sweep",
+            native.sweep,
+            (
                 self._beginning_at(start),
                 axes_of({**mapping(values, "sweep"), **more}),
                 optional_text(sample, "sample"),
@@ -227,18 +250,10 @@ class Searches:
                 ranges_of(over),
                 flag(evaluate, "evaluate"),
                 flag(cold, "cold"),
-                optional_whole(workers, "workers", 1, _MOST_WORKERS),
-                carrier,
-                record_path(record),
-                flag(resume, "resume"),
-                units.seconds(time_limit),
-                units.size_in_bytes(memory),
-                tell,
-            )
-        sweep = Sweep(found)
-        if interrupted:
-            raise Interrupted(sweep)
-        return sweep
+            ),
+            Sweep,
+            (workers, executor, record, resume, time_limit, memory, progress),
+        )
 
     def sensitivity(
         self,

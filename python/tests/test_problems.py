@@ -192,6 +192,11 @@ def test_problems_to_begin_with():
         problem = cl.Problem.new(name)
         assert problem.text == program("new", name) and problem.mechanism == name
         assert problem.check().text
+    text = roller().text
+    assert text.startswith('format = "camlaw problem 1"\n')
+    assert tomllib.loads(text)["format"] == "camlaw problem 1"
+    with pytest.raises(cl.InputError, match="camlaw problem 2.*newer than this program"):
+        roller(format="camlaw problem 2")
     assert cl.Problem.example("cams/roller_least_base").text == ROLLER.read_text()
     assert "least base circle" in cl.examples().loc["cams/roller_least_base", "about"]
     with pytest.raises(cl.InputError, match="roller_least_base"):

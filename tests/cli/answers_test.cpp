@@ -126,6 +126,7 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
 TEST_CASE("evaluate shows both sides of a limit with two bounds, each with its margin",
           "[program]") {
   const ParsedJson said = json_of({"evaluate", kCam, "--json"});
+  CHECK(said["format"] == "camlaw evaluation 1");
   const ParsedJson& angle = said["responses"]["pressure_angle"];
   const ParsedJson& limit = said["constraints"][0];
   const double to_lower = angle["lowest"].get<double>() + 40;

@@ -220,6 +220,8 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
                                                   "out/law.json", "out/program.toml"});
   check_svg(folder / "out/fit.svg");
   const ParsedJson found = ParsedJson::parse(read(folder / "out/fit.json"));
+  CHECK(found["format"] == "camlaw fit 1");
+  CHECK_THAT(read(folder / "out/program.toml"), Contains("\nformat = \"camlaw problem 1\"\n"));
   CHECK(found["cam"]["departures"].size() == 1);
   CHECK(found["cam"]["outlying"].size() >= 2);
   // What the file of the cam says: cycloidal over 80 deg, 60 at rest, modified sine over 100.

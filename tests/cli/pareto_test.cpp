@@ -491,6 +491,7 @@ TEST_CASE("a front as a table and as a drawing", "[program]") {
     CHECK_THAT(text, Contains(name));
   }
   const ParsedJson json = ParsedJson::parse(read(folder / "out/front.json"));
+  CHECK(json["format"] == "camlaw front 1");
   CHECK(json == json_of({"front", db, "--json"}));
   done({"front", db, "--csv", folder / "f.csv", "--svg", folder / "f.svg"});
   CHECK(read(folder / "f.csv") == read(folder / "out/front.csv"));

@@ -5,13 +5,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "machines/registry.h"
 #include "numerics/tables/sample_table.h"
 #include "numerics/text/file_format.h"
 #include "output/answers/claim_output.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/law_files/law_file.h"
 #include "problems/law_files/pieces_json.h"
+#include "problems/published/table/stated_table.h"
 #include "problems/results/recorded_design.h"
+#include "problems/statement/first_file.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -96,6 +99,11 @@ TEST_CASE("each reader refuses what a newer program wrote", "[formats]") {
                     Contains("p.toml:1: format: ") && Contains("is newer than this program"));
 
   auto result = nlohmann::ordered_json::parse(read(files_of("results").front()));
+  for (const char* other : {"camlaw front 1", "camlaw fit 1", "camlaw evaluation 1"}) {
+    write(folder / "other.json", nlohmann::json{{"format", other}}.dump());
+    CHECK_THROWS_WITH(read_design_file(folder / "other.json"),
+                      Contains(other) && Contains("it must be 'camlaw result 1'"));
+  }
   result["format"] = "camlaw result 2";
   write(folder / "result.json", result.dump());
   CHECK_THROWS_WITH(read_design_file(folder / "result.json"),
@@ -106,6 +114,41 @@ TEST_CASE("each reader refuses what a newer program wrote", "[formats]") {
   write(folder / "law.json", law.dump());
   CHECK_THROWS_WITH(read_law_file(folder / "law.json", "law"),
                     Contains("is newer than this program"));
+
+  const std::string table = "format = \"camlaw table 2\"\n";
+  CHECK_THROWS_WITH(read_stated_table(table, "t.toml"),
+                    Contains("t.toml:1: format: ") && Contains("is newer than this program"));
+}
+
+TEST_CASE("a study that a newer program wrote is refused in a sentence", "[formats]") {
+  constexpr std::size_t kUserVersion = 60;  // its four bytes, most significant first (SQLite)
+  const Folder folder;
+  std::string study = read(files_of("studies").front());
+  study[kUserVersion + 3] = 99;
+  write(folder / "study.db", study);
+  CHECK_THROWS_WITH(optim::StudyRecord::read(folder / "study.db"),
+                    Contains("its tables are of version 99; this program, which is older, "));
+}
+
+std::string format_in(std::string_view toml) {
+  const std::size_t at = toml.find("\nformat = ");
+  if (at == std::string_view::npos) return "none";
+  const std::size_t begin = at + std::string_view("\nformat = ").size();
+  return std::string(toml.substr(begin, toml.find('\n', begin) - begin));
+}
+
+TEST_CASE("every problem file that is shipped or written states its format", "[formats]") {
+  for (const auto& file : fs::recursive_directory_iterator(testing::source("problems"))) {
+    if (file.path().extension() != ".toml") continue;
+    INFO(file.path());
+    const bool is_table = file.path().parent_path().filename() == "published";
+    CHECK(format_in("\n" + read(file.path())) ==
+          (is_table ? "\"camlaw table 1\"" : "\"camlaw problem 1\""));
+  }
+  for (const Mechanism& mechanism : mechanisms()) {
+    INFO(mechanism.name);
+    CHECK(format_in(first_file(mechanism)) == "\"camlaw problem 1\"");
+  }
 }
 
 }  // namespace

@@ -121,7 +121,8 @@ TEST_CASE("a quantity of another kind is refused and named", "[units]") {
                                           Contains("an angle is needed") && Contains("deg"));
   CHECK_THAT(complaint(length, "2 kg"), Contains("is a mass"));
   CHECK_THAT(complaint(length, "2 m/s"), Contains("is a velocity"));
-  CHECK_THAT(complaint(length, "2 mm^2"),
+  CHECK_THAT(complaint(length, "2 mm^2"), Contains("is an area") && Contains("a length is needed"));
+  CHECK_THAT(complaint(length, "2 m^4"),
              Contains("another kind") && Contains("a length is needed"));
 }
 
@@ -150,6 +151,9 @@ TEST_CASE("an error calls a kind by its name", "[units]") {
   CHECK_THAT(complaint(length, "5 N"), Contains("is a force"));
   CHECK_THAT(complaint(length, "5 1"), Contains("is a plain number"));
   CHECK_THAT(complaint(length, "5 MPa"), Contains("is a stress"));
+  CHECK_THAT(complaint(length, "5 N/mm"), Contains("is a spring rate"));
+  CHECK_THAT(complaint(length, "5 kW"), Contains("is a power"));
+  CHECK_THAT(complaint(length, "5 N m"), Contains("is a torque or an energy"));
   CHECK_THAT(complaint(plain, "50 %"), !Contains("is an angle"));
 }
 

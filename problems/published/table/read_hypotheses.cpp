@@ -57,8 +57,9 @@ std::optional<std::vector<std::string>> expanded_range(const Entry& entry) {
     refuse(entry, fmt::format("'{}' is not a range; write from:step:to, such as 10:1:30", text));
   }
   const double exact = (to->value - from->value) / step->value;
-  const double count = std::floor(exact * (1 + 1e-12) + 1e-9);
-  if (exact - count > 1e-9 * std::max(1.0, exact)) {
+  constexpr double kOfCount = 1e-12, kOfStep = 1e-9;  // rounding: "0:0.1:1" has ten steps
+  const double count = std::floor(exact * (1 + kOfCount) + kOfStep);
+  if (exact - count > kOfStep * std::max(1.0, exact)) {
     refuse(entry, fmt::format("the steps of '{}' end at {:g} and do not meet {:g}; use a step that "
                               "divides the range",
                               text, from->value + count * step->value, to->value));
