@@ -2,6 +2,7 @@
 #include "optim/search/held_inside.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -41,10 +42,6 @@ class HeldKernel final : public Kernel {
       for (std::size_t j = 0; j <= i; ++j) h[packed(inputs[i], inputs[j])] = own[packed(i, j)];
     }
     return value;
-  }
-
-  std::string why_undefined(std::span<const double> x) const override {
-    return function_.why_undefined(into_(x));
   }
 
  private:
@@ -98,7 +95,7 @@ IntoDomain drawn_towards(std::vector<double> inside, std::function<bool(Design)>
     std::vector<double> place(x.begin(), x.end());
     const auto go_to = [&](double part) {
       for (std::size_t i = 0; i < place.size(); ++i) {
-        place[i] = inside[i] + part * (x[i] - inside[i]);
+        place[i] = std::lerp(inside[i], x[i], part);
       }
     };
     if (!is_within(place)) {
@@ -120,7 +117,11 @@ IntoDomain drawn_towards(std::vector<double> inside, std::function<bool(Design)>
 Problem held_inside(Problem problem, const IntoDomain& into) {
   const std::size_t variables = problem.variables.size();
   replace_curves(problem, [&](const std::shared_ptr<const Curve>& curve) {
-    return std::make_shared<HeldCurve>(curve, variables, into);
+    std::shared_ptr<const Curve> held = curve;
+    if (curve->shape() != Shape::Linear) {
+      held = std::make_shared<HeldCurve>(curve, variables, into);
+    }
+    return held;
   });
   const auto hold = [&](Response& response) {
     if (!response.is_curve()) response.measure = held(response.function(), variables, into);

@@ -174,7 +174,8 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
 }
 
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
-  const bool nothing_fails = !answer.worst.empty() && answer.nothing_fails(varied.variations);
+  const bool nothing_fails = answer.nothing_fails(varied.variations);
+  document.fact("nothing_fails_proved", nothing_fails);
   if (nothing_fails) document.say("\nyield: every part meets every limit, proved\n");
   if (!answer.yield) return;
   const optim::Yield& y = *answer.yield;
@@ -189,7 +190,6 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
   document.fact("failures", y.failures);
   document.fact("not_possible", y.impossible);
   document.fact("by_importance", y.by_importance);
-  document.fact("nothing_fails_proved", nothing_fails);
   Json by_limit = Json::object(), between = Json::object(), indices = Json::object();
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     const std::string& name = varied.problem.constraints[i].response.name;

@@ -126,18 +126,26 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
   }
 }
 
-/// Variations of the law and the program: searches and their verdicts take these values as they
-/// stand.
+/// Variations of the law and the program, which searches and judged limits leave out. A law that is
+/// chosen need not have what varies of another.
 void add_of_varying_law(const ProblemStatement& design, std::vector<Caution>& found) {
+  const auto sees_law = [](const auto& of) {
+    return of.response.response != nullptr && of.response.response->sees_law;
+  };
+  const bool counts = std::any_of(design.objectives.begin(), design.objectives.end(), sees_law) ||
+                      std::any_of(design.constraints.begin(), design.constraints.end(), sees_law);
+  if (!counts) return;
   std::string names;
   for (const VariationStatement& variation : variations_of(design)) {
     if (!variation.parameter.of_law) continue;
+    const std::vector<double> values = values_of(design, variation.parameter);
+    if (variation.index >= values.size()) continue;
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", variation.name(),
-                         variation_text(variation, meant_value(design, variation)));
+                         variation_text(variation, values[variation.index]));
   }
   if (names.empty()) return;
-  found.push_back({"a variation of the motion is left out of this verdict",
-                   names + "; `camlaw tolerance` shows what it does to the limits"});
+  found.push_back({"the limits are judged without a variation of the motion",
+                   names + "; `camlaw tolerance` shows what it does to them"});
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Caution {
 
 /// Of a law whose jerk is sought or limited: an acceleration that jumps at its ends. Of a crowned
 /// roller: a contact beyond what its formulas are checked for. Of variations: those of the motion,
-/// which no search and no verdict counts.
+/// which searches and judged limits leave out.
 std::vector<Caution> cautions(const ProblemStatement& design);
 
 }  // namespace camlaw::problems

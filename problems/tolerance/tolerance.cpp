@@ -63,8 +63,7 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
 bool ToleranceAnswer::nothing_fails(const std::vector<optim::Variation>& variations) const {
   const bool is_bounded = std::none_of(variations.begin(), variations.end(),
                                        [](const optim::Variation& v) { return v.is_normal; });
-  // Of work that ended before the worst parts were known nothing is proved.
-  return is_bounded && (cut_short.empty() || !worst.empty()) &&
+  return is_bounded && !worst.empty() &&
          std::all_of(worst.begin(), worst.end(),
                      [](const WorstPart& part) { return part.holds == Holds::Proved; });
 }

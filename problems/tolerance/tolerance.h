@@ -33,7 +33,8 @@ struct ToleranceAnswer {
   std::optional<std::size_t> samples_asked = {};  ///< ToleranceOptions::samples
   std::string cut_short = {};  ///< why the work ended before its end; empty: it did not
 
-  /// Whether it is proved that every part meets every limit, so that nothing fails.
+  /// Whether it is proved that every part meets every limit, so that nothing fails; false where the
+  /// worst parts are not known.
   bool nothing_fails(const std::vector<optim::Variation>& variations) const;
 };
 

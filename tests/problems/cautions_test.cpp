@@ -58,7 +58,21 @@ TEST_CASE("a variation of the motion is named where a verdict leaves it out", "[
   const auto angle = with("rise_angle");
   REQUIRE(angle.size() == 1);
   CHECK_THAT(angle[0],
-             Contains("left out of this verdict") && Contains("rise_angle (+0.1/+0 deg)"));
+             Contains("judged without a variation") && Contains("rise_angle (+0.1/+0 deg)"));
+}
+
+TEST_CASE("a variation of the motion is not named where it moves nothing", "[cautions]") {
+  const std::string varied = "[variation.rise_angle]\nplus = 0.1\n";
+  const std::string size = "[[constraints]]\nresponse = 'base_radius'\nupper = 60\n";
+  CHECK(said(cam("disc-cam-roller", size + varied)).empty());
+  // Of two laws one has no alpha.
+  const std::string laws =
+      "mechanism = 'law'\n[law]\nname = ['polynomial-5', 'constant-velocity']\n[variation.alpha]\n"
+      "plus = 0.1\n[objective]\nminimize = 'C_v'\n";
+  const BoundProblem bound(read_problem(laws, "f.toml"), true);
+  REQUIRE(bound.choices().size() == 1);
+  CHECK(cautions(bound.at({0}, {})).size() == 1);
+  CHECK(cautions(bound.at({1}, {})).empty());
 }
 
 TEST_CASE("a contact of a crowned roller beyond its formulas is named, where the crown counts",
