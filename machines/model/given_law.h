@@ -23,8 +23,9 @@ void give(const std::vector<double>& constants, Member& law);
 std::shared_ptr<const LawBinding> given_law(Member law, std::vector<LawVariable> variables,
                                             const Binding& machine);
 
-/// The binding's own law where what the machine gives it has changed since it was bound; the same
-/// law where it is given nothing.
+/// The binding's own law where what the machine gives it has changed since it was bound: its
+/// constants, and which of the parameters that give something still vary. The same law where it is
+/// given nothing.
 std::shared_ptr<const LawBinding> given_again(const Binding& machine);
 
 /// The mechanism where one of its parameters gives its law something: whatever sees the law depends

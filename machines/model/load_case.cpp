@@ -23,6 +23,13 @@ bool sets(const Set& set, std::size_t parameter) {
   return std::any_of(set.begin(), set.end(), [&](const auto& s) { return s.first == parameter; });
 }
 
+/// Whether a case sets what the machine gives its law.
+bool gives_law(const Set& set, const Binding& binding) {
+  return binding.law && std::any_of(set.begin(), set.end(), [&](const auto& s) {
+           return given_parameter(*binding.law->member().family, s.first).has_value();
+         });
+}
+
 /// The parameters that a case does not set.
 ParameterSet left(const ParameterSet& parameters, const Set& set) {
   return ParameterSet([=] {
@@ -173,7 +180,7 @@ Binding in_case(const Binding& binding, const Set& parameters) {
   Binding result =
       keeping(binding, [&](std::size_t parameter) { return !sets(parameters, parameter); });
   for (const auto& [parameter, value] : parameters) result.constants[parameter] = value;
-  result.law = given_again(result);
+  if (gives_law(parameters, binding)) result.law = given_again(result);
   return result;
 }
 

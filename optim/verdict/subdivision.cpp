@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "optim/cycle/extremes.h"
+#include "optim/problem/interrupted.h"
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/limits.h"
 
@@ -61,11 +62,16 @@ class Division {
     Box whole;
     for (const Variable& v : problem_.variables) whole.push_back({v.lower, v.upper});
     add(whole, -kInfinity);
-    while (!waiting_.empty() && !result_.better && result_.boxes < most_boxes && !stop()) {
+    while (!waiting_.empty() && !result_.better && result_.boxes < most_boxes && !is_cut(stop)) {
       const Box box = waiting_.top().box;
       const double lower = waiting_.top().lower;
       waiting_.pop();
-      divide(box, lower);
+      try {
+        divide(box, lower);
+      } catch (const Interrupted&) {
+        left_ = std::min(left_, lower);  // either half may hold what its box may
+        result_.is_cut = true;
+      }
     }
     if (result_.better) return result_;
     // What is left undivided may hold what its own range allows; what is gone holds nothing better.
@@ -84,6 +90,11 @@ class Division {
     return std::any_of(rows_.begin(), rows_.end(), [&](const BoxRow& row) {
       return row.of_objective && std::isfinite(width(row.function.range(point).value));
     });
+  }
+
+  bool is_cut(const std::function<bool()>& stop) {
+    result_.is_cut = result_.is_cut || stop();
+    return result_.is_cut;
   }
 
   struct Waiting {
