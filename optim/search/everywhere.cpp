@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/everywhere.h"
 
+#include <cmath>
 #include <utility>
 
 #include "optim/cycle/sizes.h"
@@ -54,7 +55,9 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
     const auto division = subdivided(guarded, there, found.x, [&] { return deadline.passed(); });
     if (!division) break;
     if (!division->better) {
-      take_subdivision(problem, there, *division, found.assessment);
+      if (std::isfinite(division->best_possible)) {
+        take_subdivision(problem, there, *division, found.assessment);
+      }
       if (division->is_cut) say_cut(deadline, found.assessment);
       break;
     }

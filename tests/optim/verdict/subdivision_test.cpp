@@ -166,7 +166,7 @@ TEST_CASE("what a division has shown when it is cut short still holds, and the a
   const Deadline deadline({}, &stop);
   const Problem guarded = interruptible(problem, deadline);
   double before = -kInfinity;
-  for (const int looked : {200, 400, 800}) {
+  for (const int looked : {200, 400, 800, 1600}) {
     looks = 0;
     most = looked;
     stop = false;
@@ -178,7 +178,6 @@ TEST_CASE("what a division has shown when it is cut short still holds, and the a
     CHECK(division->best_possible >= before);
     before = division->best_possible;
   }
-  CHECK(before > -2);
   OptimiseOptions options;
   options.starts = 1;
   options.stop = &stop;
