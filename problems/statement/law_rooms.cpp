@@ -77,6 +77,10 @@ ConstraintStatement constraint_of(const Member& law, std::size_t number, bool se
   response.meaning = room.is_equal ? "remainder of the law's parameters, which must be 0"
                                    : "remainder of the law's parameters, which must not be below 0";
   response.sees_law = true;
+  if (room.factor) {
+    const auto& by = law.family->parameters[*room.factor].given_by;
+    if (by && load == nullptr) response.uses = ParameterSet{*by};
+  }
   using Set = std::vector<std::pair<std::size_t, double>>;
   const Set set = load == nullptr ? Set{} : load->parameters;
   response.number = [family, number, shape, set](const Binding& binding, optim::Shape) {
