@@ -177,12 +177,14 @@ std::string motion_words(const ProgramSegment& segment) {
 std::string words_of(const StatedProgram& program) {
   std::string result;
   for (const ProgramSegment& segment : program.segments) {
-    const bool is_timed = program.speed && segment.time;
-    result += fmt::format("{}{} {:.6g} {}", result.empty() ? "" : ", ", segment.name,
-                          is_timed ? *segment.time : segment.angle, is_timed ? "s" : "deg");
+    const bool is_rest = program.speed && &segment == &program.segments.back();
+    const std::string length = is_rest ? "the rest"
+                               : program.speed && segment.time
+                                   ? fmt::format("{:.6g} s", *segment.time)
+                                   : fmt::format("{:.6g} deg", segment.angle);
+    result += fmt::format("{}{} {}", result.empty() ? "" : ", ", segment.name, length);
     if (!segment.rests) result += motion_words(segment);
   }
-  if (program.speed) result += fmt::format("; at {:.6g} rpm", program.speed->value);
   if (program.polydyne) {
     result += fmt::format(
         "; the lift that gives this motion to the end of an elastic train with {:.6g} natural "
