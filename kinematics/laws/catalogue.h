@@ -31,6 +31,8 @@ struct Parameter {
   /// no piece together. 0: nothing is known.
   std::size_t reach = 0;
   std::string also = {};  ///< an older name that is accepted
+  /// Not set by itself: it has the value of that parameter of the machine which the law moves.
+  std::optional<std::size_t> given_by = {};
 
   bool is_called(std::string_view asked) const {
     return asked == name || (!also.empty() && asked == also);
@@ -113,6 +115,9 @@ struct Room {
   InEveryScalar<Itself> left;  ///< at least 0; a plain number
   bool linear = true;          ///< in the parameters together
   bool is_equal = false;       ///< 0, and neither more nor less
+  /// Of one that is not linear in all together, a parameter that multiplies others: it is linear
+  /// where this one does not vary, or varies alone.
+  std::optional<std::size_t> factor = {};
 };
 
 struct Member;

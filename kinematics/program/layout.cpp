@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/program/layout.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,6 +15,8 @@ namespace {
 constexpr double kMostLevel = 1e3;                         // strokes
 constexpr double kMostRate = 1e9;                          // strokes per cycle, and per cycle^2
 constexpr double kLeastPeriods = 0.1, kMostPeriods = 1e6;  // in a cycle
+constexpr double kLeastTime = 1e-9, kMostTime = 1e9;       // s
+constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;     // cycles per minute
 
 /// The parameters that one segment has.
 class SegmentParameters {
@@ -27,6 +31,14 @@ class SegmentParameters {
                         meaning + segment_.name};
     parameter.list = is_list;
     return append(std::move(parameter));
+  }
+  std::size_t add_time(double time) {
+    return append({segment_.name + "_time",
+                   "s",
+                   kLeastTime,
+                   kMostTime,
+                   {time},
+                   "time that " + segment_.name + " takes"});
   }
   /// What the displacement is linear in.
   std::size_t add_motion(const char* name, double most, std::vector<double> values,
@@ -115,18 +127,32 @@ bool is_linear(const StatedProgram& program) {
 
 /// What the angles leave for the last segment, of the cycle.
 Room room_of_last(const std::vector<ProgramSegment>& stated, const Layout& layout) {
-  std::string name = "1 -";
-  std::vector<std::size_t> angles;
+  std::vector<std::string> angle_names, time_names;
+  std::vector<std::size_t> angles, times;
   for (std::size_t i = 0; i < stated.size(); ++i) {
-    if (!layout.segments[i].angle) continue;
-    name += fmt::format("{}{}_angle", angles.empty() ? " (" : " + ", stated[i].name);
-    angles.push_back(*layout.segments[i].angle);
+    if (const auto& angle = layout.segments[i].angle) {
+      angle_names.push_back(stated[i].name + "_angle");
+      angles.push_back(*angle);
+    }
+    if (const auto& time = layout.segments[i].time) {
+      time_names.push_back(stated[i].name + "_time");
+      times.push_back(*time);
+    }
   }
-  return {name + ") / 360 deg", [angles]<class S>(const Arguments<S>& a) {
-            S left = number<S>(1 - kLeastAngle / kCycle);
-            for (const std::size_t i : angles) left = left - a.scalar(i) / number<S>(kCycle);
-            return left;
-          }};
+  std::string name = "1";
+  if (!times.empty()) {
+    name += fmt::format(" - {} ({}) / 60", kCycleSpeed, fmt::join(time_names, " + "));
+  }
+  if (!angles.empty()) name += fmt::format(" - ({}) / 360 deg", fmt::join(angle_names, " + "));
+  Room room{name, [angles, times, layout]<class S>(const Arguments<S>& a) {
+              S left = number<S>(1 - kLeastAngle / kCycle);
+              for (const std::size_t i : times) left = left - share_of_time(layout, i, a);
+              for (const std::size_t i : angles) left = left - a.scalar(i) / number<S>(kCycle);
+              return left;
+            }};
+  room.linear = times.empty();
+  if (!times.empty()) room.factor = layout.speed;
+  return room;
 }
 
 }  // namespace
@@ -155,7 +181,9 @@ Layout lay_out(const StatedProgram& program) {
   for (const ProgramSegment& segment : segments) {
     SegmentPlaces places;
     SegmentParameters parameters(segment, linear, layout);
-    if (&segment != &segments.back()) {
+    if (segment.time && program.speed) {
+      places.time = parameters.add_time(*segment.time);
+    } else if (&segment != &segments.back()) {
       places.angle = parameters.add_angles("_angle", {segment.angle}, "cam angle of ");
     }
     if (!segment.rests && &segment != &*last_move) {
@@ -189,6 +217,13 @@ Layout lay_out(const StatedProgram& program) {
                                  kMostPolydyneDamping,
                                  {*program.polydyne->damping},
                                  "damping of the train, over the critical"});
+  }
+  if (program.speed) {
+    layout.speed = layout.parameters.size();
+    Parameter speed{kCycleSpeed,        "rpm", kLeastSpeed, kMostSpeed, {program.speed->value},
+                    "cycles per minute"};
+    speed.given_by = program.speed->given_by;
+    layout.parameters.push_back(std::move(speed));
   }
   return layout;
 }

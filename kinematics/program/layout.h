@@ -15,6 +15,7 @@ namespace camlaw::detail {
 
 inline constexpr double kCycle = 360;        ///< deg
 inline constexpr double kLeastAngle = 1e-3;  ///< deg, of a segment
+inline constexpr double kMinute = 60;        ///< s
 
 /// Why a program's arguments make no law; refuse_program throws that.
 Impossible bad_program(const std::string& why);
@@ -26,6 +27,7 @@ struct StatedProgram {
   Matched matched;
   double advance = 0;
   std::optional<Polydyne> polydyne = {};
+  std::optional<ProgramSpeed> speed = {};
 };
 
 inline bool joins(const ProgramSegment& segment) {
@@ -44,13 +46,13 @@ bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched);
 
 /// Where the family's parameters hold what belongs to a segment.
 struct SegmentPlaces {
-  std::optional<std::size_t> angle, to, points, point_angles, velocity, acceleration;
+  std::optional<std::size_t> angle, time, to, points, point_angles, velocity, acceleration;
   std::size_t law = 0;  ///< of the first parameter of its law
 };
 
 struct Layout {
   std::vector<SegmentPlaces> segments;
-  std::optional<std::size_t> polydyne = {}, polydyne_damping = {};
+  std::optional<std::size_t> polydyne = {}, polydyne_damping = {}, speed = {};
   std::vector<Parameter> parameters;
 };
 
@@ -98,6 +100,12 @@ Possible<std::vector<SegmentPoint<S>>> points_at(const ProgramSegment& stated,
   return result;
 }
 
+/// (SV13) The share of the cycle that a time takes, n t / 60 s.
+template <class S>
+S share_of_time(const Layout& layout, std::size_t time, const Arguments<S>& arguments) {
+  return arguments.scalar(*layout.speed) * arguments.scalar(time) / number<S>(kMinute);
+}
+
 /// The segments' shares of the cycle. The last takes what is left of it.
 template <class S>
 Possible<std::vector<S>> shares_at(const StatedProgram& program, const Layout& layout,
@@ -106,7 +114,10 @@ Possible<std::vector<S>> shares_at(const StatedProgram& program, const Layout& l
   S left = number<S>(1);
   for (std::size_t i = 0; i < program.segments.size(); ++i) {
     const auto& angle = layout.segments[i].angle;
-    const S share = angle ? arguments.scalar(*angle) / number<S>(kCycle) : left;
+    const auto& time = layout.segments[i].time;
+    const S share = time    ? share_of_time(layout, *time, arguments)
+                    : angle ? S(arguments.scalar(*angle) / number<S>(kCycle))
+                            : left;
     if (!(value_of(share) > 0)) {
       return bad_program(fmt::format("no angle is left for '{}'", program.segments[i].name));
     }

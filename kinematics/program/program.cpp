@@ -177,8 +177,12 @@ std::string motion_words(const ProgramSegment& segment) {
 std::string words_of(const StatedProgram& program) {
   std::string result;
   for (const ProgramSegment& segment : program.segments) {
-    result +=
-        fmt::format("{}{} {:.6g} deg", result.empty() ? "" : ", ", segment.name, segment.angle);
+    const bool is_rest = program.speed && &segment == &program.segments.back();
+    const std::string length = is_rest ? "the rest"
+                               : program.speed && segment.time
+                                   ? fmt::format("{:.6g} s", *segment.time)
+                                   : fmt::format("{:.6g} deg", segment.angle);
+    result += fmt::format("{}{} {}", result.empty() ? "" : ", ", segment.name, length);
     if (!segment.rests) result += motion_words(segment);
   }
   if (program.polydyne) {
@@ -197,6 +201,7 @@ std::string words_of(const StatedProgram& program) {
 ProgramSegment listed_segment(ProgramSegment stated, const detail::SegmentPlaces& places,
                               const Segment<double>& segment, const Arguments<double>& arguments) {
   stated.angle = places.angle ? arguments.scalar(*places.angle) : segment.share * kCycle;
+  if (places.time) stated.time = arguments.scalar(*places.time);
   stated.to = segment.to;
   for (std::size_t i = 0; i < stated.points.size(); ++i) {
     stated.points[i].to = segment.points[i].s;
@@ -209,6 +214,27 @@ ProgramSegment listed_segment(ProgramSegment stated, const detail::SegmentPlaces
     stated.law = Member{stated.law->family, law_arguments(arguments, places, family)}.listed();
   }
   return stated;
+}
+
+/// The angles of segments with times, at the program's speed; the last segment has what they leave.
+void set_timed_angles(StatedProgram& program) {
+  double left = kCycle;
+  for (ProgramSegment& segment : program.segments) {
+    const bool is_last = &segment == &program.segments.back();
+    if (is_last && segment.time) {
+      refuse_program(fmt::format(
+          "'{}' is the last segment, which takes what is left of the cycle at each speed, and so "
+          "has no time of its own",
+          segment.name));
+    }
+    if (segment.time)
+      segment.angle = *segment.time * program.speed->value / detail::kMinute * kCycle;
+    if (is_last) segment.angle = left;
+    left -= segment.angle;
+  }
+  if (program.segments.empty() || program.segments.back().angle > 0) return;
+  refuse_program(fmt::format("at {:g} rpm no angle is left for '{}'", program.speed->value,
+                             program.segments.back().name));
 }
 
 /// A program that need not be such as a person may state: a design may have a move that stays where
@@ -248,6 +274,7 @@ Member program_of(const StatedProgram& program) {
     if (layout.polydyne_damping) {
       listed.polydyne->damping = arguments.scalar(*layout.polydyne_damping);
     }
+    if (layout.speed) listed.speed->value = arguments.scalar(*layout.speed);
     for (std::size_t i = 0; i < segments.size(); ++i) {
       listed.segments[i] =
           listed_segment(program.segments[i], layout.segments[i], segments[i], arguments);
@@ -280,8 +307,9 @@ Member program_of(const StatedProgram& program) {
 }  // namespace
 
 Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance,
-                      std::optional<Polydyne> polydyne) {
-  const StatedProgram program{std::move(segments), matched, advance, polydyne};
+                      std::optional<Polydyne> polydyne, std::optional<ProgramSpeed> speed) {
+  StatedProgram program{std::move(segments), matched, advance, polydyne, speed};
+  if (speed) set_timed_angles(program);
   check_program(program);
   return program_of(program);
 }

@@ -40,6 +40,18 @@ struct ProgramSegment {
   /// Of a segment that joins: 4 for pieces of degree 5, which have the least mean square of jerk, 2
   /// for pieces of degree 3, which have the least mean square of acceleration.
   int continuity = 4;
+  /// Of a program with a speed, s: what the segment takes at every speed, in place of its angle.
+  std::optional<double> time = {};
+};
+
+/// The parameter of a program whose segments have times.
+inline constexpr const char* kCycleSpeed = "cycle_speed";
+
+/// How fast the cycles of a program follow one another, of whose segments some have times: their
+/// angles follow from it.
+struct ProgramSpeed {
+  double value;                              ///< cycles per minute
+  std::optional<std::size_t> given_by = {};  ///< as Parameter::given_by
 };
 
 /// What a train's damping over the critical may be that a lift is made for.
@@ -67,6 +79,10 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// is the lift that makes the end move so (kinematics/polydyne.h). Its numbers are parameters,
 /// polydyne and, where it is stated, polydyne_damping.
 ///
+/// `speed`: a segment with a time t has the angle 6 n t in deg, of n cycles per minute
+/// (docs/theory.md, SV13); its parameter is NAME_time, s, in place of NAME_angle, and n is the
+/// parameter cycle_speed. The last segment takes what is left of the cycle.
+///
 /// Throws std::invalid_argument: names that are none or not different, angles that are not above 0
 /// or do not add up to 360, points that are not within their segment one after another, what is
 /// stated of a segment that does not join, and where segments do not meet as `matched` asks:
@@ -74,6 +90,7 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// strokes per cycle^2", with what would make them meet; and what makes no polydyne lift.
 /// Parameters at which they do not meet make no law.
 Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance = 0,
-                      std::optional<Polydyne> polydyne = {});
+                      std::optional<Polydyne> polydyne = {},
+                      std::optional<ProgramSpeed> speed = {});
 
 }  // namespace camlaw

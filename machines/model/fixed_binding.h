@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/given_law.h"
 #include "machines/model/mechanism.h"
 
 namespace camlaw::problems {
@@ -15,7 +15,7 @@ namespace camlaw::problems {
 inline Binding fixed_binding(std::vector<double> constants, Member law) {
   Binding binding;
   binding.constants = std::move(constants);
-  binding.law = std::make_shared<LawBinding>(std::move(law), std::vector<LawVariable>{});
+  binding.law = given_law(std::move(law), {}, binding);
   return binding;
 }
 

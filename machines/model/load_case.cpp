@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "machines/model/cycle.h"
+#include "machines/model/given_law.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/kept_parameters.h"
 #include "machines/model/possible_by.h"
@@ -22,6 +23,13 @@ bool sets(const Set& set, std::size_t parameter) {
   return std::any_of(set.begin(), set.end(), [&](const auto& s) { return s.first == parameter; });
 }
 
+/// Whether a case sets what the machine gives its law.
+bool gives_law(const Set& set, const Binding& binding) {
+  return binding.law && std::any_of(set.begin(), set.end(), [&](const auto& s) {
+           return given_parameter(*binding.law->member().family, s.first).has_value();
+         });
+}
+
 /// The parameters that a case does not set.
 ParameterSet left(const ParameterSet& parameters, const Set& set) {
   return ParameterSet([=] {
@@ -31,13 +39,6 @@ ParameterSet left(const ParameterSet& parameters, const Set& set) {
     }
     return result;
   });
-}
-
-/// The binding with what a case sets as constants.
-Binding in(const Binding& binding, const Set& set) {
-  Binding result = keeping(binding, [&](std::size_t parameter) { return !sets(set, parameter); });
-  for (const auto& [parameter, value] : set) result.constants[parameter] = value;
-  return result;
 }
 
 Write in(const Write& write, const Set& set) {
@@ -76,7 +77,7 @@ std::shared_ptr<const ShaftTurn> in(const std::shared_ptr<const ShaftTurn>& turn
 InnerNumber in(const InnerNumber& inner, const LoadCase& load) {
   return {load.name + "." + inner.name, inner.unit, left(inner.uses, load.parameters),
           [make = inner.number, set = load.parameters](const Binding& binding) {
-            return make(in(binding, set));
+            return make(in_case(binding, set));
           }};
 }
 
@@ -85,7 +86,7 @@ MechanismResponse in_case(const MechanismResponse& response, const LoadCase& loa
   const Set& set = load.parameters;
   MechanismResponse result = response;
   result.name = load.name + "." + response.name;
-  result.in_case = InCase{load.name, response.name};
+  result.in_case = InCase{load.name, response.name, set};
   result.uses = left(response.uses, set);
   result.possible_by = in(response.possible_by, set);
   result.is_possible = in(response.is_possible, set);
@@ -98,12 +99,12 @@ MechanismResponse in_case(const MechanismResponse& response, const LoadCase& loa
   }
   if (response.number) {
     result.number = [make = response.number, set](const Binding& binding, optim::Shape shape) {
-      return make(in(binding, set), shape);
+      return make(in_case(binding, set), shape);
     };
   }
   if (response.curve) {
     result.curve = [make = response.curve, set](const Binding& binding, optim::Shape shape) {
-      return make(in(binding, set), shape);
+      return make(in_case(binding, set), shape);
     };
   }
   return result;
@@ -174,6 +175,14 @@ WorstCase named(MechanismResponse response, const std::string& name, optim::Part
 }
 
 }  // namespace
+
+Binding in_case(const Binding& binding, const Set& parameters) {
+  Binding result =
+      keeping(binding, [&](std::size_t parameter) { return !sets(parameters, parameter); });
+  for (const auto& [parameter, value] : parameters) result.constants[parameter] = value;
+  if (gives_law(parameters, binding)) result.law = given_again(result);
+  return result;
+}
 
 bool differs(const MechanismResponse& response, const std::vector<LoadCase>& cases) {
   const auto depends = [&](const auto& set) {

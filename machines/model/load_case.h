@@ -11,6 +11,10 @@
 /// response of the mechanism like any other, "fast.contact_stress".
 namespace camlaw::problems {
 
+/// The binding with what a case sets as constants, and the law that the machine has then.
+Binding in_case(const Binding& binding,
+                const std::vector<std::pair<std::size_t, double>>& parameters);
+
 /// Whether a response depends on anything that the cases set.
 bool differs(const MechanismResponse& response, const std::vector<LoadCase>& cases);
 

@@ -159,9 +159,11 @@ struct ShaftTurn {
   Write sided;
 };
 
-/// Of a response in a load case: the case, and what the response is called in any.
+/// Of a response in a load case: the case, what the response is called in any, and what the case
+/// sets.
 struct InCase {
   std::string name, response;
+  std::vector<std::pair<std::size_t, double>> parameters = {};
 };
 
 struct OverRanges;

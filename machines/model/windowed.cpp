@@ -8,6 +8,7 @@
 #include "kinematics/laws/side_by_side.h"
 #include "machines/model/cycle.h"
 #include "machines/model/law_binding.h"
+#include "machines/model/load_case.h"
 #include "numerics/text/names.h"
 #include "optim/cycle/window_curve.h"
 
@@ -74,8 +75,10 @@ std::shared_ptr<const optim::Curve> windowed(std::shared_ptr<const optim::Curve>
                                                 optim::Window{window.from, window.to});
   }
   if (mechanism.cams.empty() || response.cam) {
+    const auto own =
+        response.in_case ? in_case(binding, response.in_case->parameters).law : binding.law;
     return std::make_shared<optim::WindowCurve>(
-        std::move(curve), [window, cycle = response.cycle, law = binding.law](optim::Design x) {
+        std::move(curve), [window, cycle = response.cycle, law = own](optim::Design x) {
           return window_at(window, *cycle, law->member_at(x));
         });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/everywhere.h"
 
+#include <cmath>
 #include <utility>
 
 #include "optim/cycle/sizes.h"
@@ -11,14 +12,10 @@
 namespace camlaw::optim {
 namespace {
 
-/// The lower bound of an answer by dividing the box; none where the model throws on the way.
-std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
-                                       const Found& found, const Deadline& deadline) {
-  try {
-    return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
-  } catch (...) {
-    return {};
-  }
+/// Says of a local optimum that nothing is known of other designs, since time ended a look at them.
+void say_cut(const Deadline& deadline, Assessment& a) {
+  if (a.verdict != Verdict::Certified || a.global) return;
+  a.reason += "; the search for a better design elsewhere was cut short: " + deadline.reason();
 }
 
 /// A search from one design, which is kept where the search comes to nothing better.
@@ -55,10 +52,13 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
     const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
     if (!stands || a.global) break;
     const Sizes there = sizes(guarded, found.x);
-    const auto division = division_of(guarded, there, found, deadline);
+    const auto division = subdivided(guarded, there, found.x, [&] { return deadline.passed(); });
     if (!division) break;
     if (!division->better) {
-      take_subdivision(guarded, there, *division, found.assessment);
+      if (std::isfinite(division->best_possible)) {
+        take_subdivision(problem, there, *division, found.assessment);
+      }
+      if (division->is_cut) say_cut(deadline, found.assessment);
       break;
     }
     if (i == kTimes) break;

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "optim/cycle/extremes.h"
+#include "optim/problem/interrupted.h"
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/limits.h"
 
@@ -60,18 +61,19 @@ class Division {
     if (!is_known()) return {};
     Box whole;
     for (const Variable& v : problem_.variables) whole.push_back({v.lower, v.upper});
-    add(whole, -kInfinity);
-    while (!waiting_.empty() && !result_.better && result_.boxes < most_boxes && !stop()) {
+    unless_cut(-kInfinity, [&] { add(whole, -kInfinity); });
+    while (!waiting_.empty() && !result_.better && result_.boxes < most_boxes && !is_hopeless() &&
+           !is_cut(stop)) {
       const Box box = waiting_.top().box;
       const double lower = waiting_.top().lower;
       waiting_.pop();
-      divide(box, lower);
+      unless_cut(lower, [&] { divide(box, lower); });
     }
     if (result_.better) return result_;
     // What is left undivided may hold what its own range allows; what is gone holds nothing better.
     const double least = std::min(left_, waiting_.empty() ? kInfinity : waiting_.top().lower);
     const double bound = std::min(best_ - 0.5 * tolerance_, least);
-    if (!std::isfinite(bound)) return {};
+    if (!std::isfinite(bound) && !result_.is_cut) return {};
     result_.best_possible = sense_ * bound;
     return result_;
   }
@@ -84,6 +86,27 @@ class Division {
     return std::any_of(rows_.begin(), rows_.end(), [&](const BoxRow& row) {
       return row.of_objective && std::isfinite(width(row.function.range(point).value));
     });
+  }
+
+  /// Where the work at a box is interrupted, either part of it may hold what the box may.
+  template <class Work>
+  void unless_cut(double lower, const Work& work) {
+    try {
+      work();
+    } catch (const Interrupted&) {
+      left_ = std::min(left_, lower);
+      result_.is_cut = true;
+    }
+  }
+  /// Parts without any bound come first. Where there still are some after so many, as of a number
+  /// that is known over small boxes only, no bound of the whole is to be had.
+  bool is_hopeless() const {
+    constexpr int kMostUnbounded = 3000;
+    return result_.boxes >= kMostUnbounded && waiting_.top().lower == -kInfinity;
+  }
+  bool is_cut(const std::function<bool()>& stop) {
+    result_.is_cut = result_.is_cut || stop();
+    return result_.is_cut;
   }
 
   struct Waiting {

@@ -11,12 +11,15 @@ namespace camlaw::optim {
 
 /// What dividing the box of the variables came to.
 struct Subdivision {
-  /// No design that meets every limit has a better objective than this, in the objective's unit.
+  /// No design that meets every limit has a better objective than this, in the objective's unit;
+  /// infinite where it was cut before there was a bound.
   double best_possible;
   /// A design that meets every limit, as far as it was looked at, and is better than the one asked
   /// about by more than the tolerance of bounds.
   std::optional<std::vector<double>> better = {};
   int boxes = 0;  ///< parts of the box that were looked at
+  /// Whether it was stopped before it was done: the bound holds, as far as it had come.
+  bool is_cut = false;
 };
 
 /// A design is called the global optimum where a lower bound is as near as this, over the
@@ -31,8 +34,10 @@ inline constexpr int kMostBoxes = 30000;
 /// a design that meets every limit (to a thousandth of its tolerance) and is better than x, by
 /// ranges of the functions over boxes (Function::range; docs/optimisation.md, "Lower bounds"). Of
 /// curves some places are enough, since a limit that is passed at one is passed. Ends at the first
-/// better design, after `most_boxes`, and where `stop` says so. Empty where more than kMostDivided
-/// variables are free, one of them has no bounds, or nothing is known of the objective's range.
+/// better design, after `most_boxes`, or fewer if parts have no bound at all, where `stop` says so,
+/// and where a function throws Interrupted: what it has shown by then still holds. Empty where more
+/// than kMostDivided variables are free, one of them has no bounds, or nothing is known of the
+/// objective's range.
 std::optional<Subdivision> subdivided(
     const Problem& problem, const Sizes& sizes, Design x,
     const std::function<bool()>& stop = [] { return false; }, int most_boxes = kMostBoxes);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/given_law.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/peak_function.h"
 #include "problems/statement/bind.h"
@@ -121,7 +121,7 @@ void add_law_parameters(const ProblemStatement& design, std::vector<DesignParame
   const Member& law = design.laws.front();
   for (std::size_t i = 0; i < law.family->parameters.size(); ++i) {
     const Parameter& parameter = law.family->parameters[i];
-    if (parameter.structural) continue;
+    if (parameter.structural || parameter.given_by) continue;
     const std::vector<double>& values = law.arguments.list(i);
     for (std::size_t k = 0; k < values.size(); ++k) {
       DesignParameter own{parameter.name, parameter.unit, values[k], parameter.low, parameter.high};
@@ -158,7 +158,7 @@ Binding binding_of(const ProblemStatement& design, const std::vector<DesignParam
     binding.parameters.push_back(parameter);
     binding.variables.push_back(variable);
   }
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::move(of_law));
+  binding.law = given_law(design.laws.front(), std::move(of_law), binding);
   return binding;
 }
 

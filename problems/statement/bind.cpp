@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "kinematics/laws/build.h"
+#include "machines/model/given_law.h"
 #include "machines/model/kernel_of.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
@@ -18,6 +19,7 @@
 #include "problems/statement/choices.h"
 #include "problems/statement/known_limit.h"
 #include "problems/statement/law_rooms.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 
 namespace camlaw::problems {
@@ -62,14 +64,6 @@ optim::Choice choice_of(const VariableStatement& v) {
     choice.options.push_back(fmt::format("{:.10g}", value));
   }
   return choice;
-}
-
-/// The parameter of a member's family that a variable names; the family's size where it has none.
-std::size_t law_parameter(const Family& family, const std::string& name) {
-  const auto& all = family.parameters;
-  return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == name; }) -
-      all.begin());
 }
 
 /// Limits on a peak are limits on its curve at every angle.
@@ -142,9 +136,10 @@ class KnownProblems {
 }  // namespace
 
 struct BoundProblem::Slot {
-  std::size_t variable;                  ///< of the statement
-  std::optional<double> fixed;           ///< by a choice
-  std::optional<std::size_t> parameter;  ///< of the chosen law's family
+  std::size_t variable;         ///< of the statement
+  std::optional<double> fixed;  ///< by a choice
+  /// Of the chosen law's family: the law's own, or one that the machine's gives it.
+  std::optional<std::size_t> parameter;
 };
 
 BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
@@ -233,11 +228,8 @@ std::vector<BoundProblem::Slot> BoundProblem::slots(const std::vector<std::size_
   std::vector<Slot> result;
   for (std::size_t i = 0; i < statement_.variables.size(); ++i) {
     const VariableStatement& v = statement_.variables[i];
-    Slot slot{i, {}, {}};
-    if (v.of_law) {
-      slot.parameter = law_parameter(family, v.law_parameter);
-      if (*slot.parameter == family.parameters.size()) continue;  // not a parameter of this law
-    }
+    Slot slot{i, {}, law_place(family, v)};
+    if (v.of_law && !slot.parameter) continue;  // not a parameter of this law
     const auto at = std::find(chosen_.begin(), chosen_.end(), i);
     if (at != chosen_.end()) {
       const auto k = first + static_cast<std::size_t>(at - chosen_.begin());
@@ -257,7 +249,7 @@ Member BoundProblem::member(const std::vector<std::size_t>& options) const {
   for (const double share : kShares) {
     for (const Slot& slot : all) {
       const VariableStatement& v = statement_.variables[slot.variable];
-      if (!v.of_law) continue;
+      if (!slot.parameter) continue;
       const double start = share == 1 ? v.start : v.lower + share * (v.start - v.lower);
       member.arguments.values()[*slot.parameter][v.element] = slot.fixed.value_or(start);
     }
@@ -293,7 +285,13 @@ Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
     binding.parameters.push_back(parameter);
     binding.variables.push_back(index);
   }
-  binding.law = std::make_shared<LawBinding>(member(options), std::move(law_variables));
+  Member law = member(options);
+  for (const Slot& slot : slots(options)) {
+    const VariableStatement& v = statement_.variables[slot.variable];
+    if (v.of_law || !slot.parameter) continue;
+    binding.constants[v.parameter] = law.arguments.list(*slot.parameter)[v.element];
+  }
+  binding.law = given_law(std::move(law), std::move(law_variables), binding);
   return binding;
 }
 
@@ -305,8 +303,9 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
   for (const Slot& slot : slots(options)) {
     if (slot.fixed) continue;
     const VariableStatement& v = statement_.variables[slot.variable];
-    if (v.of_law) varying.push_back({*slot.parameter, v.element, v.lower, v.upper});
-    const double start = v.of_law ? chosen.arguments.list(*slot.parameter)[v.element] : v.start;
+    if (slot.parameter) varying.push_back({*slot.parameter, v.element, v.lower, v.upper});
+    const double start =
+        slot.parameter ? chosen.arguments.list(*slot.parameter)[v.element] : v.start;
     problem.variables.push_back({v.name, v.unit, v.lower, v.upper, start, v.scale, v.integer});
   }
   const bool has_room = std::none_of(
@@ -370,11 +369,8 @@ ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim
   for (const Slot& slot : slots(options)) {
     VariableStatement& v = result.variables[slot.variable];
     v.start = slot.fixed ? *slot.fixed : x[variable++];
-    if (v.of_law) {
-      member.arguments.values()[*slot.parameter][v.element] = v.start;
-    } else {
-      result.constants[v.parameter] = v.start;
-    }
+    if (slot.parameter) member.arguments.values()[*slot.parameter][v.element] = v.start;
+    if (!v.of_law) result.constants[v.parameter] = v.start;
   }
   result.laws = {std::move(member)};
   return result;

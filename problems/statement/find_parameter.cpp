@@ -64,7 +64,7 @@ std::optional<NamedParameter> find_in_laws(const ProblemStatement& problem,
   std::optional<NamedParameter> result;
   for (const Member& law : problem.laws) {
     const auto i = index_in(*law.family, name);
-    if (!i) continue;
+    if (!i || law.family->parameters[*i].given_by) continue;
     const Parameter& p = law.family->parameters[*i];
     if (result) {
       join(*result, *law.family, p);
@@ -145,7 +145,8 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
     several = several || !alone;
     for (const Member& law : problem.laws) {
       for (const Parameter& p : law.family->parameters) {
-        if (std::find(known.begin(), known.end(), p.name) == known.end()) known.push_back(p.name);
+        const bool is_known = std::find(known.begin(), known.end(), p.name) != known.end();
+        if (!p.given_by && !is_known) known.push_back(p.name);
       }
     }
   }

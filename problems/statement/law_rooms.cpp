@@ -7,6 +7,7 @@
 #include "kinematics/laws/build.h"
 #include "machines/model/kernel_of.h"
 #include "machines/model/law_binding.h"
+#include "machines/model/load_case.h"
 #include "machines/model/responses.h"
 #include "problems/statement/parameters.h"
 
@@ -27,8 +28,7 @@ Interval over_ranges(const Room& room, const Member& law, std::span<const LawRan
 std::vector<LawRange> ranges_of(const Member& law, const ProblemStatement& problem) {
   std::vector<LawRange> ranges;
   for (const VariableStatement& v : problem.variables) {
-    if (!v.of_law) continue;
-    const auto parameter = index_in(*law.family, v.law_parameter);
+    const auto parameter = law_place(*law.family, v);
     if (!parameter || v.element >= law.arguments.list(*parameter).size()) continue;
     ranges.push_back({*parameter, v.element, v.lower, v.upper});
   }
@@ -56,18 +56,35 @@ optim::Function left_over(const Binding& binding, const std::string& family, std
   return function_of(variables, detail::kernel_of(left), shape);
 }
 
-ConstraintStatement constraint_of(const Member& law, std::size_t number, bool several) {
+/// Whether a room is linear in what varies of a law.
+bool is_linear_in(const Room& room, std::span<const LawRange> varying) {
+  if (room.linear || !room.factor) return room.linear;
+  const auto is_factor = [&](const LawRange& range) { return range.parameter == *room.factor; };
+  return varying.size() == 1 || std::none_of(varying.begin(), varying.end(), is_factor);
+}
+
+/// In a load case, where there is one.
+ConstraintStatement constraint_of(const Member& law, std::size_t number, bool several,
+                                  std::span<const LawRange> varying, const LoadCase* load) {
   const Room& room = law.family->rooms[number];
   const std::string& family = law.family->name;
-  const optim::Shape shape = room.linear ? optim::Shape::Linear : optim::Shape::General;
+  const optim::Shape shape =
+      is_linear_in(room, varying) ? optim::Shape::Linear : optim::Shape::General;
   MechanismResponse response;
   response.name = several ? family + ": " + room.name : room.name;
+  if (load != nullptr) response.name = load->name + "." + response.name;
   response.unit = "1";
   response.meaning = room.is_equal ? "remainder of the law's parameters, which must be 0"
                                    : "remainder of the law's parameters, which must not be below 0";
   response.sees_law = true;
-  response.number = [family, number, shape](const Binding& binding, optim::Shape) {
-    return left_over(binding, family, number, shape);
+  if (room.factor) {
+    const auto& by = law.family->parameters[*room.factor].given_by;
+    if (by && load == nullptr) response.uses = ParameterSet{*by};
+  }
+  using Set = std::vector<std::pair<std::size_t, double>>;
+  const Set set = load == nullptr ? Set{} : load->parameters;
+  response.number = [family, number, shape, set](const Binding& binding, optim::Shape) {
+    return left_over(in_case(binding, set), family, number, shape);
   };
   ConstraintStatement constraint;
   constraint.of_law = std::make_shared<const MechanismResponse>(std::move(response));
@@ -87,8 +104,17 @@ void limit_to_laws(ProblemStatement& problem) {
   for (const Member& law : problem.laws) {
     for (std::size_t i = 0; i < law.family->rooms.size(); ++i) {
       const Room& room = law.family->rooms[i];
-      if (holds(room, over_ranges(room, law, ranges_of(law, problem)))) continue;
-      problem.constraints.push_back(constraint_of(law, i, problem.chooses_law()));
+      const std::vector<LawRange> varying = ranges_of(law, problem);
+      const auto add = [&](const Member& own, const LoadCase* load) {
+        if (holds(room, over_ranges(room, own, varying))) return;
+        problem.constraints.push_back(constraint_of(law, i, problem.chooses_law(), varying, load));
+      };
+      const bool differs = room.factor && law.family->parameters[*room.factor].given_by;
+      if (!differs || problem.cases.empty()) {
+        add(law, nullptr);
+        continue;
+      }
+      for (const LoadCase& load : problem.cases) add(law_in_case(law, problem, load), &load);
     }
   }
 }

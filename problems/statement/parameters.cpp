@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "machines/model/given_law.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -25,6 +27,11 @@ std::optional<std::size_t> index_in(const Family& law, std::string_view paramete
     if (law.parameters[i].is_called(parameter)) return i;
   }
   return {};
+}
+
+std::optional<std::size_t> law_place(const Family& law, const VariableStatement& variable) {
+  return variable.of_law ? index_in(law, variable.law_parameter)
+                         : given_parameter(law, variable.parameter);
 }
 
 std::vector<double> values_of(const ProblemStatement& problem, const NamedParameter& parameter) {
@@ -60,6 +67,7 @@ void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::
   if (!parameter.of_law) {
     problem.constants[parameter.parameter] = value;
     problem.stated.insert(parameter.parameter);
+    for (Member& law : problem.laws) give(problem.constants, law);
     return;
   }
   for (Member& law : problem.laws) {
@@ -125,6 +133,22 @@ std::optional<std::string> refusal(const NamedParameter& parameter, double value
 
 void check_laws(const ProblemStatement& problem) {
   for (const Member& law : problem.laws) law.law();
+  for (const LoadCase& load : problem.cases) check_laws_in(problem, load);
+}
+
+Member law_in_case(Member law, const ProblemStatement& problem, const LoadCase& load) {
+  std::vector<double> constants = problem.constants;
+  for (const auto& [parameter, value] : load.parameters) constants[parameter] = value;
+  give(constants, law);
+  return law;
+}
+
+void check_laws_in(const ProblemStatement& problem, const LoadCase& load) {
+  for (const Member& law : problem.laws) {
+    if (const auto made = law_in_case(law, problem, load).possible_law(); !made) {
+      throw std::invalid_argument(fmt::format("in case {}: {}", load.name, made.reason().why));
+    }
+  }
 }
 
 bool are_possible(const std::vector<Member>& laws) {

@@ -44,6 +44,10 @@ NamedParameter find_parameter(const ProblemStatement& problem, std::string_view 
 /// Where a law has a parameter of exactly that name; none: it has not.
 std::optional<std::size_t> index_in(const Family& law, std::string_view parameter);
 
+/// Which parameter of a law a variable is, the law's own or one that the machine's gives it; none:
+/// the law has none such.
+std::optional<std::size_t> law_place(const Family& law, const VariableStatement& variable);
+
 /// The numbers that a parameter has: one, or a list's. Of several laws, those of the first that has
 /// it.
 std::vector<double> values_of(const ProblemStatement& problem, const NamedParameter& parameter);
@@ -71,8 +75,13 @@ double onto_range(double value, double low, double high);
 /// Why a parameter cannot have a value, in words; empty where it can.
 std::optional<std::string> refusal(const NamedParameter& parameter, double value);
 
-/// Throws std::invalid_argument where a law cannot be made with the values it has.
+/// Throws std::invalid_argument where a law cannot be made with the values it has, in any load
+/// case.
 void check_laws(const ProblemStatement& problem);
+/// The same, of one load case.
+void check_laws_in(const ProblemStatement& problem, const LoadCase& load);
+/// A law of the problem as the machine moves it in a load case.
+Member law_in_case(Member law, const ProblemStatement& problem, const LoadCase& load);
 /// Whether it would not.
 bool are_possible(const std::vector<Member>& laws);
 /// "cosine", or of several laws "cosine, polynomial-5".

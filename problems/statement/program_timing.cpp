@@ -18,15 +18,6 @@ namespace {
 constexpr const char* kSpeedUnit = "rpm";
 constexpr double kSame = 1e-6;  ///< relative: the rounding of a speed that is written out
 
-/// The mechanism's speed; none: it has no such parameter.
-std::optional<std::size_t> speed_of(const Mechanism& mechanism) {
-  const auto& all = mechanism.parameters;
-  const auto at =
-      std::find_if(all.begin(), all.end(), [](const auto& p) { return p.unit == kSpeedUnit; });
-  if (at == all.end()) return {};
-  return static_cast<std::size_t>(at - all.begin());
-}
-
 /// Whether a table states a point's time, or a rate by time.
 bool counts_time(const Entry& table) {
   const Entry* velocity = find(table, "velocity");
@@ -59,9 +50,14 @@ std::vector<ProgramTiming::Segment> timed_segments(const Entry& program) {
 }
 
 /// The speed that a cycle's time makes, which no other statement contradicts.
-double speed_of_cycle(const Entry& cycle, const StatedParameter& stated) {
+double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool keeps_times) {
   const double time = positive_of(cycle, "s");
   const double speed = 60 / time;
+  if (stated.varying != nullptr && keeps_times) {
+    refuse(cycle,
+           "speed varies, and with it the time of a turn; drop cycle_time, since the program's "
+           "times stay");
+  }
   if (stated.varying != nullptr) {
     refuse(cycle, fmt::format("speed varies, so a turn has no one time; for the speed at which the "
                               "times hold write times_at = \"{:.9g} rpm\" instead",
@@ -77,15 +73,69 @@ double speed_of_cycle(const Entry& cycle, const StatedParameter& stated) {
   return other;
 }
 
-/// Whether the file gives the speed a range, or lets it differ from load case to load case.
-bool has_several_speeds(const Entry& file, const MechanismParameter& speed) {
-  const auto states = [&](const Entry& table) {
-    return find(table, speed.name) != nullptr || find(table, speed.symbol) != nullptr;
-  };
-  const Entry* ranges = find(file, "ranges");
+/// What a table says of the speed; null: nothing.
+const Entry* speed_in(const Entry& table, const MechanismParameter& speed) {
+  const Entry* entry = find(table, speed.name);
+  return entry != nullptr ? entry : find(table, speed.symbol);
+}
+
+/// The speeds of load cases, rpm.
+std::vector<double> speeds_of_cases(const Entry& file, const MechanismParameter& speed) {
+  std::vector<double> speeds;
   const Entry* cases = find(file, "cases");
-  return (ranges != nullptr && states(*ranges)) ||
-         (cases != nullptr && std::any_of(cases->items.begin(), cases->items.end(), states));
+  if (cases == nullptr) return speeds;
+  for (const Entry& table : cases->items) {
+    if (const Entry* own = speed_in(table, speed)) speeds.push_back(positive_of(*own, kSpeedUnit));
+  }
+  return speeds;
+}
+
+/// A speed to read times at that stay while the speed varies: where it starts, or the least, at
+/// which they leave most.
+double speed_to_begin_with(const Entry& varying, double otherwise) {
+  if (varying.kind != Entry::Kind::Table) return otherwise;  // which is refused where it is read
+  for (const char* key : {"start", "lower"}) {
+    if (const Entry* entry = find(varying, key)) return positive_of(*entry, kSpeedUnit);
+  }
+  const Entry* values = find(varying, "values");
+  if (values == nullptr || values->items.empty()) return otherwise;
+  double least = positive_of(values->items.front(), kSpeedUnit);
+  for (const Entry& value : values->items) {
+    least = std::min(least, positive_of(value, kSpeedUnit));
+  }
+  return least;
+}
+
+/// Refuses what of a program cannot follow a speed.
+void check_follows(const Entry& file, const Entry& program, const Mechanism& mechanism,
+                   const MechanismParameter& speed) {
+  const std::string to_keep =
+      "to keep the angles that the times have at one speed write that, "
+      "such as times_at = \"60 rpm\"";
+  for (const char* key : {"ranges", "variation"}) {
+    const Entry* table = find(file, key);
+    if (table == nullptr || speed_in(*table, speed) == nullptr) continue;
+    refuse(*speed_in(*table, speed),
+           fmt::format("the program has times, which stay at every speed of {}, so that its angles "
+                       "would differ from speed to speed: state speeds as load cases, [[cases]]; "
+                       "{}",
+                       mechanism.name, to_keep));
+  }
+  if (has_rates_by_time(program)) {
+    refuse(program,
+           fmt::format("points at times, and rates by time, have one speed, which varies here or "
+                       "differs between load cases: state them by angle; {}",
+                       to_keep));
+  }
+  const auto& segments = segment_tables(program);
+  if (segments.empty()) return;
+  for (const char* key : {"time", "angle"}) {
+    if (const Entry* own = find(segments.back(), key)) {
+      refuse(*own, fmt::format("the last segment takes what is left of the cycle, and that differs "
+                               "from speed to speed; leave its {} out",
+                               key));
+    }
+  }
 }
 
 /// The speed that nothing in [program] gives: the machine's own.
@@ -116,37 +166,51 @@ void set_speed(const Entry& cycle, double speed, std::size_t parameter, ProblemS
 
 }  // namespace
 
+std::optional<std::size_t> speed_of(const Mechanism& mechanism) {
+  const auto& all = mechanism.parameters;
+  const auto at =
+      std::find_if(all.begin(), all.end(), [](const auto& p) { return p.unit == kSpeedUnit; });
+  if (at == all.end()) return {};
+  return static_cast<std::size_t>(at - all.begin());
+}
+
 std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program,
                                          ProblemStatement& problem) {
   const std::optional<std::size_t> speed = speed_of(*problem.mechanism);
   const StatedParameter stated =
       speed ? stated_parameter(file, problem.mechanism->parameters[*speed]) : StatedParameter{};
   ProgramTiming timing{0, timed_segments(program)};
+  const std::vector<double> of_cases =
+      speed ? speeds_of_cases(file, problem.mechanism->parameters[*speed]) : std::vector<double>{};
   const bool needs_time = !timing.segments.empty() || has_rates_by_time(program);
   const Entry* cycle = find(program, "cycle_time");
   const Entry* at = find(program, "times_at");
   if (at != nullptr && cycle != nullptr) {
     refuse(*at, "cycle_time already says how long a turn takes; drop one of the two");
   }
+  timing.stays = problem.mechanism->keeps_times && needs_time && at == nullptr;
+  timing.follows = timing.stays && (stated.varying != nullptr || !of_cases.empty());
   if (at != nullptr) {
     if (!needs_time) refuse(*at, "the program has no times; drop it");
     timing.speed = positive_of(*at, kSpeedUnit);
   } else if (cycle != nullptr) {
-    timing.speed = speed_of_cycle(*cycle, stated);
+    timing.speed = speed_of_cycle(*cycle, stated, timing.stays);
     if (speed) set_speed(*cycle, timing.speed, *speed, problem);
+  } else if (timing.follows && stated.varying != nullptr) {
+    timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
+  } else if (timing.follows && stated.fixed == nullptr) {
+    timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
+    problem.constants[*speed] = timing.speed;
   } else if (needs_time) {
     timing.speed = speed_of_machine(program, stated);
   } else {
     return {};
   }
-  timing.stays = problem.mechanism->keeps_times && needs_time && at == nullptr;
-  if (timing.stays && speed && has_several_speeds(file, problem.mechanism->parameters[*speed])) {
-    refuse(
-        program,
-        fmt::format("the program has times, which stay at every speed of {}, so that its angles "
-                    "would differ from speed to speed; to keep the angles that the times have at "
-                    "one speed write that, such as times_at = \"60 rpm\"",
-                    problem.mechanism->name));
+  const Entry* ranges = find(file, "ranges");
+  const bool has_range = speed && ranges != nullptr &&
+                         speed_in(*ranges, problem.mechanism->parameters[*speed]) != nullptr;
+  if (timing.follows || (timing.stays && has_range)) {
+    check_follows(file, program, *problem.mechanism, problem.mechanism->parameters[*speed]);
   }
   return timing;
 }

@@ -10,10 +10,14 @@ namespace camlaw::problems {
 
 struct Entry;
 
+/// The mechanism's speed, rpm; none: it has no such parameter.
+std::optional<std::size_t> speed_of(const Mechanism& mechanism);
+
 /// What a program says of times: `cycle_time`, `times_at`, or times by the machine's `speed`. None
 /// where it says nothing. A `cycle_time` sets the speed, unless the file states that too. Throws
 /// std::invalid_argument where the two differ, where the speed varies and no speed is given at
 /// which the times hold, and where there are times and neither.
+/// Where times stay (Mechanism::keeps_times) the speed may vary, and differ between load cases.
 std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program,
                                          ProblemStatement& problem);
 

@@ -94,6 +94,12 @@ ReadCam read_cam(const Entry& table, const Entry& file, HeldFiles& files) {
   alone.constants.push_back(0);
   const Entry whole = with_speed(table, file, *cam.mechanism);
   read_motion(whole, alone, cam.fixed);
+  if (alone.timing && alone.timing->follows) {
+    refuse(table,
+           "its program has times, and the shaft's speed varies: write the speed at which the "
+           "times hold in its program, such as times_at = \"60 rpm\"; their angles are then kept "
+           "at every speed");
+  }
   read_buildable(whole, alone);
   files = std::move(alone.files);
   return cam;

@@ -110,6 +110,9 @@ void read_cases(const Entry& file, ProblemStatement& problem) {
   }
   for (const Entry& table : cases->items) problem.cases.push_back(read_case(table, problem));
   complete(problem);
+  for (std::size_t i = 0; i < problem.cases.size(); ++i) {
+    located(cases->items[i], [&] { check_laws_in(problem, problem.cases[i]); });
+  }
   problem.without_cases = problem.mechanism;
   problem.mechanism =
       std::make_shared<const Mechanism>(with_cases(*problem.mechanism, problem.cases));

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "kinematics/program/program.h"
+#include "machines/model/given_law.h"
 #include "numerics/tables/turn.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/program_timing.h"
 #include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -155,6 +157,10 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
   segment.angle = units.angle(entry).value_or(0);
+  const Entry* time = find(entry, "time");
+  if (time != nullptr && units.timing && units.timing->follows) {
+    segment.time = positive_of(*time, "s");
+  }
   const Entry* law = find(entry, "law");
   segment.rests = law == nullptr && !moves_without_law(entry);
   segment.reversed = truth_of(entry, "reversed");
@@ -322,8 +328,15 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   check_count(*list, stated);
   problem.laws.clear();
   const auto all = combinations(stated);
+  std::optional<ProgramSpeed> speed;
+  if (units.timing && units.timing->follows) {
+    const std::size_t parameter = *speed_of(*problem.mechanism);
+    speed = {units.timing->speed, parameter};
+    problem.mechanism =
+        std::make_shared<const Mechanism>(giving_law(*problem.mechanism, parameter));
+  }
   const auto program_of = [&](const std::vector<ProgramSegment>& segments) {
-    return motion_program(segments, matched, advance, polydyne);
+    return motion_program(segments, matched, advance, polydyne, speed);
   };
   for (const auto& segments : all) {
     problem.laws.push_back(located(*list, [&] {

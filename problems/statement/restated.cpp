@@ -211,7 +211,8 @@ void put_free(Entry& file, std::string_view name, std::string_view text, const s
 
 /// The speed of a machine whose program has times that stay: none where this is not its name.
 const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::string_view name) {
-  if (!problem.timing || !problem.timing->stays) return nullptr;
+  // A program that follows the speed has it as any other parameter.
+  if (!problem.timing || !problem.timing->stays || problem.timing->follows) return nullptr;
   for (const MechanismParameter& p : problem.mechanism->parameters) {
     if (p.unit == "rpm" && p.name == known::kSpeed && (name == p.name || name == p.symbol))
       return &p;

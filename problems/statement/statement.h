@@ -138,6 +138,9 @@ struct ProgramTiming {
   /// Whether the times stay where the machine's speed is set to another value, and the angles
   /// change: of an electronic cam whose file has no times_at.
   bool stays = false;
+  /// They stay, and the speed varies or differs between load cases: the program's parameters are
+  /// times in place of angles, and the machine gives it its speed.
+  bool follows = false;
 
   /// A turn, s: 60 s / (speed in rpm).
   double turn() const { return 60 / speed; }

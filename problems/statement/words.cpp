@@ -8,6 +8,7 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 #include "problems/statement/profile_errors.h"
+#include "problems/statement/program_timing.h"
 #include "problems/statement/variation.h"
 
 namespace camlaw::problems {
@@ -141,16 +142,29 @@ std::string laws_sentence(const ProblemStatement& problem) {
   return fmt::format("Choose the motion law among {}.\n", listed(laws));
 }
 
+/// Of a program that follows the speed, with the speed and the times that it has now.
+ProgramTiming followed(ProgramTiming timing, const ProblemStatement& problem) {
+  timing.speed = problem.constants[*speed_of(*problem.mechanism)];
+  const Member& law = problem.laws.front();
+  for (ProgramTiming::Segment& s : timing.segments) {
+    s.time = law.arguments.scalar(*index_in(*law.family, s.name + "_time"));
+  }
+  return timing;
+}
+
 std::string timing_sentence(const ProblemStatement& problem) {
   if (!problem.timing) return "";
-  const ProgramTiming& timing = *problem.timing;
+  ProgramTiming timing = *problem.timing;
+  if (timing.follows) timing = followed(timing, problem);
   std::vector<std::string> times;
   for (const ProgramTiming::Segment& s : timing.segments) {
     times.push_back(
         fmt::format("{} takes {:.6g} s ({:.6g} deg)", s.name, s.time, timing.angle_of(s.time)));
   }
-  return fmt::format("At {:.6g} rpm a turn takes {:.6g} s{}{}.\n", timing.speed, timing.turn(),
-                     times.empty() ? "" : ": ", listed(times));
+  return fmt::format(
+      "At {:.6g} rpm a turn takes {:.6g} s{}{}.{}\n", timing.speed, timing.turn(),
+      times.empty() ? "" : ": ", listed(times),
+      timing.follows ? " The times stay at other speeds, and the angles change." : "");
 }
 
 /// " (of polynomial-5)", where not every law has what varies.

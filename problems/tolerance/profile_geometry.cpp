@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/fixed_binding.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {
@@ -67,9 +67,7 @@ ProfileGeometry::ProfileGeometry(const ProblemStatement& design) {
   spring_ = constant("spring_rate") * (swings_ ? profile::kPerDegree : 1e3);
   if (contact_ == ProfileContact::Roller) roller_ = constant("roller_radius") / 1e3;
   if (swings_ && contact_ == ProfileContact::Roller) arm_ = constant("arm_length") / 1e3;
-  Binding binding;
-  binding.constants = design.constants;
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
+  const Binding binding = fixed_binding(design.constants, design.laws.front());
   const auto trace = [&](const char* name) {
     return response_of(design, find_response(mechanism, name), binding).curve().trace({});
   };

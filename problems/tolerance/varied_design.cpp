@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "machines/model/law_binding.h"
+#include "machines/model/given_law.h"
 #include "numerics/text/units.h"
 #include "optim/search/interruptible.h"
 #include "problems/statement/bind.h"
@@ -41,7 +41,7 @@ Binding varied_binding(const ProblemStatement& design,
     binding.parameters.push_back(parameter);
     binding.variables.push_back(variable);
   }
-  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::move(of_law));
+  binding.law = given_law(design.laws.front(), std::move(of_law), binding);
   return binding;
 }
 

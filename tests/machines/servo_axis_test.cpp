@@ -315,6 +315,37 @@ TEST_CASE("a move takes the time that its file states, and an axis may advance",
   CHECK(found.assessment.verdict == optim::Verdict::Certified);
 }
 
+TEST_CASE("the fastest cycle of an axis is that of two equal moves at the matched ratio",
+          "[servo-axis]") {
+  // The mean square of the acceleration of the 3-4-5 over a move of T and S is 120 / 7 S^2 / T^4,
+  // and at the matched ratio each unit of it takes 2 sqrt(J (J_M + J_G)). Two such moves in a cycle
+  // of 2 T and 100 ms with the rms torque 0.8 * 2.4 N m: unequal moves of the same cycle heat more.
+  const double per_acceleration = 2 * std::sqrt(0.01 * 1.9e-4), stroke = kPi / 2;
+  const auto rms = [&](double time) {
+    const double square = 120.0 / 7 * stroke * stroke / std::pow(time, 4);
+    return per_acceleration * std::sqrt(square * 2 * time / (2 * time + 0.1));
+  };
+  double low = 0.01, high = 1;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2;
+    (rms(middle) > 0.8 * 2.4 ? low : high) = middle;
+  }
+  const auto optimum = optim::optimise(testing::shipped("servo_axis/fastest_cycle.toml").space());
+  const optim::Assessment& a = optimum.found.assessment;
+  CHECK(a.verdict == optim::Verdict::Certified);
+  CHECK(optimum.found.x[0] == Approx(60 / (2 * low + 0.1)).epsilon(1e-8));
+  CHECK(optimum.found.x[1] == Approx(low).epsilon(1e-5));
+  CHECK(optimum.found.x[2] == Approx(std::sqrt(0.01 / 1.9e-4)).epsilon(1e-5));
+  // Along equal moves n = 60 / (2 T + 0.1 s), so dn/dT = -n^2 / 30, over that of the utilisation.
+  const double step = 1e-6 * low;
+  const double slope = (rms(low + step) - rms(low - step)) / (2 * step) / 2.4;
+  const double speed = 60 / (2 * low + 0.1);
+  const double price = -speed * speed / 30 / slope;
+  for (const optim::LimitReport& limit : a.limits) {
+    if (limit.name == "rms_utilisation") CHECK(limit.multiplier == Approx(price).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("derivatives of an axis that turns round inside a segment are exact", "[servo-axis]") {
   // From 0 by way of 1 to 0.4 and on to 0: it turns round inside, against Coulomb friction.
   const std::string program = R"([program]

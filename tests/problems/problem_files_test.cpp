@@ -63,6 +63,7 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "shaft/two_cams.toml",
                                            "servo_axis/pick_and_place.toml",
                                            "servo_axis/cross_sealer.toml",
+                                           "servo_axis/fastest_cycle.toml",
                                            "index_drives/parallel_eight.toml",
                                            "index_drives/barrel_eight.toml",
                                            "index_drives/globoidal_eight.toml"};

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "optim/cycle/extremes.h"
+#include "optim/problem/check_derivatives.h"
+#include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/problems/complaint.h"
@@ -125,12 +127,211 @@ TEST_CASE("an axis keeps its times at another speed, and its angles change", "[p
   set_value(cut, "speed=60");
   CHECK(up_angle(cut) == Approx(72));
   for (const char* rest : {"[ranges.speed]\nlower = 60\nupper = 120\n",
-                           "[[cases]]\nname = 'slow'\nspeed = 60\n[[cases]]\nname = 'fast'\n"
-                           "speed = 120\n"}) {
+                           "[variation.speed]\nplus = 1\n[[cases]]\nname = 'slow'\nspeed = 60\n"}) {
     INFO(rest);
     CHECK_THAT(complaint([&] { axis("cycle_time = '0.5 s'\n", rest); }), Contains("times_at"));
-    CHECK_NOTHROW(axis("times_at = '120 rpm'\n", rest));
   }
+  CHECK_NOTHROW(axis("times_at = '120 rpm'\n", "[ranges.speed]\nlower = 60\nupper = 120\n"));
+}
+
+namespace {
+
+/// Moves of a pure inertia in 100 and 150 ms; 2.9 ms of another segment are an angle.
+std::string moves(const std::string& rest, const std::string& program = "") {
+  return "mechanism = 'servo-axis'\n[program]\nmatched = 'velocity'\n" + program +
+         "segments = [{name = 'up', time = '100 ms', law = 'parabolic'},\n"
+         "{name = 'high', angle = 20},\n"
+         "{name = 'down', time = '150 ms', law = 'parabolic'}, {name = 'low'}]\n" +
+         rest;
+}
+
+const std::string kPure =
+    "[constants]\nstroke = '90 deg'\nload_inertia = '0.02 kg m2'\ngear_efficiency = 1\n";
+const std::string kLossy =
+    "[constants]\nstroke = '90 deg'\nload_inertia = '0.02 kg m2'\nfriction_torque = '0.4 N m'\n"
+    "load_torque = '1.5 N m'\nviscous_friction = '0.05 N m s'\n";
+
+/// The rms torque of the moves: (J_M + J_G + J / i^2) i 4 S / T^2 over 2 T / t_c, as a designer
+/// works it out.
+double rms_by_hand(double rpm) {
+  const double inertia = 1.6e-4 + 0.3e-4 + 0.02 / 100, stroke = 3.14159265358979 / 2;
+  double sum = 0;
+  for (const double time : {0.1, 0.15}) {
+    const double torque = inertia * 10 * 4 * stroke / (time * time);
+    sum += torque * torque * time;
+  }
+  return std::sqrt(sum * rpm / 60);
+}
+
+/// The value of a response, of a curve its highest.
+double value_in(const ProblemStatement& problem, const std::string& response) {
+  for (const EvaluatedResponse& r : evaluate(problem)) {
+    if (r.name == response) return r.is_curve ? r.highest : r.value;
+  }
+  throw std::invalid_argument(response);
+}
+
+optim::Problem bound(const ProblemStatement& statement) {
+  const BoundProblem problem(statement);
+  return problem.problem(std::vector<std::size_t>(problem.choices().size(), 0));
+}
+
+}  // namespace
+
+TEST_CASE("where an axis' speed is a variable, its angles follow it", "[program_timing]") {
+  const std::string varies =
+      "[variables.speed]\nlower = 40\nupper = 200\nstart = 90\n[objective]\nminimize = "
+      "'torque_rms'\n";
+  ProblemStatement problem = read_problem(moves(kPure + varies), "f.toml");
+  CHECK_THAT(in_words(problem), Contains("At 90 rpm a turn takes 0.666667 s: up takes 0.1 s (54 "
+                                         "deg) and down takes 0.15 s (81 deg). The times stay"));
+  for (const double rpm : {60., 90., 117., 200.}) {
+    INFO(rpm);
+    set_value(problem, fmt::format("speed={}", rpm));
+    CHECK(value_in(problem, "torque_rms") == Approx(rms_by_hand(rpm)).epsilon(1e-9));
+    CHECK(value_in(problem, "acceleration") == Approx(4 * 1.5707963267949 / 0.01).epsilon(1e-9));
+    const optim::Problem made = bound(problem);
+    const std::vector<double> x = made.start();
+    REQUIRE(x == std::vector<double>{rpm});
+    double slope = 0, bend = 0;
+    const optim::Function& rms = made.objectives[0].response.function();
+    CHECK(rms.hessian(x, {&slope, 1}, {&bend, 1}) == Approx(rms_by_hand(rpm)).epsilon(1e-9));
+    CHECK(slope == Approx(rms_by_hand(rpm) / (2 * rpm)).epsilon(1e-7));
+    CHECK(bend == Approx(-rms_by_hand(rpm) / (4 * rpm * rpm)).epsilon(1e-6));
+    const optim::Bounds proved = rms.enclose(x);
+    CHECK(proved.lower <= rms_by_hand(rpm) * (1 + 1e-12));
+    CHECK(proved.upper >= rms_by_hand(rpm) * (1 - 1e-12));
+    CHECK(proved.upper - proved.lower < 1e-6 * rms_by_hand(rpm));
+  }
+  // The times may vary too.
+  set_values(problem, std::vector<std::string>{"speed=90", "up_time=120 ms"});
+  CHECK(value_in(problem, "motor_acceleration") ==
+        Approx(10 * 4 * 1.5707963267949 / (0.12 * 0.12)).epsilon(1e-9));
+  // The program does not fit beyond 60 / 0.25 s less what 'high' takes.
+  CHECK_THAT(complaint([&] { set_value(problem, "up_time=0.6 s"); }), Contains("no angle is left"));
+}
+
+TEST_CASE("derivatives by a speed go by the angles too: the differences of another speed",
+          "[program_timing]") {
+  std::string limits;
+  const std::vector<std::string> names = {
+      "torque_rms",        "mean_power",      "regenerated_energy",      "peak_torque",
+      "peak_power",        "rms_utilisation", "peak_torque_utilisation", "peak jerk",
+      "peak output_torque"};
+  for (const std::string& name : names) {
+    limits += "[[constraints]]\nresponse = '" + name + "'\nupper = 1e9\n";
+  }
+  const std::string rest =
+      kLossy +
+      "[objective]\nminimize = 'torque_rms'\n[variables.gear_ratio]\nlower = 4\nupper = "
+      "20\nstart = 11\n";
+  const std::string with_jerk =
+      "segments = [{name = 'up', time = '100 ms', law = 'modified-sine'},\n"
+      "{name = 'high', angle = 20},\n{name = 'down', time = '150 ms', "
+      "law = '3-4-5'}, {name = 'low'}]\n";
+  const std::string head = "mechanism = 'servo-axis'\n[program]\n";
+  const ProblemStatement problem = read_problem(
+      head + with_jerk + rest + "[variables.speed]\nlower = 40\nupper = 200\nstart = 97\n" + limits,
+      "f.toml");
+  const optim::Problem made = bound(problem);
+  const auto derivatives = optim::check_derivatives(made, made.start());
+  CHECK(derivatives.agrees);
+  // The same machine at a speed that is fixed in its file, and set to another.
+  std::string fixed = head + with_jerk + rest + limits;
+  fixed.replace(fixed.find("[constants]\n"), 12, "[constants]\nspeed = '97 rpm'\n");
+  const auto peak_at = [&](double rpm, const std::string& name) {
+    ProblemStatement other = read_problem(fixed, "f.toml");
+    set_value(other, fmt::format("speed={:.17g}", rpm));
+    const optim::Problem its = bound(other);
+    for (const optim::Constraint& c : its.constraints) {
+      if (c.response.name != name) continue;
+      if (!c.response.is_curve()) return c.response.function().value(its.start());
+      return optim::highest(*c.response.curve().trace(its.start()), 1).value;
+    }
+    throw std::invalid_argument(name);
+  };
+  for (const optim::Constraint& c : made.constraints) {
+    INFO(c.response.name);
+    if (c.response.is_curve()) {
+      const auto found = optim::highest(*c.response.curve().trace(made.start()), 1);
+      CHECK(found.value == Approx(peak_at(97, c.response.name)).epsilon(1e-9));
+      continue;
+    }
+    std::vector<double> slopes(c.response.function().inputs().size());
+    const double value = c.response.function().gradient(made.start(), slopes);
+    CHECK(value == Approx(peak_at(97, c.response.name)).epsilon(1e-9));
+    constexpr double kStep = 0.05;
+    const auto change = [&](double step) {
+      return (peak_at(97 + step, c.response.name) - peak_at(97 - step, c.response.name)) /
+             (2 * step);
+    };
+    const double slope = (4 * change(kStep) - change(2 * kStep)) / 3;
+    REQUIRE(c.response.function().inputs() == std::vector<std::size_t>{0, 1});
+    CHECK(slopes[1] == Approx(slope).epsilon(1e-6).margin(1e-7 * std::abs(value)));
+  }
+}
+
+TEST_CASE("a speed among values to choose from brings the angles with it", "[program_timing]") {
+  const ProblemStatement problem =
+      read_problem(moves(kPure + "[variables.speed]\nvalues = [150, 60, 90]\n[objective]\nminimize "
+                                 "= 'torque_rms'\n"),
+                   "f.toml");
+  const auto found = optim::optimise(BoundProblem(problem).space());
+  CHECK(found.found.assessment.objective.value == Approx(rms_by_hand(60)).epsilon(1e-9));
+  const ProblemStatement design = BoundProblem(problem).at(found.options, found.found.x);
+  CHECK(constant_of(design, "speed") == 60);
+  CHECK(value_in(design, "torque_rms") == Approx(rms_by_hand(60)).epsilon(1e-9));
+}
+
+TEST_CASE("each load case of an axis has the program of its speed", "[program_timing]") {
+  const std::string rest =
+      "[[cases]]\nname = 'slow'\nspeed = '75 rpm'\n[[cases]]\nname = 'fast'\nspeed = '150 rpm'\n"
+      "[variables.gear_ratio]\nlower = 10\nupper = 20\nstart = 10\n"
+      "[objective]\nminimize = 'torque_rms'\n"
+      "[[constraints]]\nresponse = 'peak motor_torque'\nover = 'down'\nupper = 100\n";
+  ProblemStatement problem = read_problem(moves(kPure + rest), "f.toml");
+  CHECK(value_in(problem, "slow.torque_rms") == Approx(rms_by_hand(75)).epsilon(1e-9));
+  CHECK(value_in(problem, "fast.torque_rms") == Approx(rms_by_hand(150)).epsilon(1e-9));
+  CHECK(value_in(problem, "fast.acceleration") ==
+        Approx(value_in(problem, "slow.acceleration")).epsilon(1e-9));
+  set_value(problem, "slow.speed=60");
+  CHECK(value_in(problem, "slow.torque_rms") == Approx(rms_by_hand(60)).epsilon(1e-9));
+  CHECK_THAT(complaint([&] { set_value(problem, "fast.speed=239"); }),
+             Contains("in case fast") && Contains("no angle is left"));
+  // A limit in a segment is on where that lies in its case: 'down' is the slower move.
+  const optim::Problem made = bound(problem);
+  const double slow_move = (1.6e-4 + 0.3e-4 + 0.02 / 100) * 10 * 4 * 1.5707963267949 / 0.0225;
+  std::size_t curves = 0;
+  for (const optim::Constraint& c : made.constraints) {
+    if (!c.response.is_curve()) continue;
+    ++curves;
+    INFO(c.response.name);
+    const auto found = optim::highest(*c.response.curve().trace(made.start()), 1);
+    CHECK(found.value == Approx(slow_move).epsilon(1e-6));
+  }
+  CHECK(curves == 2);
+  CHECK_THAT(complaint(moves(kPure + "[[cases]]\nname = 'slow'\nspeed = '60 rpm'\n"
+                                     "[[cases]]\nname = 'fast'\nspeed = '300 rpm'\n")),
+             Contains("in case fast") && Contains("no angle is left"));
+}
+
+TEST_CASE("a program at a speed that varies leaves room for its last segment", "[program_timing]") {
+  const std::string rest = kPure +
+                           "[variables.speed]\nlower = 40\nupper = 1000\nstart = 90\n"
+                           "[objective]\nmaximize = 'speed'\n";
+  const auto found = optim::optimise(BoundProblem(read_problem(moves(rest), "f.toml")).space());
+  // 340 deg less the least angle of a segment, in 0.25 s.
+  CHECK(found.found.x[0] == Approx((340 - 1e-3) / 360 * 60 / 0.25).epsilon(1e-8));
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(found.found.assessment.global);
+  // In the fastest case, where times vary.
+  const std::string cases =
+      kPure +
+      "[[cases]]\nname = 'slow'\nspeed = 60\n[[cases]]\nname = 'fast'\nspeed = 150\n"
+      "[variables.up_time]\nlower = '50 ms'\nupper = '900 ms'\nstart = '60 ms'\n"
+      "[objective]\nminimize = 'torque_rms'\n";
+  const auto longest = optim::optimise(BoundProblem(read_problem(moves(cases), "f.toml")).space());
+  CHECK(longest.found.x[0] == Approx((340 - 1e-3) / 360 * 60 / 150 - 0.15).epsilon(1e-8));
 }
 
 TEST_CASE("times that contradict the speed, or hold at none, are refused", "[program_timing]") {
@@ -156,6 +357,18 @@ TEST_CASE("times that contradict the speed, or hold at none, are refused", "[pro
       {cam(kTime, "times_at = '60 mm'\n"), "times_at"},
       {cam(kTime, "cycle_time = '1e-9 s'\n"), "it must be"},
       {cam(kTime, "cycle_time = '-1 s'\n"), "cycle_time"},
+      {moves(varies, "cycle_time = '1 s'\n"), "drop cycle_time"},
+      {"mechanism = 'servo-axis'\n[program]\nsegments = [{name = 'up', time = '0.1 s', law = "
+       "'cycloidal'}, {name = 'back', law = 'cycloidal', time = '0.1 s'}]\n" +
+           varies,
+       "leave its time out"},
+      {"mechanism = 'servo-axis'\n[program]\nsegments = [{name = 'up', time = '0.1 s', law = "
+       "'joining', points = [{time = '50 ms', to = 0.4}]}, {name = 'back', law = 'cycloidal'}]\n" +
+           varies,
+       "state them by angle"},
+      {moves(varies + "[variables.cycle_speed]\nlower = 30\nupper = 60\n"),
+       "no parameter 'cycle_speed'"},
+      {moves(varies + "[variables.up_angle]\nlower = 30\nupper = 60\n"), "up_time"},
       {cam("time = '2 s'", "cycle_time = '1 s'\n"), "add up to 720 deg; they must"},
   };
   for (const Case& c : cases) {

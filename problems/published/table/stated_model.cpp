@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "machines/model/given_law.h"
 #include "optim/cycle/extremes.h"
 #include "optim/problem/deadline.h"
 #include "problems/statement/bind.h"
@@ -153,7 +154,8 @@ LawOfRow Model::law_of(RowModel& model, std::span<const int> choice) {
 double Model::looked_up(const RowModel& model, const LookedUp& number,
                         const std::vector<double>& constants, const LawOfRow& law,
                         Readout readout) {
-  const Binding binding{constants, {}, {}, law};
+  Binding binding{constants, {}, {}, law};
+  binding.law = given_again(binding);
   if (readout.kind != Readout::Kind::Exact && number.sampled) {
     return read_off(*number.sampled, constants, law->law_at<double>({}),
                     ends_of_parts(law->member_at({})), number.name.part, readout);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Lower bounds by dividing the box: what they claim against fine grids and known answers.
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "numerics/scalar/series.h"
+#include "optim/search/interruptible.h"
 #include "optim/search/optimise.h"
 #include "tests/optim/verdict/judged_problems.h"
 #include "tests/random_numbers.h"
@@ -141,6 +143,51 @@ TEST_CASE("where ranges are not known nothing is called global", "[subdivision]"
   // A side without an end, and more variables than are divided.
   problem.variables.front().upper = kInfinity;
   CHECK_FALSE(subdivided(problem, about, Point{1}));
+}
+
+TEST_CASE("what a division has shown when it is cut short still holds, and the answer says so",
+          "[subdivision]") {
+  int looks = 0, most = 0;
+  std::atomic<bool> stop{false};
+  const auto camel = [&](const auto& u) {
+    using T = std::remove_cvref_t<decltype(u[0])>;
+    if constexpr (std::is_same_v<T, Slope>) stop = ++looks > most;
+    const T xx = u[0] * u[0], yy = u[1] * u[1];
+    const T slow = number<T>(4) - number<T>(2.1) * xx + xx * xx / number<T>(3);
+    return slow * xx + u[0] * u[1] + number<T>(4) * (yy - number<T>(1)) * yy;
+  };
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -3, .upper = 3, .start = 1.6},
+                       {.name = "y", .lower = -2, .upper = 2, .start = -0.5}};
+  problem.objectives = {least(function<Interval, Slope>({0, 1}, camel))};
+  const Point valley{0.0898420131, -0.7126564032};
+  const Sizes about = sizes(problem, valley);
+  // The functions of a search throw where its time is over.
+  const Deadline deadline({}, &stop);
+  const Problem guarded = interruptible(problem, deadline);
+  double before = -kInfinity;
+  for (const int looked : {200, 400, 800, 1600}) {
+    looks = 0;
+    most = looked;
+    stop = false;
+    const auto division = subdivided(guarded, about, valley);
+    REQUIRE(division);
+    CHECK(division->is_cut);
+    CHECK_FALSE(division->better);
+    CHECK(division->best_possible < -1.0316284535);
+    CHECK(division->best_possible >= before);
+    before = division->best_possible;
+  }
+  OptimiseOptions options;
+  options.starts = 1;
+  options.stop = &stop;
+  looks = 0;
+  stop = false;
+  const Assessment a = optimise(problem, options).found.assessment;
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK_FALSE(a.global);
+  CHECK(a.best_possible.value() < -1.0316284535);
+  CHECK_THAT(a.reason, Catch::Contains("elsewhere was cut short: stopped"));
 }
 
 }  // namespace camlaw::optim::subdivision_test
