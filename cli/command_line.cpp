@@ -139,6 +139,38 @@ std::vector<const char*> with_help_last(const Program& program, int argc, const 
   return words;
 }
 
+/// The words of a command line, with the two words that an option takes joined as in quotes:
+/// "--sample sobol 64". The second is a whole number.
+std::vector<std::string> with_pairs_joined(const Program& program,
+                                           const std::vector<const char*>& words) {
+  std::vector<std::string> result;
+  const std::vector<Option>* options = nullptr;  // of the command, once it is named
+  const auto takes_two = [&](std::string_view word) {
+    return options != nullptr &&
+           std::any_of(options->begin(), options->end(), [&](const Option& o) {
+             return o.takes == takes::kSampling && o.names == word;
+           });
+  };
+  const auto is_whole = [](std::string_view word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = words[i];
+    const std::size_t equals = word.find('=');
+    const bool is_first = !result.empty() && takes_two(result.back());
+    const bool has_first = equals != std::string::npos && takes_two(word.substr(0, equals));
+    result.push_back(word);
+    if ((is_first || has_first) && i + 1 < words.size() && is_whole(words[i + 1])) {
+      result.back() += fmt::format(" {}", words[++i]);
+    }
+    if (i == 0 || options != nullptr) continue;
+    for (const Command& command : program.commands) {
+      if (command.name == word) options = &command.options;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 const Command* parsed(const Program& program, int argc, const char* const* argv) {
@@ -159,7 +191,10 @@ const Command* parsed(const Program& program, int argc, const char* const* argv)
   }
   add_options(app, common_options(&quiet));
   app.footer(examples_text(program.examples));  // commands would take it over
-  const std::vector<const char*> words = with_help_last(program, argc, argv);
+  const std::vector<std::string> joined =
+      with_pairs_joined(program, with_help_last(program, argc, argv));
+  std::vector<const char*> words;
+  for (const std::string& word : joined) words.push_back(word.c_str());
   try {
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::Success& request) {

@@ -51,7 +51,7 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     }
   }
   if (options.seed && !options.sample) {
-    throw std::invalid_argument("--seed is for samples by lhs; add --sample 'lhs 64'");
+    throw std::invalid_argument("--seed is for samples by lhs; add --sample lhs 64");
   }
   problems::SweepSettings settings{.evaluates = options.evaluates, .is_cold = options.cold};
   problems::add_settings(settings, options.settings);
@@ -62,12 +62,12 @@ problems::SweepSettings settings_of(const SweepCommand& options,
     settings.sampling = problems::stated_sampling(*options.sample, seed, options.over);
   } else if (!options.over.empty()) {
     throw std::invalid_argument(
-        "--over is a range from which samples are drawn; say how many: --sample 'sobol 64'");
+        "--over is a range from which samples are drawn; say how many: --sample sobol 64");
   }
   problems::check_set_or_swept(settings, options.settings);
   if (!options.start) return settings;
-  const problems::SweepPlan plan(
-      settings);  // throws where nothing is swept: a design sweeps nothing
+  // Throws where nothing is swept: a design sweeps nothing.
+  settings = problems::SweepPlan(settings).settings();
   settings.set = settings_from(options.file, settings.set, *options.start);
   return settings;
 }
@@ -184,7 +184,7 @@ Command sweep_command() {
             "what is swept: 'speed=60:15:120 rpm' (from, step, to), 'law=cycloidal,modified-sine', "
             "'law=all'; one value is the same in all combinations"},
            {"--sample", &options->sample, takes::kSampling,
-            "draw samples from the ranges of --over: 'sobol 64' or 'lhs 64'"},
+            "draw samples from the ranges of --over: sobol 64 or lhs 64"},
            {"--over", &options->over, takes::kRange,
             "a range for --sample: 'base_radius=30:60 mm'"},
            {"--seed", &options->seed, takes::kNumber, "seed of samples by lhs, an integer from 0"},
@@ -210,7 +210,7 @@ Command sweep_command() {
             "the least base circle for each law and stroke, with the study's file"},
            {"camlaw report results/sweep/study.db -o sweep.html",
             "a page with a map: which law is best where"},
-           {"camlaw sweep problems/cams/roller_least_base.toml --evaluate --sample 'sobol 16' "
+           {"camlaw sweep problems/cams/roller_least_base.toml --evaluate --sample sobol 16 "
             "--over 'base_radius=45:70 mm' --over 'roller_radius=8:14 mm'",
             "sixteen designs evaluated, spread evenly over two ranges"}},
       .run = [options] { return run_sweep(*options); }};

@@ -135,22 +135,56 @@ std::vector<optim::PartFound> judged_parts(const Answer& answer) {
   return parts;
 }
 
-/// How far a combination's design is within each limit; null where it has no design.
-Json part_margins(const Answer& answer, const optim::PartFound& part) {
-  if (!has_design(part)) return nullptr;
+/// How a combination's design stands to each limit; none where it has no design.
+std::vector<optim::LimitReport> part_limits(const Answer& answer, const optim::PartFound& part) {
+  if (!has_design(part)) return {};
   std::vector<optim::LimitReport> limits = answer.optimum.found.assessment.limits;
   if (part.options != answer.optimum.options) {
     const optim::Problem problem = answer.space.problem(part.options);
     limits = optim::limit_reports(problem, optim::sizes(problem, part.x), part.x, false);
   }
+  return problems::as_stated(answer.bound.statement(), std::move(limits));
+}
+
+/// How far within each limit; null where there is no design.
+Json margins_json(const std::vector<optim::LimitReport>& limits, bool has_design) {
+  if (!has_design) return nullptr;
   Json margins = Json::array();
-  for (const auto& limit : problems::as_stated(answer.bound.statement(), std::move(limits))) {
+  for (const optim::LimitReport& limit : limits) {
     margins.push_back({{"name", limit.name},
                        {"side", limit.is_upper ? "upper" : "lower"},
                        {"margin", to_json(limit.margin)},
                        {"unit", limit.unit}});
   }
   return margins;
+}
+
+/// A limit's margin as a share of its bound, by which limits in different units are compared; of a
+/// bound of zero as a share of the value.
+double share_of_bound(const optim::LimitReport& limit) {
+  const double size =
+      std::abs(limit.bound) > 1e3 * limit.tolerance ? std::abs(limit.bound) : std::abs(limit.value);
+  return size > 0 ? limit.margin / size : 0;
+}
+
+/// The limit that a design is nearest to; null where there is none. Equations have no margin.
+const optim::LimitReport* nearest(const std::vector<optim::LimitReport>& limits) {
+  const optim::LimitReport* least = nullptr;
+  for (const optim::LimitReport& limit : limits) {
+    if (limit.is_equation || !std::isfinite(limit.margin)) continue;
+    if (least == nullptr || share_of_bound(limit) < share_of_bound(*least)) least = &limit;
+  }
+  return least;
+}
+
+/// "0.012 deg of pressure_angle", with the margin as its number.
+Cell least_margin(const std::vector<optim::LimitReport>& limits) {
+  const optim::LimitReport* least = nearest(limits);
+  if (least == nullptr) return Cell("", std::nan(""));
+  const double shown = std::abs(least->margin) <= least->tolerance ? 0 : least->margin;
+  return Cell(
+      fmt::format("{} of {}", with_unit(fmt::format("{:.3g}", shown), least->unit), least->name),
+      least->margin);
 }
 
 /// How far one objective is from another, in percent of this.
@@ -212,6 +246,7 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
     table.columns.push_back(from_free);
   }
   table.columns.insert(table.columns.end(), {words("verdict", "verdict"), words("limits", "limits"),
+                                             words("least margin", "least_margin"),
                                              words("held by", "held_by"), data("margins")});
   std::vector<std::vector<std::string>> names;
   for (std::size_t i = 0; i < choices.size(); ++i) names.push_back(option_names(answer, i));
@@ -236,8 +271,10 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
     }
     row.push_back(std::string(to_string(part.verdict)));
     row.push_back(limits_words(part.verdict));
+    const std::vector<optim::LimitReport> limits = part_limits(answer, part);
+    row.push_back(least_margin(limits));
     row.push_back(fmt::format("{}", fmt::join(part.active, ", ")));
-    row.push_back(datum(part_margins(answer, part)));
+    row.push_back(datum(margins_json(limits, found)));
     table.add(std::move(row));
   }
   document.add(table);

@@ -10,6 +10,7 @@
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/objective_cases.h"
 #include "output/answers/open_objective.h"
 #include "output/answers/price_step.h"
 #include "output/answers/price_words.h"
@@ -242,6 +243,15 @@ Json active_bounds(const Assessment& a) {
   return bounds;
 }
 
+/// What classes of laws hold and no program is made of.
+Json left_out_json(const problems::ProblemStatement& statement) {
+  Json all = Json::array();
+  for (const problems::LeftOut& left : statement.left_out) {
+    all.push_back({{"what", left.what}, {"why", left.why}});
+  }
+  return all;
+}
+
 void add_design(const Answer& answer, Document& document) {
   const Assessment& a = assessment(answer);
   Json variables = Json::object(), units = Json::object();
@@ -268,6 +278,11 @@ void add_design(const Answer& answer, Document& document) {
   document.fact("objective_why_not_proved", open.why_not_proved);
   document.fact("variables", variables);
   document.fact("units", units);
+  if (std::isnan(a.objective.value)) return;
+  if (Table cases = objective_cases(design); !cases.rows.empty()) {
+    cases.caption = "\n";
+    document.add(std::move(cases));
+  }
 }
 
 /// What holds the design where it is, and how well that is known.
@@ -361,6 +376,7 @@ Document answer_document(const Answer& answer) {
   if (a.global) document.say(fmt::format("global: {}\n", *a.global));
   document.say(warnings_text(answer.warnings));
   document.fact("warnings", answer.warnings);
+  document.fact("left_out", left_out_json(answer.bound.statement()));
   add_design(answer, document);
   add_limits(answer, document);
   document.add(reached_document(answer.reached));

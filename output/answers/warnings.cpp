@@ -70,6 +70,15 @@ void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
       sought.name));
 }
 
+/// The laws of classes that make no program, which are not searched.
+void add_left_out(const problems::ProblemStatement& problem, Warnings& warnings) {
+  if (problem.left_out.empty()) return;
+  std::vector<std::string> names;
+  for (const problems::LeftOut& left : problem.left_out) names.push_back(left.what);
+  warnings.push_back(fmt::format("left out, as they do not fit: {}; 'camlaw check' says why",
+                                 fmt::join(names, "; ")));
+}
+
 }  // namespace
 
 Warnings doubts_of(const problems::ProblemStatement& problem) {
@@ -94,6 +103,7 @@ Warnings warnings_of(const Answer& answer) {
   const bool has_design =
       verdict == optim::Verdict::Certified || verdict == optim::Verdict::Feasible;
   Warnings warnings;
+  add_left_out(answer.bound.statement(), warnings);
   if (has_design) {
     const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
     if (answer.bound.choices().empty()) add_still_objective(optimum.problem, warnings);
@@ -134,6 +144,7 @@ Warnings warnings_of(const FrontAnswer& answer) {
     }
   }
   Warnings warnings;
+  add_left_out(answer.study.bound().statement(), warnings);
   if (!answer.front.remark.empty()) warnings.push_back(answer.front.remark);
   for (const auto& [what, shared] : all) {
     warnings.push_back(fmt::format("at {} {}: {}{}", points_text(shared.points), what,

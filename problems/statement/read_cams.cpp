@@ -228,6 +228,9 @@ void read_cams(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
   problem.laws = combined_laws(table, cams);
   for (std::size_t i = 0; i < cams.size(); ++i) {
     Joining(cams[i], mechanism->cams[i]).add_to(problem, fixed);
+    for (const LeftOut& left : cams[i].alone.left_out) {
+      problem.left_out.push_back({cams[i].name + "." + left.what, left.why});
+    }
     problem.cams.push_back(
         {cams[i].name, std::make_shared<const ProblemStatement>(std::move(cams[i].alone))});
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ constexpr const char* kJoining = "joining";
 struct StatedSegment {
   const Entry* entry;
   ProgramSegment segment;
-  std::vector<Member> laws;  ///< empty: it rests or joins
+  std::vector<Member> laws;            ///< empty: it rests or joins
+  std::vector<bool> is_of_class = {};  ///< of each law, whether a class holds it: it is not named
 };
 
 Matched read_matched(const Entry& program) {
@@ -42,34 +44,35 @@ Matched read_matched(const Entry& program) {
 }
 
 /// Adds the law of a name, or the laws of a class.
-void add_segment_laws(const Entry& file, const Entry& segment, const Entry& name, HeldFiles& files,
-                      std::vector<Member>& laws) {
-  if (name.kind == Kind::Text && is_free_name(name.text)) {
-    laws.push_back(read_free_law(file, segment, files));
-  } else if (const auto all = read_law_class(name)) {
+void add_segment_laws(const Entry& file, const Entry& name, HeldFiles& files,
+                      StatedSegment& segment) {
+  std::vector<Member>& laws = segment.laws;
+  const auto all = read_law_class(name);
+  if (all) {
     laws.insert(laws.end(), all->begin(), all->end());
+  } else if (name.kind == Kind::Text && is_free_name(name.text)) {
+    laws.push_back(read_free_law(file, *segment.entry, files));
   } else {
     laws.push_back(read_law_name(name, files).law);
   }
+  segment.is_of_class.resize(laws.size(), all.has_value());
 }
 
-std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, const Entry& law,
-                                      HeldFiles& files) {
-  std::vector<Member> laws;
+void read_segment_laws(const Entry& file, const Entry& law, HeldFiles& files,
+                       StatedSegment& segment) {
   if (law.kind == Kind::List) {
     if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
     for (const Entry& item : law.items) {
       if (item.kind == Kind::Text && item.text == kJoining) {
         refuse(item, "joining is not among laws to choose from; write law = \"joining\" alone");
       }
-      add_segment_laws(file, segment, item, files, laws);
+      add_segment_laws(file, item, files, segment);
     }
   } else {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
-    if (law.text != kJoining) add_segment_laws(file, segment, law, files, laws);
+    if (law.text != kJoining) add_segment_laws(file, law, files, segment);
   }
-  tell_apart(laws);
-  return laws;
+  tell_apart(segment.laws);
 }
 
 /// Where a segment or a point ends, from where it begins: `to` or `by`; none where it says neither.
@@ -153,7 +156,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
                            double top, const ProgramUnits& units, HeldFiles& files) {
   check_keys(entry, {"name", "angle", "time", "law", "to", "by", "reversed", "points", "velocity",
                      "acceleration", "continuity", "tolerance", "begin", "end", "joining"});
-  StatedSegment result{&entry, {}, {}};
+  StatedSegment result{&entry, {}, {}, {}};
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
   segment.angle = units.angle(entry).value_or(0);
@@ -171,7 +174,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   }
   segment.to = to ? *to : segment.rests ? level : level == 0 ? top : 0;
   read_joining(entry, units, level, segment);
-  if (law != nullptr) result.laws = read_segment_laws(file, entry, *law, files);
+  if (law != nullptr) read_segment_laws(file, *law, files, result);
   check_law_keys(entry);
   return result;
 }
@@ -257,17 +260,19 @@ void check_count(const Entry& list, const std::vector<StatedSegment>& stated) {
   }
 }
 
-/// Every combination of the segments' laws, the last segment's fastest.
-std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSegment>& stated) {
-  std::vector<std::vector<ProgramSegment>> all{{}};
+/// A combination of the segments' laws: of each segment which of its laws, where it has some.
+using Chosen = std::vector<std::size_t>;
+
+/// Every combination, the last segment's laws fastest.
+std::vector<Chosen> combinations(const std::vector<StatedSegment>& stated) {
+  std::vector<Chosen> all{{}};
   for (const StatedSegment& s : stated) {
-    std::vector<std::vector<ProgramSegment>> longer;
-    for (const auto& before : all) {
+    std::vector<Chosen> longer;
+    for (const Chosen& before : all) {
       const std::size_t count = std::max<std::size_t>(1, s.laws.size());
       for (std::size_t i = 0; i < count; ++i) {
         longer.push_back(before);
-        longer.back().push_back(s.segment);
-        if (!s.laws.empty()) longer.back().back().law = s.laws[i];
+        longer.back().push_back(i);
       }
     }
     all = std::move(longer);
@@ -275,17 +280,93 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
   return all;
 }
 
-/// Whether a program can be made of any of the combinations.
-template <class Make>
-bool is_any_possible(const std::vector<std::vector<ProgramSegment>>& all, const Make& make) {
-  return std::any_of(all.begin(), all.end(), [&](const auto& segments) {
-    try {
-      make(segments);
-      return true;
-    } catch (const std::invalid_argument&) {
-      return false;
+std::vector<ProgramSegment> segments_of(const std::vector<StatedSegment>& stated,
+                                        const Chosen& chosen) {
+  std::vector<ProgramSegment> segments;
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    segments.push_back(stated[k].segment);
+    if (!stated[k].laws.empty()) segments.back().law = stated[k].laws[chosen[k]];
+  }
+  return segments;
+}
+
+/// A combination of which no program can be made.
+struct Unfit {
+  Chosen chosen;
+  std::string why;
+};
+
+/// Why a combination of laws that the file names is refused.
+std::string not_fitting(const Unfit& one, std::size_t count) {
+  return fmt::format(
+      "{}; it is one of {} programs that the segments' laws make: name only laws that fit, or "
+      "write law = \"ends R-R, continuity >= 2\" to choose among those that rest at both ends",
+      one.why, count);
+}
+
+/// "rise = harmonic, return = cycloidal" of the segments that choose.
+std::string choice_words(const std::vector<StatedSegment>& stated, const Chosen& chosen) {
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    if (stated[k].laws.size() < 2) continue;
+    words.push_back(
+        fmt::format("{} = {}", stated[k].segment.name, stated[k].laws[chosen[k]].label()));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The laws of classes that fit in no combination, and the combinations of others that do not fit.
+/// Refuses a law that the file names and that fits in none.
+std::vector<LeftOut> left_out_of(const Entry& list, const std::vector<StatedSegment>& stated,
+                                 const std::vector<Unfit>& unfit, std::size_t count) {
+  std::vector<LeftOut> result;
+  std::vector<std::vector<bool>> fits_nowhere;
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    const StatedSegment& s = stated[k];
+    fits_nowhere.emplace_back(s.laws.size(), false);
+    std::vector<std::size_t> failed(s.laws.size());
+    std::vector<const Unfit*> first(s.laws.size());
+    for (const Unfit& one : unfit) {
+      if (s.laws.empty()) break;
+      const std::size_t law = one.chosen[k];
+      if (failed[law]++ == 0) first[law] = &one;
     }
-  });
+    for (std::size_t law = 0; law < s.laws.size(); ++law) {
+      if (failed[law] == 0 || failed[law] * s.laws.size() < count) continue;
+      if (s.laws.size() < 2) continue;  // the others decide
+      if (!s.is_of_class[law]) {
+        refuse(list, not_fitting(*first[law], count));
+      }
+      fits_nowhere[k][law] = true;
+      result.push_back(
+          {fmt::format("{} = {}", s.segment.name, s.laws[law].label()), first[law]->why});
+    }
+  }
+  std::size_t others = 0;
+  const Unfit* first = nullptr;
+  for (const Unfit& one : unfit) {
+    bool is_said = false;
+    for (std::size_t k = 0; k < stated.size(); ++k) {
+      is_said |= !fits_nowhere[k].empty() && fits_nowhere[k][one.chosen[k]];
+    }
+    if (is_said) continue;
+    if (others++ == 0) first = &one;
+  }
+  if (others > 0) {
+    const std::string words = choice_words(stated, first->chosen);
+    result.push_back(
+        {others == 1 ? words : fmt::format("{} combinations, such as {}", others, words),
+         first->why});
+  }
+  return result;
+}
+
+/// Whether a class holds one of the laws that a combination chooses.
+bool has_law_of_class(const std::vector<StatedSegment>& stated, const Chosen& chosen) {
+  for (std::size_t k = 0; k < stated.size(); ++k) {
+    if (!stated[k].laws.empty() && stated[k].is_of_class[chosen[k]]) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -327,7 +408,6 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   fill_last_angle(*list, stated);
   check_count(*list, stated);
   problem.laws.clear();
-  const auto all = combinations(stated);
   std::optional<ProgramSpeed> speed;
   if (units.timing && units.timing->follows) {
     const std::size_t parameter = *speed_of(*problem.mechanism);
@@ -335,23 +415,22 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
     problem.mechanism =
         std::make_shared<const Mechanism>(giving_law(*problem.mechanism, parameter));
   }
-  const auto program_of = [&](const std::vector<ProgramSegment>& segments) {
-    return motion_program(segments, matched, advance, polydyne, speed);
-  };
-  for (const auto& segments : all) {
-    problem.laws.push_back(located(*list, [&] {
-      try {
-        return program_of(segments);
-      } catch (const std::invalid_argument& error) {
-        if (!is_any_possible(all, program_of)) throw;
-        throw std::invalid_argument(fmt::format(
-            "{}; it is one of {} programs that the segments' laws make: name only laws that fit, "
-            "or write law = \"ends R-R, continuity >= 2\" to choose among those that rest at both "
-            "ends",
-            error.what(), all.size()));
-      }
-    }));
+  const std::vector<Chosen> all = combinations(stated);
+  std::vector<Unfit> unfit;
+  for (const Chosen& chosen : all) {
+    try {
+      problem.laws.push_back(
+          motion_program(segments_of(stated, chosen), matched, advance, polydyne, speed));
+    } catch (const std::invalid_argument& error) {
+      unfit.push_back({chosen, error.what()});
+    }
   }
+  if (problem.laws.empty()) refuse(*list, unfit.front().why);
+  for (const Unfit& one : unfit) {
+    if (has_law_of_class(stated, one.chosen)) continue;
+    refuse(*list, not_fitting(one, all.size()));
+  }
+  problem.left_out = left_out_of(*list, stated, unfit, all.size());
 }
 
 void read_tolerances(const Entry& file, ProblemStatement& problem) {

@@ -52,24 +52,20 @@ const VariableStatement* variable_named(const ProblemStatement& problem, std::st
   return found == problem.variables.end() ? nullptr : &*found;
 }
 
-/// Whether a response is one of the mechanism's, as limits name them: "peak contact_stress".
-bool has_response(const ProblemStatement& problem, std::string_view name) {
+/// Whether a response or a peak is one of the mechanism's, in a load case or in all, as limits name
+/// them: "peak contact_stress", "fast.peak_stress".
+bool has_response(const Mechanism& mechanism, std::string_view name) {
   const std::string_view bare = name.substr(name.rfind(' ') + 1);  // npos + 1 is 0
-  const auto& responses =
-      (problem.without_cases ? *problem.without_cases : *problem.mechanism).responses;
-  return std::any_of(responses.begin(), responses.end(),
-                     [&](const MechanismResponse& r) { return r.name == bare; });
+  const auto is_called = [&](const auto& known) { return known.name == bare; };
+  return std::any_of(mechanism.responses.begin(), mechanism.responses.end(), is_called) ||
+         std::any_of(mechanism.peaks.begin(), mechanism.peaks.end(), is_called);
 }
 
 /// Whether the file limits a response on this side.
 bool is_limited(const ProblemStatement& problem, std::string_view name, bool from_above) {
   return std::any_of(problem.constraints.begin(), problem.constraints.end(),
                      [&](const ConstraintStatement& limit) {
-                       if (limit.of_law || limit.of_check) return false;
-                       if (!(from_above ? limit.upper : limit.lower)) return false;
-                       const std::string& own = limit.response.name;
-                       return own == name || limit.one_value.name == name ||
-                              own.ends_with("." + std::string(name));
+                       return is_on(limit, name) && (from_above ? limit.upper : limit.lower);
                      });
 }
 
@@ -263,6 +259,20 @@ std::vector<std::string> law_list(std::string_view text) {
   return names;
 }
 
+bool is_on(const ConstraintStatement& limit, std::string_view response) {
+  if (limit.of_law || limit.of_check) return false;
+  const MechanismResponse* declared = limit.response.response;
+  for (const std::string& name : {limit.response.name, limit.one_value.name}) {
+    if (name == response) return true;
+    if (declared == nullptr || !declared->in_case) continue;
+    const std::string prefix = declared->in_case->name + ".";
+    const std::size_t at = name.find(prefix);
+    const bool is_in_case = at != std::string::npos;
+    if (is_in_case && name.substr(0, at) + name.substr(at + prefix.size()) == response) return true;
+  }
+  return false;
+}
+
 bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }
 
 bool is_free_setting(const ProblemStatement& problem, std::string_view name) {
@@ -278,7 +288,7 @@ bool is_of_file(const ProblemStatement& problem, std::string_view name) {
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
-    return has_response(problem, *response) &&
+    return has_response(*problem.mechanism, *response) &&
            !is_limited(problem, *response, name.ends_with(kUpper));
   }
   return case_without(problem, name) != nullptr;

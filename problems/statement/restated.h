@@ -18,6 +18,10 @@ namespace camlaw::problems {
 /// whose program has times.
 bool is_of_file(const ProblemStatement& problem, std::string_view name);
 
+/// Whether a limit that the file states is on that response, by the name that the file has for it
+/// or, in a load case, the name in that case.
+bool is_on(const ConstraintStatement& limit, std::string_view response);
+
 /// Whether a name is of laws: "law", "rise.law".
 bool is_law_setting(std::string_view name);
 

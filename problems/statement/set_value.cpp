@@ -170,20 +170,6 @@ bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view n
   return false;
 }
 
-/// Whether a limit that the file states is on that response, by the name that the file has for it
-/// or, in a load case, the name in that case.
-bool is_on(const ConstraintStatement& limit, std::string_view response) {
-  if (limit.of_law || limit.of_check) return false;
-  const std::string& name = limit.response.name;
-  if (name == response || limit.one_value.name == response) return true;
-  const MechanismResponse* declared = limit.response.response;
-  if (declared == nullptr || !declared->in_case) return false;
-  const std::string prefix = declared->in_case->name + ".";
-  const std::size_t at = name.find(prefix);
-  return at != std::string::npos &&
-         name.substr(0, at) + name.substr(at + prefix.size()) == response;
-}
-
 /// The name of the machine's parameter of this name or symbol.
 std::optional<std::string> machine_parameter(const ProblemStatement& problem,
                                              std::string_view name) {
@@ -307,6 +293,21 @@ void begin_at(ProblemStatement& problem, const ProblemStatement& design,
   }
 }
 
+/// Puts into the file what only it can say; the rest is left.
+std::vector<std::string> put_in_file(Entry& file, const ProblemStatement& known,
+                                     std::span<const std::string> assignments) {
+  std::vector<std::string> left;
+  for (const std::string& assignment : assignments) {
+    const auto [name, text] = parse_assignment(assignment, kExample);
+    if (is_of_file(known, name)) {
+      restate(file, known, name, text, assignment);
+    } else {
+      left.push_back(assignment);
+    }
+  }
+  return left;
+}
+
 /// Reads the problem anew with what only its file can say, of what was set before and now, and sets
 /// the rest of both.
 void read_anew(ProblemStatement& problem, std::span<const std::string> assignments) {
@@ -322,20 +323,19 @@ void read_anew(ProblemStatement& problem, std::span<const std::string> assignmen
       return name.find('.') == name.npos && is_of_free_list(name.substr(0, name.find('[')));
     });
   }
-  const auto restated = [&](std::span<const std::string> all) {
-    std::vector<std::string> left;
-    for (const std::string& assignment : all) {
-      const auto [name, text] = parse_assignment(assignment, kExample);
-      if (is_of_file(plain, name)) {
-        restate(file, plain, name, text, assignment);
-      } else {
-        left.push_back(assignment);
-      }
+  std::vector<std::string> before = problem.settings, now(assignments.begin(), assignments.end());
+  std::optional<ProblemStatement> read;
+  // What is put there may be what others are of, such as a limit in a load case that is added.
+  for (std::size_t left = before.size() + now.size() + 1; before.size() + now.size() < left;) {
+    left = before.size() + now.size();
+    const ProblemStatement& known = read ? *read : plain;
+    before = put_in_file(file, known, before);
+    now = put_in_file(file, known, now);
+    if (!read || before.size() + now.size() < left) {
+      read = read_entries(file, problem.text, problem.source, problem.files);
     }
-    return left;
-  };
-  const std::vector<std::string> before = restated(problem.settings), now = restated(assignments);
-  ProblemStatement fresh = read_entries(file, problem.text, problem.source, problem.files);
+  }
+  ProblemStatement fresh = *std::move(read);
   fresh.stop = problem.stop;
   for (const std::string& assignment : before) assign(fresh, assignment);
   begin_at(fresh, problem, plain, is_free_changed);

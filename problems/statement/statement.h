@@ -163,6 +163,12 @@ struct CamStatement {
   std::shared_ptr<const ProblemStatement> alone;
 };
 
+/// Programs that a class of laws such as "all" would make, and that there are not.
+struct LeftOut {
+  std::string what;  ///< "rise = harmonic"
+  std::string why;
+};
+
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.
 struct ProblemStatement {
   std::string title;
@@ -172,6 +178,7 @@ struct ProblemStatement {
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
   bool chooses_law() const { return laws.size() > 1; }
+  std::vector<LeftOut> left_out = {};   ///< of the classes of laws that the file names
   std::optional<ProgramTiming> timing;  ///< where a program speaks of time
   /// The machine's stroke, where the motion is stated in its unit: it is not set beside it.
   std::set<std::size_t> told_by_motion = {};

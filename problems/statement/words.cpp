@@ -339,6 +339,9 @@ std::string in_words(const ProblemStatement& problem) {
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
   words += constants_sentence(problem) + cases_sentence(problem) + ranges_sentence(problem) +
            variation_sentence(problem) + laws_sentence(problem) + timing_sentence(problem);
+  for (const LeftOut& left : problem.left_out) {
+    words += fmt::format("Left out, as it does not fit: {}: {}.\n", left.what, left.why);
+  }
   words += parts_sentences(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {
     const std::size_t next = end_of_list(problem.variables, i);

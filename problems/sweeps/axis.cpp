@@ -299,10 +299,10 @@ Sampling parse_sampling(const std::string& text, std::uint64_t seed) {
   const std::size_t space = all.find_first_of(" :");
   const std::string_view method = all.substr(0, space);
   if ((method != "sobol" && method != "lhs") || space == std::string_view::npos) {
-    throw std::invalid_argument(
-        fmt::format("--sample: '{}' is not known; write \"sobol 64\" or \"lhs 64\", the method and "
-                    "how many samples",
-                    text));
+    throw std::invalid_argument(fmt::format(
+        "--sample: '{}' is not known; write sobol 64 or lhs 64, the method and how many "
+        "samples",
+        text));
   }
   Sampling sampling;
   sampling.method = method == "lhs" ? SampleMethod::LatinHypercube : SampleMethod::Sobol;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,8 @@
 
 namespace camlaw::problems {
 namespace {
+
+constexpr std::string_view kSweptExample = "speed=60:15:120 rpm";
 
 /// The place of a cell along a curve of Hilbert (Skilling 2004), `digits` binary digits of each
 /// number, the first of each number before the second of any.
@@ -68,6 +71,18 @@ std::vector<std::size_t> in_near_order(const std::vector<std::vector<double>>& s
   return order;
 }
 
+/// "ranges.speed" of "ranges.speed.upper", "cases.fast" of "cases.fast.speed"; empty where the name
+/// is of no such table.
+std::string_view table_of(std::string_view name) {
+  for (const std::string_view table : {"ranges.", "variation.", "cases."}) {
+    if (!name.starts_with(table)) continue;
+    // Parameters of cams on a shaft have a dot in their names, load cases have none.
+    const std::size_t end = table == "cases." ? name.find('.', table.size()) : name.rfind('.');
+    return end < table.size() ? std::string_view() : name.substr(0, end);
+  }
+  return {};
+}
+
 template <class Value>
 Value get(const Json& object, const char* key) {
   const auto found = object.find(key);
@@ -103,7 +118,7 @@ void check_set_or_swept(const SweepSettings& settings,
             std::any_of(settings.sampling->over.begin(), settings.sampling->over.end(), has_name));
   };
   for (const std::string& assignment : assignments) {
-    const std::string_view name = parse_assignment(assignment, "speed=60:15:120 rpm").name;
+    const std::string_view name = parse_assignment(assignment, kSweptExample).name;
     if (parse_axis(assignment) || !is_swept(name)) continue;
     throw std::invalid_argument(
         fmt::format("{} is set to one value and swept; leave out one of the two", name));
@@ -153,6 +168,16 @@ SweepPlan::SweepPlan(SweepSettings settings) : settings_(std::move(settings)) {
     throw std::invalid_argument(fmt::format("{} is swept twice", name.name));
   }
   if (settings_.sampling) samples_ = samples_of(*settings_.sampling);
+  const auto is_of_swept_table = [&](const std::string& assignment) {
+    const std::string_view table = table_of(parse_assignment(assignment, kSweptExample).name);
+    return !table.empty() && std::any_of(names_.begin(), names_.end(), [&](const SweptName& swept) {
+      return table_of(swept.name) == table;
+    });
+  };
+  const auto first = std::stable_partition(settings_.set.begin(), settings_.set.end(),
+                                           std::not_fn(is_of_swept_table));
+  settings_.together.insert(settings_.together.end(), first, settings_.set.end());
+  settings_.set.erase(first, settings_.set.end());
 }
 
 std::vector<SweptValue> SweepPlan::values(std::size_t combination) const {
@@ -173,7 +198,7 @@ std::vector<SweptValue> SweepPlan::values(std::size_t combination) const {
 }
 
 std::vector<std::string> SweepPlan::assignments(std::size_t combination) const {
-  std::vector<std::string> all;
+  std::vector<std::string> all = settings_.together;
   const std::vector<SweptValue> own = values(combination);
   for (std::size_t k = 0; k < own.size(); ++k) {
     all.push_back(fmt::format("{}={}", names_[k].name, own[k].text));
@@ -243,6 +268,7 @@ Json to_json(const SweepSettings& settings) {
   }
   Json result{{"axes", axes}, {"evaluate", settings.evaluates}, {"cold", settings.is_cold}};
   if (!settings.fixed.empty()) result["fixed"] = settings.fixed;
+  if (!settings.together.empty()) result["together"] = settings.together;
   if (const auto& sampling = settings.sampling) {
     Json over = Json::array();
     for (const SampledRange& range : sampling->over) {
@@ -272,6 +298,9 @@ SweepSettings sweep_settings(const Json& record, std::vector<std::string> set) {
   result.evaluates = get<bool>(record, "evaluate");
   result.is_cold = get<bool>(record, "cold");
   if (record.contains("fixed")) result.fixed = get<std::vector<std::string>>(record, "fixed");
+  if (record.contains("together")) {
+    result.together = get<std::vector<std::string>>(record, "together");
+  }
   if (!record.contains("sample")) return result;
   const Json sample = record["sample"];
   Sampling sampling = parse_sampling(

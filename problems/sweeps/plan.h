@@ -11,6 +11,9 @@ namespace camlaw::problems {
 /// What a sweep is asked for.
 struct SweepSettings {
   std::vector<std::string> set = {};  ///< the same in all combinations, as set_values takes it
+  /// The same in all too, but set in each with what is swept: of a table that is swept, which may
+  /// be possible only as a whole.
+  std::vector<std::string> together = {};
   std::vector<SweepAxis> axes = {};
   std::optional<Sampling> sampling = {};
   bool evaluates = false;  ///< the file's own design in each combination, without a search
@@ -42,8 +45,9 @@ struct SweptValue {
 
 class SweepPlan {
  public:
-  /// Throws std::invalid_argument where nothing is swept, a name is swept twice, a sampling has no
-  /// ranges, or there are more than kMostSwept combinations.
+  /// What is set of a table that is swept becomes set together with it: ranges.speed.lower where
+  /// ranges.speed.upper is swept. Throws std::invalid_argument where nothing is swept, a name is
+  /// swept twice, a sampling has no ranges, or there are more than kMostSwept combinations.
   explicit SweepPlan(SweepSettings settings);
 
   const SweepSettings& settings() const { return settings_; }
@@ -53,7 +57,7 @@ class SweepPlan {
   /// Of each name. Combinations count with the last axis running fastest but for the samples, which
   /// run faster still.
   std::vector<SweptValue> values(std::size_t combination) const;
-  /// What set_values takes beside the file and what is the same in all.
+  /// What set_values takes beside the file and `settings().set`.
   std::vector<std::string> assignments(std::size_t combination) const;
 
   /// Combinations one after the other: the first of each chain begins as a single run does, every

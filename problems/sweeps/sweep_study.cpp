@@ -100,7 +100,7 @@ std::size_t Sweep::done() const {
 SweepStudy::SweepStudy(const std::string& text, const std::string& source,
                        const SweepSettings& settings, HeldFiles files)
     : plan_(with_good_values(text, source, settings, files)),
-      statement_(read_and_set(text, source, settings.set, std::move(files))),
+      statement_(read_and_set(text, source, plan_.settings().set, std::move(files))),
       options_(options_of(statement_.solver)) {
   fix_parts(statement_, settings.fixed);
   check_objectives(statement_, settings.evaluates);

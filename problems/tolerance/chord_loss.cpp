@@ -41,6 +41,44 @@ ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const
   return {std::move(name), unit, drawn, peak.value, peak.at, peak.proved};
 }
 
+/// The follower's force along chords and over their corners (PE10), where a roller runs on convex
+/// stretches.
+std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry) {
+  constexpr double kOfChange = 1e-3;
+  const double inertia = geometry.mass() * geometry.speed() * geometry.speed();
+  const double radius = geometry.roller();
+  const auto row = [&](const char* which, const char* where, double sign, const auto& change) {
+    const auto drawn = [&](const auto& p) {
+      using T = std::decay_t<decltype(p.force)>;
+      return T(sign) * p.force;
+    };
+    const auto with = [&](const auto& p) { return drawn(p) + change(p); };
+    const double rough = highest(geometry, kInfinite, drawn).value;
+    const double grown = highest(geometry, kInfinite, with).value - rough;
+    const double accuracy = std::max(0.5 * kOfChange * grown, 1e-9 * std::abs(rough) + 1e-12);
+    const CyclePeak before = highest(geometry, accuracy, drawn);
+    const CyclePeak worst = highest(geometry, accuracy, with);
+    const double off = (before.at_most - before.value) + (worst.at_most - worst.value);
+    return ProfileEffect{which + geometry.force_name() + where,
+                         geometry.swings() ? "N m" : "N",
+                         sign * before.value,
+                         sign * worst.value,
+                         worst.at,
+                         off <= kOfChange * (worst.value - before.value)};
+  };
+  return {row("highest ", ", along a chord", 1,
+              [&](const auto& p) {
+                using T = std::decay_t<decltype(p.curvature)>;
+                const T k = above_zero(p.curvature);
+                return T(inertia) * p.lift.value * profile::square(p.arc) * k *
+                       (T(1) + T(radius) * k);
+              }),
+          row("least ", ", over a corner", -1, [&](const auto& p) {
+            using T = std::decay_t<decltype(p.curvature)>;
+            return T(inertia) * p.lift.value * *p.stiffness * is_above_zero(p.curvature);
+          })};
+}
+
 }  // namespace
 
 std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
@@ -67,21 +105,24 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
     }
     return all;
   }
-  return {effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
-          effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
-          effect_of(geometry, "acceleration away, along a chord", unit, drawn.away.value,
-                    [&](const auto& p) {
-                      using T = std::decay_t<decltype(p.curvature)>;
-                      const T k = above_zero(p.curvature);
-                      return p.acceleration + T(square) * p.lift.value * profile::square(p.arc) *
-                                                  k * (T(1) + T(radius) * k);
-                    }),
-          effect_of(geometry, "acceleration towards, over a corner", unit, drawn.towards.value,
-                    [&](const auto& p) {
-                      using T = std::decay_t<decltype(p.curvature)>;
-                      return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -
-                             p.acceleration;
-                    })};
+  std::vector<ProfileEffect> all{
+      effect_of(geometry, "jump of the velocity in hollows", velocity_unit, 0, hollow),
+      effect_of(geometry, "ripple of the velocity elsewhere", velocity_unit, 0, convex),
+      effect_of(geometry, "acceleration away, along a chord", unit, drawn.away.value,
+                [&](const auto& p) {
+                  using T = std::decay_t<decltype(p.curvature)>;
+                  const T k = above_zero(p.curvature);
+                  return p.acceleration + T(square) * p.lift.value * profile::square(p.arc) * k *
+                                              (T(1) + T(radius) * k);
+                }),
+      effect_of(geometry, "acceleration towards, over a corner", unit, drawn.towards.value,
+                [&](const auto& p) {
+                  using T = std::decay_t<decltype(p.curvature)>;
+                  return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -
+                         p.acceleration;
+                })};
+  for (ProfileEffect& effect : force_effects(geometry)) all.push_back(std::move(effect));
+  return all;
 }
 
 }  // namespace camlaw::problems

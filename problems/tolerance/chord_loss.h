@@ -14,8 +14,8 @@ struct AccelerationPeaks {
 };
 
 /// Of a profile that is made of chords, within a deviation or of a step of the cam angle: how the
-/// velocity changes at its corners, and where a roller smooths that, its acceleration (docs/
-/// theory.md, PE9 to PE11). `drawn`: its peaks without chords.
+/// velocity changes at its corners, and where a roller smooths that, its acceleration and force
+/// (docs/theory.md, PE9 and PE10). `drawn`: its peaks without chords.
 std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
                                          const AccelerationPeaks& drawn,
                                          const ProfileErrors& errors);

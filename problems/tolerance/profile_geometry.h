@@ -47,6 +47,8 @@ class ProfileGeometry {
 
   ProfileContact contact() const { return contact_; }
   bool swings() const { return swings_; }
+  /// What acts along the follower's way.
+  std::string force_name() const { return swings_ ? "follower torque" : "follower force"; }
   double speed() const { return speed_; }    ///< omega, rad/s
   double mass() const { return mass_; }      ///< kg or kg m^2
   double spring() const { return spring_; }  ///< N/m or N m/rad

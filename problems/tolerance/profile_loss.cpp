@@ -101,6 +101,17 @@ double stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>&
   return (1 + force / p.force) * (1 + chi * c);
 }
 
+/// The same at worst for any error within the amplitude without shorter waves (PE12).
+double zone_stress_ratio(const ProfileGeometry& geometry, const ProfilePlace<double>& p,
+                         const Waves& waves, double amplitude) {
+  const WaveFactors of = force_of(geometry);
+  const WaveSize<double> w = wave_size(p, waves, true, of);
+  const double chi = valley_share(p, w.number, amplitude);
+  const double rest = amplitude * (w.either - w.steep);
+  const double sharp = of.inertia * p.lift.value * *p.stiffness;
+  return 1 + rest / p.force + chi * std::abs(1 + (rest - sharp) / p.force);
+}
+
 /// One of the even places at which the contact stress is looked at.
 struct StressPlace {
   double at = 0, as_drawn = 0;
@@ -125,25 +136,22 @@ std::vector<StressPlace> stress_places(const ProfileGeometry& geometry) {
 
 constexpr const char* kStress = "peak contact stress";
 
-/// Looked for at even places and phases: not proved.
+/// Looked for at even places, and of waves at even phases: not proved.
 ProfileEffect stress_effect(const ProfileGeometry& geometry, const std::vector<StressPlace>& places,
-                            const Waves& waves, double amplitude) {
-  constexpr int kPhases = 72;
+                            const Waves& waves, bool any, double amplitude) {
+  const int phases = any ? 1 : 72;
   ProfileEffect result{kStress, geometry.stress_unit()};
   for (const StressPlace& p : places) {
     result.as_drawn = std::max(result.as_drawn, p.as_drawn);
-    for (int m = 0; m < kPhases; ++m) {
-      const double ratio =
-          stress_ratio(geometry, p.place, waves, amplitude, 2 * std::numbers::pi * m / kPhases);
+    for (int m = 0; m < phases; ++m) {
+      const double ratio = any ? zone_stress_ratio(geometry, p.place, waves, amplitude)
+                               : stress_ratio(geometry, p.place, waves, amplitude,
+                                              2 * std::numbers::pi * m / phases);
       const double own = ratio > 0 ? p.as_drawn * std::sqrt(ratio) : 0;
       if (own > result.worst) result.worst = own, result.at = p.at;
     }
   }
   return result;
-}
-
-std::string force_name(const ProfileGeometry& geometry) {
-  return geometry.swings() ? "follower torque" : "follower force";
 }
 
 std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry, const Waves& waves,
@@ -157,7 +165,7 @@ std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry, const 
   const ForcePeaks drawn = forces_as_drawn(geometry, accuracy);
   const ForcePeaks worst = forces_with(geometry, waves, any, amplitude, accuracy);
   const char* unit = geometry.swings() ? "N m" : "N";
-  const std::string what = force_name(geometry);
+  const std::string what = geometry.force_name();
   const auto row = [&](const char* which, const CyclePeak& a, const CyclePeak& b, double sign) {
     const double off = (a.at_most - a.value) + (b.at_most - b.value);
     return ProfileEffect{which + what,   unit, sign * a.value,
@@ -199,8 +207,9 @@ WaveEffects wave_effects(const ProfileGeometry& geometry, const CyclePeak& drawn
   if (*result.left_out > kMostLeftOut) {
     for (ProfileEffect& effect : result.effects) effect.proved = false;
   }
-  if (geometry.stress() != nullptr && !any) {
-    result.effects.push_back(stress_effect(geometry, stress_places(geometry), *waves, amplitude));
+  if (geometry.stress() != nullptr) {
+    result.effects.push_back(
+        stress_effect(geometry, stress_places(geometry), *waves, any, amplitude));
   }
   return result;
 }
@@ -241,14 +250,16 @@ class Shop {
                       .amplitude = kMicro * own.for_acceleration,
                       .form = 2 * kMicro * form.for_acceleration,
                       .proved = acceleration_.proved});
-    result.push_back({.of = "peak " + force_name(geometry_),
+    result.push_back({.of = "peak " + geometry_.force_name(),
                       .amplitude = kMicro * own.for_force,
                       .form = 2 * kMicro * form.for_force,
                       .proved = force_.proved});
     if (!stress_.empty()) {
       const double tried = own.for_force > 0 ? 0.1 * own.for_force : 1e-9;
-      result.push_back(
-          {.of = kStress, .amplitude = kMicro * for_stress(waves, tried, most), .proved = false});
+      result.push_back({.of = kStress,
+                        .amplitude = kMicro * for_stress(waves, false, tried, most),
+                        .form = 2 * kMicro * for_stress(waves, true, tried, most),
+                        .proved = false});
     }
     for (ShopLimit& limit : result) {
       limit.by_theory = limit.amplitude >= (1 - 2 * kFine) * kMicro * small;
@@ -296,9 +307,9 @@ class Shop {
             })};
   }
   /// Looked for, not proved.
-  double for_stress(const Waves& waves, double from, double most) const {
+  double for_stress(const Waves& waves, bool any, double from, double most) const {
     return largest_that_holds(from, most, [&](double amplitude) {
-      return stress_effect(geometry_, stress_, waves, amplitude).worst <=
+      return stress_effect(geometry_, stress_, waves, any, amplitude).worst <=
              (1 + loss_) * drawn_stress_;
     });
   }

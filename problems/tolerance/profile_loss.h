@@ -43,7 +43,7 @@ struct ShopLimit {
   std::string of;  ///< "peak acceleration", "peak contact stress"
   std::optional<double> waves = {}, wavelength = {};  ///< in a turn; mm
   double amplitude = 0;                               ///< of waves, um, at most
-  /// Width of the zone of any error, um, at most; none of the stress, which is that of waves.
+  /// Width of the zone of any error, um, at most.
   std::optional<double> form = {};
   bool proved = true;
   /// Up to there the theory is known to hold; the peak may allow more.

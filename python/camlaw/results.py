@@ -24,6 +24,7 @@ _CLAIMS = {
     "best_possible",
     "kkt_residual",
     "objective_case",
+    "objective_cases",
     "objective_proved",
     "objective_undecided",
     "objective_why_not_proved",

@@ -93,6 +93,31 @@ TEST_CASE("a sweep ends in time with what it has", "[program][sweep]") {
   CHECK(json.at("combinations").back().at("verdict") == "not done");
 }
 
+TEST_CASE("samples are asked for with quotes or without", "[program][sweep]") {
+  const auto rows = [](const Words& sample) {
+    Words words{"sweep", kProblem, "--evaluate", "--over", "base_radius=45:60 mm", "--json"};
+    words.insert(words.end(), sample.begin(), sample.end());
+    return json_of(words).at("combinations");
+  };
+  const ParsedJson quoted = rows({"--sample", "sobol 3"});
+  CHECK(quoted.size() == 3);
+  CHECK(rows({"--sample", "sobol", "3"}) == quoted);
+  CHECK(rows({"--sample=sobol", "3"}) == quoted);
+  CHECK(rows({"--sample", "lhs", "4", "--seed", "2"}).size() == 4);
+  CHECK(json_of({"sweep", "--evaluate", "--over", "base_radius=45:60 mm", "--json", "--sample",
+                 "sobol", "3", kProblem})
+            .at("combinations") == quoted);
+  CHECK_THAT(failed({"sweep", kProblem, "--sample", "sobol"}, 2), Contains("write sobol 64"));
+}
+
+TEST_CASE("an end of a range that the file lacks is swept beside the other", "[program][sweep]") {
+  const ParsedJson rows =
+      json_of({"sweep", kProblem, "--evaluate", "--set", "ranges.speed.lower=100 rpm", "--set",
+               "ranges.speed.upper=200:50:300 rpm", "--json"})
+          .at("combinations");
+  CHECK(rows.size() == 3);
+}
+
 TEST_CASE("what a sweep cannot run through is refused in a line", "[program][sweep]") {
   CHECK_THAT(failed({"sweep", kProblem}, 2), Contains("nothing is swept"));
   CHECK_THAT(failed({"sweep", kProblem, "--over", "base_radius=30:60 mm"}, 2),

@@ -193,6 +193,49 @@ TEST_CASE("the objective's case and place are in the JSON as in the text", "[pro
   CHECK(found.at("objective_worst_at").at("q").at("value").get<double>() == Approx(4));
   CHECK(found.at("objective_worst_at").at("q").at("unit") == "1");
   CHECK_THAT(done({"optimize", own}), Contains("in case high, q = 4"));
+  const ParsedJson& parts = found.at("objective_cases");
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].at("case") == "low");
+  CHECK(parts[0].at("value").get<double>() == Approx(4));
+  CHECK(parts[1].at("value").get<double>() == Approx(12));
+  CHECK(parts[1].at("worst_at").at("q").at("value").get<double>() == Approx(4));
+}
+
+TEST_CASE("the objective in each load case is told, of a worst case and of a mean", "[program]") {
+  const std::string file = cam_file("load_cases.toml");
+  const ParsedJson json = json_of({"optimize", file, "--json"});
+  const ParsedJson& parts = json.at("objective_cases");
+  REQUIRE(parts.size() >= 2);
+  double most = 0;
+  for (const ParsedJson& part : parts) {
+    const double value = part.at("value");
+    if (part.at("case") == json.at("objective_case")) {
+      CHECK(value == Approx(json.at("objective").get<double>()).epsilon(1e-9));
+      CHECK(part.at("worst_angle_deg").get<double>() ==
+            Approx(json.at("objective_worst_angle_deg").get<double>()).margin(1e-4));
+    }
+    CHECK(part.at("unit") == json.at("objective_unit"));
+    most = std::max(most, value);
+  }
+  CHECK(most == Approx(json.at("objective").get<double>()).epsilon(1e-9));
+  CHECK_THAT(done({"optimize", file}), Contains("objective in case"));
+
+  // The weighted mean of the parts is the objective.
+  const Folder folder;
+  const std::string mean = folder / "mean.toml";
+  std::ofstream(mean) << "[machine]\n[machine.parameters.p]\ndefault = 1\nlower = 0\nupper = 10\n"
+                         "[machine.parameters.r]\ndefault = 1\nlower = 0\nupper = 9\n"
+                         "[responses.f]\nformula = 'r * (p - 4)^2'\n"
+                         "[[cases]]\nname = 'low'\nr = 1\n"
+                         "[[cases]]\nname = 'high'\nr = 3\nweight = 3\n"
+                         "[variables.p]\nlower = 0\nupper = 2\nstart = 1\n"
+                         "[objective]\nminimize = 'f'\ncases = 'mean'\n";
+  const ParsedJson found = json_of({"optimize", mean, "--json"});
+  CHECK(found.at("objective").get<double>() == Approx(10));  // (4 + 3 * 12) / 4
+  REQUIRE(found.at("objective_cases").size() == 2);
+  CHECK(found.at("objective_cases")[0].at("value").get<double>() == Approx(4));
+  CHECK(found.at("objective_cases")[1].at("value").get<double>() == Approx(12));
+  CHECK(found.at("objective_cases")[1].at("weight") == 3);
 }
 
 TEST_CASE("each combination of a table has its verdict and its margins", "[program]") {
@@ -225,6 +268,10 @@ TEST_CASE("each combination of a table has its verdict and its margins", "[progr
     ++designs;
     const ParsedJson& limits = alone.at("constraints");
     REQUIRE(row.at("margins").size() == limits.size());
+    // The one of two limits that is the nearer as a share of its bound.
+    const double angle = row.at("margins")[0].at("margin"),
+                 force = row.at("margins")[1].at("margin");
+    CHECK(row.at("least_margin") == (angle / 50 < force / 7.5 ? angle : force));
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const ParsedJson& margin = row.at("margins")[i];
       CHECK(margin.at("name") == limits[i].at("name"));

@@ -14,6 +14,7 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
 #include "tests/problems/complaint.h"
+#include "tests/random_numbers.h"
 
 // Limits over ranges of parameters, against many evaluations of the file with single values.
 namespace camlaw::problems::parameter_ranges_test {
@@ -348,6 +349,95 @@ TEST_CASE("The worst of cases within ranges is certified") {
   INFO(found.found.assessment.reason);
   CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
   CHECK(found.found.assessment.objective.value == Approx(6).epsilon(1e-9));
+}
+
+TEST_CASE("What is proved over ranges never contradicts points drawn inside them") {
+  struct Ranged {
+    const char *name, *unit;
+    double least, most, widest;  ///< from where to where it begins, and how wide it is at most
+  };
+  const Ranged parameters[] = {{"speed", "rpm", 60, 350, 250},
+                               {"load", "N", 0, 150, 200},
+                               {"mass", "kg", 0.5, 2, 1.5},
+                               {"base_radius", "mm", 32, 60, 6},
+                               {"spring_preload", "N", 60, 300, 150}};
+  const auto text = [](const std::string& constants, const std::string& more) {
+    return "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '25 mm'\nspring_rate = '8 "
+           "N/mm'\n" +
+           constants +
+           "[program]\nsegments = [{name = 'rise', angle = 90, law = 'modified-sine'}, {name = "
+           "'high', angle = 70}, {name = 'back', angle = 110, law = 'cycloidal'}, {name = "
+           "'low'}]\n" +
+           more;
+  };
+  camlaw::testing::Random random(26);
+  int proved = 0, broken = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    const std::string limits = fmt::format(
+        "[[constraints]]\nresponse = 'follower_force'\nlower = '{} N'\n"
+        "[[constraints]]\nresponse = 'contact_stress'\nupper = '{} MPa'\n"
+        "[[constraints]]\nresponse = 'pressure_angle'\nupper = '{} deg'\n"
+        "[[constraints]]\nresponse = 'drive_torque'\nlower = '{} N m'\n",
+        random(-100, 200), random(300, 900), random(22, 36), random(-15, -1));
+    const std::size_t first = static_cast<std::size_t>(trial) % 5, second = (first + 2) % 5;
+    std::string constants, ranges;
+    std::vector<std::pair<double, double>> ends;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Ranged& p = parameters[i];
+      const double low = random(p.least, p.most), high = low + random(0.2, 1) * p.widest;
+      ends.emplace_back(low, high);
+      if (i == first || i == second) {
+        ranges += fmt::format("[ranges.{}]\nlower = '{} {}'\nupper = '{} {}'\n", p.name, low,
+                              p.unit, high, p.unit);
+      } else {
+        constants += fmt::format("{} = '{} {}'\n", p.name, low, p.unit);
+      }
+    }
+    const auto at = [&](double one, double other) {
+      return standing(
+          read(text(constants + fmt::format("{} = {:.17g}\n{} = {:.17g}\n", parameters[first].name,
+                                            one, parameters[second].name, other),
+                    limits)));
+    };
+    const ProblemStatement ranged = read(text(constants, limits + ranges));
+    const auto over = standing(ranged);
+    REQUIRE(over.size() >= 4);  // a stress brings a limit on the force that it needs
+    // Where a limit is said to be at its worst it has that value.
+    for (std::size_t i = 0; i < over.size(); ++i) {
+      proved += over[i].proved && over[i].met;
+      if (over[i].met || !std::isfinite(over[i].value)) continue;
+      ++broken;
+      double one = ends[first].first, other = ends[second].first;
+      for (const PlaceInRange& place :
+           worst_in_ranges(ranged, ranged.constraints[i].response, over[i].worst_angle)) {
+        if (place.parameter == parameters[first].name) one = place.value;
+        if (place.parameter == parameters[second].name) other = place.value;
+      }
+      const auto there = at(one, other);
+      INFO("trial " << trial << ", " << over[i].name << " at " << one << ", " << other);
+      CHECK_FALSE(there[i].met);
+      CHECK(there[i].value == Approx(over[i].value).epsilon(1e-6));
+    }
+    for (int point = 0; point < 24; ++point) {
+      const auto inside = [&](std::size_t i) {
+        const auto [low, high] = ends[i];
+        return point < 4 ? ((point >> (i == first)) % 2 == 0 ? low : high) : random(low, high);
+      };
+      const double one = inside(first), other = inside(second);
+      const auto drawn = at(one, other);
+      REQUIRE(drawn.size() == over.size());
+      for (std::size_t i = 0; i < over.size(); ++i) {
+        if (!std::isfinite(over[i].value)) continue;
+        INFO("trial " << trial << ", " << over[i].name << " at " << one << ", " << other << ": "
+                      << drawn[i].value << ", over the ranges " << over[i].value);
+        const double off = 1e-7 * (1 + std::abs(over[i].value));
+        CHECK(drawn[i].margin >= over[i].margin - off);
+        if (over[i].proved && over[i].met) CHECK(drawn[i].met);
+      }
+    }
+  }
+  CHECK(proved > 3);
+  CHECK(broken > 3);
 }
 
 TEST_CASE("What cannot be a range is refused by name") {

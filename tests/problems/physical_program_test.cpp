@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -253,6 +255,64 @@ TEST_CASE("a law that does not fit among the ones to choose from is said to be o
   CHECK_THAT(refusal(fits + "'constant-velocity'" + rest), !Contains("it is one of"));
   CHECK_THAT(refusal(fits + "['constant-velocity', 'parabolic']" + rest),
              !Contains("it is one of"));
+}
+
+TEST_CASE("laws of a class that do not fit in a segment are left out by name",
+          "[physical_program]") {
+  const auto with = [](const std::string& rise, const std::string& back) {
+    return read_problem(
+        "mechanism = 'disc-cam-roller'\n[program]\nsegments = [{name = 'low', angle = 60}, {name = "
+        "'rise', angle = 120, law = " +
+            rise + "}, {name = 'high', angle = 60}, {name = 'back', law = " + back + "}]\n",
+        "f.toml");
+  };
+  const auto names = [](const ProblemStatement& problem) {
+    std::set<std::string> all;
+    for (const LeftOut& left : problem.left_out) all.insert(left.what);
+    return all;
+  };
+  const ProblemStatement one = with("'all'", "'MS'");
+  CHECK(one.laws.size() > 20);
+  REQUIRE(!one.left_out.empty());
+  CHECK(names(one).contains("rise = constant-velocity"));
+  for (const LeftOut& left : one.left_out) CHECK_THAT(left.why, Contains("'rise'"));
+  // Each as it is where it is named alone.
+  for (const Family& family : catalogue()) {
+    std::string law = family.name.substr(0, family.name.find(' '));
+    const bool is_left = names(one).contains("rise = " + family.name);
+    INFO(family.name);
+    if (is_left) CHECK_THROWS_AS(with("'" + law + "'", "'MS'"), std::invalid_argument);
+  }
+  CHECK_THAT(in_words(one), Contains("Left out, as it does not fit: rise = constant-velocity: "));
+  // In both segments: those that fit nowhere are told once for each.
+  const ProblemStatement both = with("'all'", "'all'");
+  CHECK(both.laws.size() == one.laws.size() * one.laws.size());
+  CHECK(both.left_out.size() == 2 * one.left_out.size());
+  CHECK(names(both).contains("back = constant-velocity"));
+  // A law that is named is not left out, be it beside a class.
+  CHECK_THAT(complaint([&] { with("['constant-velocity', 'ends R-R']", "'MS'"); }),
+             Contains("name only laws that fit"));
+  CHECK_THAT(complaint([&] { with("'all'", "'constant-velocity'"); }),
+             Contains("velocity jumps") && !Contains("it is one of"));
+  CHECK(with("'ends R-R, continuity >= 2'", "'MS'").left_out.empty());
+  // What is set is as what is stated.
+  ProblemStatement set = with("'MS'", "'MS'");
+  set_value(set, "rise.law=all");
+  CHECK(set.laws.size() == one.laws.size());
+  CHECK(names(set) == names(one));
+}
+
+TEST_CASE("classes of laws that fit with some of the others are told as combinations",
+          "[physical_program]") {
+  // Laws that meet without a dwell between them: those of the same kind of end go together.
+  const ProblemStatement meets = read_problem(
+      "mechanism = 'disc-cam-roller'\n[program]\nsegments = [{name = 'low', angle = 60}, {name = "
+      "'start', angle = 60, to = 0.3, law = 'all'}, {name = 'go', angle = 60, to = 1, law = "
+      "'all'}, "
+      "{name = 'high', angle = 60}, {name = 'back', law = 'MS'}]\n",
+      "f.toml");
+  CHECK(meets.laws.size() > 100);
+  REQUIRE(!meets.left_out.empty());
 }
 
 TEST_CASE("a motion that advances is not for a cam", "[physical_program]") {

@@ -161,6 +161,44 @@ TEST_CASE("limits, bounds and values of cases that a file does not list", "[stat
         solved(read(cam("cycloidal", "cycloidal", stated + force))));
 }
 
+TEST_CASE("a limit that is set may be on a peak, in a load case, or in one that is set beside it",
+          "[statement][restated]") {
+  const auto stated = [](const std::string& response, const std::string& bound) {
+    return "[[constraints]]\nresponse = '" + response + "'\n" + bound + "\n";
+  };
+  const auto with = [](const std::string& more) {
+    return read(cam("modified-sine", "cycloidal", more));
+  };
+  const ProblemStatement plain = with("");
+  CHECK(solved(set(plain, {"peak_stress.upper=800 MPa"})) ==
+        solved(with(stated("peak_stress", "upper = '800 MPa'"))));
+  CHECK(solved(set(plain, {"peak_pressure_angle.upper=25 deg", "least_force.lower=90 N"})) ==
+        solved(with(stated("peak_pressure_angle", "upper = '25 deg'") +
+                    stated("least_force", "lower = '90 N'"))));
+
+  const std::string fast = "[[cases]]\nname = 'fast'\nspeed = '300 rpm'\nload = '90 N'\n";
+  const std::string slow = "[[cases]]\nname = 'slow'\nspeed = '40 rpm'\n";
+  const std::string in_fast = stated("contact_stress", "upper = '800 MPa'\ncases = ['fast']");
+  const std::vector<double> wanted = solved(with(fast + slow + in_fast));
+  CHECK(solved(set(with(fast + slow), {"fast.contact_stress.upper=800 MPa"})) == wanted);
+  CHECK(solved(set(with(fast + slow), {"fast.peak_stress.upper=800 MPa"})) ==
+        solved(with(fast + slow + stated("peak_stress", "upper = '800 MPa'\ncases = ['fast']"))));
+  CHECK(solved(set(with(slow), {"cases.fast.speed=300 rpm", "cases.fast.load=90 N",
+                                "fast.contact_stress.upper=800 MPa"})) ==
+        solved(with(slow + fast + in_fast)));
+  // One that the file has, in each of its cases, is changed and not stated twice.
+  const std::string peaks = stated("peak contact_stress", "upper = '900 MPa'");
+  const ProblemStatement changed =
+      set(with(fast + slow + peaks), {"peak contact_stress.upper=800 MPa"});
+  CHECK(changed.constraints.size() == with(fast + slow + peaks).constraints.size());
+  for (const char* ranges : {"", "[ranges.mass]\nlower = '1 kg'\nupper = '2 kg'\n"}) {
+    const std::string tables = fast + slow + ranges;
+    CHECK(solved(set(with(tables + stated("contact_stress", "upper = '900 MPa'")),
+                     {"contact_stress.upper=800 MPa"})) ==
+          solved(with(tables + stated("contact_stress", "upper = '800 MPa'"))));
+  }
+}
+
 TEST_CASE("tables of variations, ranges and cases are set as a file states them",
           "[statement][restated]") {
   const std::string limits =

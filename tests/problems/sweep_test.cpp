@@ -333,6 +333,34 @@ TEST_CASE("designs are evaluated without a search, and each says what it passes"
   }
 }
 
+TEST_CASE("an end of a range that only the command line states is swept with the other one",
+          "[sweep]") {
+  const std::vector<std::string> asked{"stroke=20 mm", "ranges.speed.lower=100 rpm",
+                                       "ranges.speed.upper=200:50:300 rpm"};
+  const SweepStudy study(kCam, "cam.toml", swept(asked));
+  const SweepStudy recorded = SweepStudy::of(study.settings());
+  CHECK(recorded.settings() == study.settings());
+  REQUIRE(study.plan().size() == 3);
+  for (const SweepStudy* one : {&study, &recorded}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto stated = one->stated(i);
+      REQUIRE(stated);
+      REQUIRE(stated->ranges.size() == 1);
+      CHECK(stated->ranges.front().lower == 100);
+      CHECK(stated->ranges.front().upper == 200 + 50 * static_cast<double>(i));
+    }
+  }
+  CHECK(SweepStudy(kCam, "cam.toml", swept({"cases.fast.weight=2", "cases.fast.speed=100,200 rpm"}))
+            .stated(1)
+            ->cases.front()
+            .weight == 2);
+  CHECK_THAT(complaint([] {
+               SweepStudy(kCam, "cam.toml",
+                          swept({"ranges.speed.lowr=1 rpm", "ranges.speed.upper=2,3 rpm"}));
+             }),
+             Contains("lowr"));
+}
+
 TEST_CASE("a misspelt value is refused before anything is worked out", "[sweep]") {
   const auto says = [](const std::vector<std::string>& settings) {
     return complaint([&] { SweepStudy(kCam, "cam.toml", swept(settings)); });
