@@ -82,8 +82,7 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
   const double done = progress.points > kEnds ? static_cast<double>(progress.points) /
                                                     static_cast<double>(progress.wanted)
                                               : 0;
-  line.show(fmt::format("front after {} searches: {}", progress.tasks, counted_points(progress)),
-            std::min(done, 1.0));
+  line.show(front_progress(progress), std::min(done, 1.0));
 }
 
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& document,

@@ -30,8 +30,8 @@ ProgressLine::ProgressLine(bool shown)
 ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::show(const std::string& text) {
-  if (!shown_) return;
-  printed_ = true;
+  if (!shown_ || text == printed_) return;
+  printed_ = text;
   fmt::print(stderr, "\r{:{}.{}}", text, kWidth, kWidth);
   std::fflush(stderr);
 }
@@ -43,8 +43,8 @@ void ProgressLine::show(const std::string& text, double done) {
 }
 
 void ProgressLine::clear() {
-  if (printed_) fmt::print(stderr, "\r{:{}}\r", "", kWidth);
-  printed_ = false;
+  if (!printed_.empty()) fmt::print(stderr, "\r{:{}}\r", "", kWidth);
+  printed_.clear();
 }
 
 }  // namespace camlaw::cli

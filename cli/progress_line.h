@@ -10,11 +10,13 @@ namespace camlaw::cli {
 /// empty where too little is done to say.
 std::string time_left(double seconds, double done);
 
-/// One line that is written over while something runs; on a terminal only, not with --quiet, and
-/// gone at the end.
+/// One line that is written over while something runs, where it changes; on a terminal only, not
+/// with --quiet, and gone at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(bool shown);
+  /// With this text from the beginning.
+  ProgressLine(bool shown, const std::string& text) : ProgressLine(shown) { show(text); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
@@ -28,7 +30,8 @@ class ProgressLine {
   void clear();
 
  private:
-  bool shown_, printed_ = false;
+  bool shown_;
+  std::string printed_ = {};  ///< what stands there; empty: nothing
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

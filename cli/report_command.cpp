@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
+#include "cli/progress_line.h"
 #include "numerics/text/file_text.h"
 #include "numerics/text/sha256.h"
 #include "output/answers/claim_output.h"
@@ -43,6 +44,17 @@ std::string checksum_of(const std::string& input) {
   return sha256(problems::file_text(input, "problem file or a result"));
 }
 
+/// A file's name without its folders, which a line has no room for.
+std::string name_of(const std::string& input) {
+  return std::filesystem::path(input).filename().string();
+}
+
+/// What is claimed of a design, judged again.
+ClaimReview claim_of(const problems::ReadDesign& read, const std::string& input) {
+  const ProgressLine line(true, "report: judging " + name_of(input));
+  return reviewed(read);
+}
+
 /// A page, and whether what it tells of a file was found as it is claimed there.
 struct JudgedPage {
   ReportPage page;
@@ -52,13 +64,14 @@ struct JudgedPage {
 JudgedPage design_page(const std::string& input, const std::vector<std::string>& settings) {
   problems::ReadDesign read = problems::read_design_file(input);
   keep_inputs(read, input);
-  const ClaimReview review = reviewed(read);
+  const ClaimReview review = claim_of(read, input);
   say_review(input, review);
   if (!settings.empty()) read = with_settings(read, settings);
   Facts facts;
   if (read.verdict) {
     facts = facts_of_search(problems::parse_json(problems::file_text(input, "result")));
   }
+  const ProgressLine line(true, "report: curves, proofs and sensitivities");
   return {design_report({.read = std::move(read),
                          .file = input,
                          .facts = std::move(facts),
@@ -70,11 +83,15 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
 JudgedPage sweep_page(optim::StudyRecord& record, const std::string& file) {
   const problems::SweepStudy study = problems::SweepStudy::of(record.settings());
   keep_recorded(study.statement(), file);
-  const problems::StoredSweep stored = problems::stored_sweep(study, record);
+  const problems::StoredSweep stored = [&] {
+    const ProgressLine line(true, "report: judging the designs of the study");
+    return problems::stored_sweep(study, record);
+  }();
   SweepAnswer answer(study, stored.sweep);
   answer.notes = stored.notes;
   for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
   const bool is_whole = stored.faults.empty() && !answer.is_stopped;
+  const ProgressLine line(true, "report: the map of the sweep");
   return {sweep_report(answer, file), is_whole ? kDone : kNotSolved};
 }
 
@@ -83,12 +100,16 @@ JudgedPage study_page(const std::string& file) {
   if (problems::SweepStudy::is_sweep(record.settings())) return sweep_page(record, file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   keep_recorded(study.bound().statement(), file);
-  const problems::StoredFront stored = problems::stored_front(study, record);
+  const problems::StoredFront stored = [&] {
+    const ProgressLine line(true, "report: judging the points of the study");
+    return problems::stored_front(study, record);
+  }();
   for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
   if (stored.front.points.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));
   }
+  const ProgressLine line(true, "report: curves of the points");
   return {front_report(FrontAnswer{study, stored}, file), status_of(stored)};
 }
 
@@ -134,14 +155,16 @@ JudgedPage comparison_page(const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     problems::ReadDesign read = problems::read_design_file(input);
     keep_inputs(read, input);
-    ClaimReview review = reviewed(read);
+    ClaimReview review = claim_of(read, input);
     say_review(input, review);
     if (status_of(review) != kDone) status = status_of(review);
+    const ProgressLine line(true, "report: proofs of " + name_of(input));
     DesignReview judged(read);
     designs.push_back({std::string(1, static_cast<char>('A' + designs.size())), input,
                        std::move(read), std::move(review), std::move(judged)});
     checksums.push_back(checksum_of(input));
   }
+  const ProgressLine line(true, "report: curves of all designs");
   return {comparison_report(designs, checksums), status};
 }
 

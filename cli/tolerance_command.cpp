@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,10 +11,12 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
+#include "cli/progress_line.h"
 #include "cli/ranks.h"
 #include "cli/run_limits.h"
 #include "cli/study_file.h"
 #include "cli/workers.h"
+#include "optim/crew/telling_hands.h"
 #include "optim/study/record.h"
 #include "optim/study/recorded_hands.h"
 #include "output/answers/profile_output.h"
@@ -87,6 +90,15 @@ problems::ProfileErrors profile_errors(const ToleranceCommand& options,
   return errors;
 }
 
+/// How far the yield is; behind it the tolerances are widened until a limit is broken.
+void show_yield(ProgressLine& line, double share) {
+  if (share < 1) {
+    line.show(fmt::format("yield: {:.0f} % of the parts", std::floor(100 * share)), share);
+  } else {
+    line.show("how far the tolerances may grow");
+  }
+}
+
 int run_tolerance(const ToleranceCommand& options) {
   constexpr std::int64_t kMostSamples = 100'000'000;
   const auto ranks = ranks_of(options.executor, options.workers);
@@ -105,9 +117,12 @@ int run_tolerance(const ToleranceCommand& options) {
   const auto path = study_file(options.db, {}, options.resume);
   const ProblemStatement design = problems::restated_design(design_of(options));
   const problems::ProfileErrors errors = profile_errors(options, design);
+  ProgressLine line(!options.json);
   std::optional<problems::ProfileAnswer> profile;
+  if (errors.any()) line.show("errors of the profile");
   if (errors.any()) profile = problems::profile_answer(design, errors);
   if (profile && !path && problems::asked_variations(design, options.tolerances).empty()) {
+    line.clear();
     print(with_profile(design, *profile), options.json);
     return kDone;
   }
@@ -123,7 +138,15 @@ int run_tolerance(const ToleranceCommand& options) {
                                  options.resume)
                      : std::nullopt;
   if (record) wanted.hands = optim::recorded_hands(std::move(wanted.hands), *record);
+  wanted.hands =
+      optim::telling_hands(std::move(wanted.hands), [&, begun = false](double share) mutable {
+        if (!begun) line.restart();
+        begun = true;
+        show_yield(line, share);
+      });
+  line.show("worst part of each limit");
   const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
+  line.clear();
   Document document = variation_document(varied, answer);
   if (profile) document = with_profile(design, *profile, std::move(document));
   print(document, options.json);

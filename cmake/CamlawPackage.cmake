@@ -1,4 +1,4 @@
-# Debian packages by CPack, `cpack -G DEB` in the build folder: camlaw, the program, libcamlaw-dev,
+# Debian packages by CPack, `./package deb`: camlaw, the program, libcamlaw-dev,
 # to build against, and where there is an MPI camlaw-mpi, the plug-in with it. Run-time dependencies
 # are what dpkg-shlibdeps finds.
 

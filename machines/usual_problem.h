@@ -38,6 +38,8 @@ struct UsualProblem {
   optim::Sense sense = optim::Sense::Minimize;
   std::vector<Variable> variables = {};
   std::vector<Limit> limits = {};
+  /// Responses that are often asked for beside these; none: all of them.
+  std::vector<const char*> others = {};
   std::vector<Constant> constants = {};
   const char* law = nullptr;           ///< where a law moves the mechanism
   std::vector<Segment> segments = {};  ///< where a program does

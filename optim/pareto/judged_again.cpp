@@ -25,9 +25,15 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.9g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
-std::string both(const std::string& name, double stated, double found, const std::string& unit) {
-  return fmt::format("{} is stated as {}, but evaluates to {}", name, with_unit(stated, unit),
-                     with_unit(found, unit));
+/// Both numbers; what is rounding beside `size`, that of the numbers they are worked out from, is
+/// 0.
+std::string both(const std::string& name, double stated, double found, double size,
+                 const std::string& unit) {
+  const auto shown = [&](double value) {
+    const bool is_rounding = std::isfinite(size) && std::abs(value) <= kSaidRounding * size;
+    return with_unit(is_rounding ? 0 : value, unit);
+  };
+  return fmt::format("{} is stated as {}, but evaluates to {}", name, shown(stated), shown(found));
 }
 
 /// Sizes that hold no tolerance: they are worked out only where numbers differ.
@@ -58,19 +64,22 @@ void compare_objectives(const Problem& multi, const FrontPoint& point,
     const double tolerance = sizes(multi.alone(i), point.x).objective_tolerance;
     if (same(std::max(tolerance, kSaidRounding * std::abs(value)))) continue;
     const bool of_cost = agree(point.objectives[i], value, tolerance);
-    found.push_back(both(o.response.name,
-                         of_cost ? as_cost(o, point.costs[i]) : point.objectives[i], value,
-                         o.response.unit));
+    const double stated = of_cost ? as_cost(o, point.costs[i]) : point.objectives[i];
+    found.push_back(both(o.response.name, stated, value,
+                         std::max(std::abs(stated), std::abs(value)), o.response.unit));
   }
+}
+
+/// Of the numbers whose difference a margin is.
+double size_of(const LimitReport& report) {
+  return std::max(std::abs(report.value), std::abs(report.bound));
 }
 
 /// Whether a limit stands as it is stated to, on the nearer side or, of two that push alike, on the
 /// other one.
 bool stands_so(const Standing& stated, const Constraint& constraint, Design x, LimitReport report,
                double tolerance) {
-  const auto rounding = [&] {
-    return kSaidRounding * std::max(std::abs(report.value), std::abs(report.bound));
-  };
+  const auto rounding = [&] { return kSaidRounding * size_of(report); };
   const bool met = report.margin >= -std::max(tolerance, rounding());
   if (stated.met != met) return false;
   if (agree(stated.margin, report.margin, std::max(tolerance, rounding()))) return true;
@@ -97,11 +106,13 @@ void compare_limits(const Problem& multi, const FrontPoint& point,
                                                       reports[i], sizes.constraints[i].tolerance)) {
         continue;
       }
-      words.push_back(stated.name == reports[i].name && stated.margin == reports[i].margin
+      const double size = size_of(reports[i]);
+      words.push_back(stated.name == reports[i].name &&
+                              agree(stated.margin, reports[i].margin, kSaidRounding * size)
                           ? fmt::format("the limit on {} is stated to be {}, but it is not",
                                         stated.name, stated.met ? "met" : "passed")
                           : both("the margin of " + stated.name, stated.margin, reports[i].margin,
-                                 reports[i].unit));
+                                 size, reports[i].unit));
     }
     return words;
   };

@@ -5,13 +5,15 @@
 #include <string>
 #include <utility>
 
+#include "optim/crew/passed_errands.h"
+
 namespace camlaw::optim {
 namespace {
 
 /// Errands but for those whose answers are known.
-class Unrecorded final : public Errands {
+class Unrecorded final : public PassedErrands {
  public:
-  Unrecorded(Errands& all, StudyRecord& record) : all_(all), record_(record) {}
+  Unrecorded(Errands& all, StudyRecord& record) : PassedErrands(all), record_(record) {}
 
   std::optional<std::size_t> next() override {
     while (const auto number = all_.next()) {
@@ -38,22 +40,12 @@ class Unrecorded final : public Errands {
     orders_.erase(number);
     all_.answered(number, answer);
   }
-  bool is_answer(std::size_t number, const std::string& answer) const override {
-    return all_.is_answer(number, answer);
-  }
   void lost(std::size_t number, const std::string& why) override {
     orders_.erase(number);
     all_.lost(number, why);
   }
-  void told(std::size_t number, const std::string& news) override { all_.told(number, news); }
-  double share() const override { return all_.share(); }
-  const std::atomic<bool>* stop() const override { return all_.stop(); }
-  bool is_done() const override { return all_.is_done(); }
-  std::optional<double> farewell() const override { return all_.farewell(); }
-  std::string confined() const override { return all_.confined(); }
 
  private:
-  Errands& all_;
   StudyRecord& record_;
   std::map<std::size_t, std::string> orders_;  ///< under way
 };

@@ -26,6 +26,13 @@ std::string counted_points(const optim::StudyProgress& progress) {
              : fmt::format("{} of {} points", progress.points, progress.wanted);
 }
 
+std::string front_progress(const optim::StudyProgress& progress) {
+  if (progress.points > 0) return "front: " + counted_points(progress);
+  if (progress.tasks == 0) return "front: no point yet";
+  return fmt::format("front: {} search{}, no point yet", progress.tasks,
+                     progress.tasks == 1 ? "" : "es");
+}
+
 std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < costs.size(); ++i) {

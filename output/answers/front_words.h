@@ -23,6 +23,8 @@ std::string points_text(const std::vector<std::size_t>& points);
 
 /// "27 of 40 points" that were asked for; once there are more, "54 points, 40 asked for".
 std::string counted_points(const optim::StudyProgress& progress);
+/// "front: 27 of 40 points"; before the first "front: 3 searches, no point yet".
+std::string front_progress(const optim::StudyProgress& progress);
 
 /// Which of its points cannot be built, and what was checked of none of them.
 Document front_buildable(const FrontAnswer& answer);

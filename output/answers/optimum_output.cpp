@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
@@ -292,16 +293,19 @@ void add_conditions(const Answer& answer, Document& document) {
   const std::string unknown = unknown_price_words(answer);
   if (const std::string costs = price_words(answer, unknown); !costs.empty())
     document.say("\n" + costs);
-  if (std::isfinite(a.kkt_residual)) {
+  if (std::isfinite(a.kkt_residual) && !answer.optimum.found.x.empty()) {  // else nothing was varied
     const std::string condition =
         std::isnan(a.condition) ? ""
         : std::isinf(a.condition)
             ? "; condition number of the active limits infinite: their multipliers are not unique"
             : fmt::format("; condition number of the active limits {:.2g}", a.condition);
+    const std::string residual = a.kkt_residual < std::numeric_limits<double>::epsilon()
+                                     ? "rounding"
+                                     : fmt::format("{:.1e}", a.kkt_residual);
     document.say(
-        fmt::format("\n{} conditions met to {:.1e}{}\n",
+        fmt::format("\n{} conditions met to {}{}\n",
                     a.verdict == optim::Verdict::Infeasible ? "least-violation" : "optimality",
-                    a.kkt_residual, condition));
+                    residual, condition));
   }
   document.fact("no_price", unknown);
   document.fact("active", a.active);

@@ -90,10 +90,11 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
   const double size = std::max(std::abs(stated.value), std::abs(stated.bound));
   const double margin = stated.is_upper ? stated.bound - stated.value : stated.value - stated.bound;
   if (std::isfinite(margin) && !(std::abs(margin - stated.margin) <= kDigits * size)) {
-    words.push_back(
-        fmt::format("the value of {} is stated as {:.9g}, but its margin and bound give {:.9g}",
-                    stated.name, stated.value,
-                    stated.is_upper ? stated.bound - stated.margin : stated.bound + stated.margin));
+    const auto shown = [&](double value) { return std::abs(value) <= kDigits * size ? 0 : value; };
+    words.push_back(fmt::format(
+        "the value of {} is stated as {:.9g}, but its margin and bound give {:.9g}", stated.name,
+        shown(stated.value),
+        shown(stated.is_upper ? stated.bound - stated.margin : stated.bound + stated.margin)));
   }
   if (!std::isfinite(stated.bound)) return;
   const auto is_its = [&](const std::optional<double>& bound) {

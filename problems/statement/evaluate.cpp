@@ -24,6 +24,16 @@ Binding fixed(const ProblemStatement& statement) {
   return fixed_binding(statement.constants, statement.laws.front());
 }
 
+/// A value in the unit that it is shown in; 0 where its enclosure holds 0 and is so narrow that
+/// nothing but the rounding of the formula is left, as of integrals that cancel.
+double without_rounding(const optim::Function& function, double value) {
+  constexpr double kNone = 1e-9;
+  if (value == 0 || !(std::abs(value) < kNone)) return value;
+  const optim::Bounds proved = function.enclose({});
+  const bool holds_zero = proved.lower <= 0 && proved.upper >= 0;
+  return holds_zero && proved.upper - proved.lower < kNone ? 0 : value;
+}
+
 EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismResponse& declared,
                             const Binding& binding) {
   const auto name = find_response(*statement.mechanism, declared.name);
@@ -35,7 +45,7 @@ EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismRe
   result.along = declared.along;
   result.is_curve = response.is_curve();
   if (!result.is_curve) {
-    result.value = response.function().proved().value({});
+    result.value = without_rounding(response.function(), response.function().proved().value({}));
     if (response.function().is_searched()) {
       const optim::Bounds proved = response.function().enclose({});
       result.proved = std::isfinite(proved.upper - proved.lower) || !std::isfinite(result.value);

@@ -248,16 +248,20 @@ std::string solver_part() {
          "#[solver]\n#starts = 8\n#time_limit = \"1 min\"\n";
 }
 
-/// What else limits and objectives may name.
+/// What else limits and objectives may name: what is asked for often, and where the rest is listed.
 std::string other_responses(const Mechanism& mechanism, const UsualProblem& usual) {
   Parameters named = {usual.objective};
   for (const auto& limit : usual.limits) named.emplace(limit.response);
+  const Parameters often(usual.others.begin(), usual.others.end());
   std::string text =
       "\n# Other responses that a limit or the objective may name. Of a curve, \"peak NAME\",\n"
       "# \"highest NAME\" and \"lowest NAME\" are numbers.\n";
+  if (!often.empty()) {
+    text += fmt::format("# These are often used; all: camlaw mechanisms {}\n", mechanism.name);
+  }
   const auto add = [&](const std::string& name, const std::string& unit,
                        const std::string& meaning) {
-    if (named.contains(name)) return;
+    if (named.contains(name) || (!often.empty() && !often.contains(name))) return;
     text += fmt::format("#   {}{}: {}\n", name, unit == "1" ? "" : ", " + unit, meaning);
   };
   for (const MechanismResponse& r : mechanism.responses) add(r.name, r.unit, r.meaning);

@@ -168,6 +168,22 @@ TEST_CASE("optimize's table has a row for each side and says which is critical",
   CHECK_THAT(one[0], !Contains("critical"));
 }
 
+TEST_CASE("what only rounding leaves is not printed as a number", "[program]") {
+  const Folder folder;
+  std::ofstream(folder / "law.toml") << done({"new", "law"});
+  const std::string file = folder / "law.toml";
+  const std::string text = done({"evaluate", file});
+  // The law is symmetric about its middle: with a whole period ratio one part vanishes.
+  CHECK(std::regex_search(text, std::regex("\nresidual_cosine +0 +1 ")));
+  CHECK_THAT(text, !Contains("e-1"));
+  CHECK(json_of({"evaluate", file, "--json"})["responses"]["residual_cosine"]["value"] == 0);
+  // Only the law is chosen: no number was varied.
+  CHECK_THAT(done({"optimize", testing::source("problems/spine_cutter/all_laws.toml")}),
+             !Contains("conditions met to"));
+  CHECK_THAT(done({"optimize", testing::source("problems/motions/through_points.toml")}),
+             Contains("optimality conditions met to rounding;"));
+}
+
 TEST_CASE("check tells programs what it understood", "[program]") {
   const ParsedJson plain = json_of({"check", kCam, "--json"});
   CHECK(plain["mechanism"] == "disc-cam-roller");

@@ -54,6 +54,29 @@ TEST_CASE("the optional lines of a new file are accepted too, all at once", "[pr
   }
 }
 
+TEST_CASE("a new file ends with the few responses that are often used, and names where all are",
+          "[program]") {
+  for (const problems::Mechanism& m : problems::mechanisms()) {
+    INFO(m.name);
+    const std::string text = done({"new", m.name});
+    const std::size_t begin = text.find("# Other responses");
+    REQUIRE(begin != std::string::npos);
+    const std::string end = text.substr(begin);
+    CHECK_THAT(end, Contains("; all: camlaw mechanisms " + m.name + "\n"));
+    const Words listed = lines_after(end, "#   ");
+    CHECK(listed.size() >= 5);
+    CHECK(listed.size() <= 6);
+    for (const std::string& line : listed) {
+      INFO(line);
+      const std::string name = line.substr(0, line.find_first_of(",:"));
+      CHECK(problems::find_response(m, name).response != nullptr);
+      // What the file asks for already is not among the others.
+      CHECK_THAT(text.substr(0, begin),
+                 !Contains("response = \"" + name + "\"") && !Contains("mize = \"" + name + "\""));
+    }
+  }
+}
+
 TEST_CASE("a new file has a sentence before every number", "[program]") {
   for (const std::string& name : mechanism_names()) {
     std::istringstream lines(done({"new", name}));

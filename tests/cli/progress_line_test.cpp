@@ -37,4 +37,11 @@ TEST_CASE("a front never counts more points than were asked for", "[program]") {
   CHECK(counted_points({.points = 54, .wanted = 40}) == "54 points, 40 asked for");
 }
 
+TEST_CASE("a front says how many of its points are found", "[program]") {
+  CHECK(front_progress({.tasks = 9, .points = 5, .wanted = 8}) == "front: 5 of 8 points");
+  CHECK(front_progress({.wanted = 8}) == "front: no point yet");
+  CHECK(front_progress({.tasks = 1, .wanted = 8}) == "front: 1 search, no point yet");
+  CHECK(front_progress({.tasks = 3, .wanted = 8}) == "front: 3 searches, no point yet");
+}
+
 }  // namespace camlaw::cli::progress_line_test

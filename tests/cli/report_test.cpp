@@ -232,6 +232,8 @@ TEST_CASE("a recorded verdict that the page finds untrue is not a badge", "[cli]
     for (const char* verdict : {"certified optimum", "infeasible", "feasible"}) {
       const std::string page = page_at(share, verdict);
       CHECK_THAT(page, Contains(wrong) && Contains("but evaluates to"));
+      // The pressure angle is at its limit: what rounding leaves of its margin is 0.
+      CHECK_THAT(page, Contains("the margin of pressure_angle is stated as 0 deg"));
       CHECK_THAT(page, !Contains(kCertified) && !Contains(">" + std::string(verdict) + "</span>"));
     }
   }

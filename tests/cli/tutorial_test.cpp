@@ -3,35 +3,12 @@
 #include <regex>
 #include <set>
 
+#include "tests/cli/console_page.h"
 #include "tests/cli/shell.h"
 #include "tests/paths.h"
 
 namespace camlaw::cli::tutorial_test {
 namespace {
-
-/// A command of the tutorial and the lines that it is said to print.
-struct Step {
-  std::string command;
-  Words lines;
-};
-
-/// What stands between "```console" and "```": "$ command", then its lines.
-std::vector<Step> steps_of(const std::string& page) {
-  std::vector<Step> steps;
-  std::istringstream text(page);
-  bool inside = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line.starts_with("```")) {
-      inside = line == "```console";
-    } else if (inside && line.starts_with("$ ")) {
-      steps.push_back({line.substr(2), {}});
-    } else if (inside && line != "...") {
-      REQUIRE_FALSE(steps.empty());
-      steps.back().lines.push_back(line);
-    }
-  }
-  return steps;
-}
 
 /// A picture is that of the page where its words are the same and its numbers by a last digit of
 /// two, which processors may round otherwise.
@@ -44,21 +21,6 @@ void check_alike(const std::string& drawn, const std::string& kept) {
     most = std::max(most, std::abs(std::stod(a->str()) - std::stod(b->str())));
   }
   CHECK(most < 0.025);
-}
-
-/// Runs a page's commands and looks for the lines that it says they print.
-void check_page(const ProjectFolder& folder, const std::string& page, std::size_t least) {
-  const auto steps = steps_of(read(testing::source(page)));
-  CHECK(steps.size() >= least);
-  for (const Step& step : steps) {
-    INFO(step.command);
-    const Outcome outcome = shell(folder, step.command);
-    INFO(outcome.err);
-    CHECK(outcome.status == 0);
-    for (const std::string& line : step.lines) {
-      if (!line.empty()) CHECK_THAT(outcome.out, Contains(line));
-    }
-  }
 }
 
 /// What a heading is linked by: small letters, digits, hyphens for spaces.
@@ -115,7 +77,7 @@ TEST_CASE("links of the documents lead somewhere", "[documents]") {
   CHECK(count > 40);
 }
 
-TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
+TEST_CASE("the tutorial's commands print what it says", "[documents]") {
   const ProjectFolder folder;
   check_page(folder, "docs/tutorial.md", 9);
   check_alike(read(folder / "results/least_force/cycle.svg"),

@@ -6,12 +6,15 @@
 
 Checked of each, at 1280 and at 400 pixels: no message in the browser's log, no error in a script, no
 request to anywhere, nothing wider than the page, no empty picture, no words that lie on others or are
-cut; that the mechanism moves and, of fronts, that a click on a point shows its design and curves.
+cut; that the mechanism moves and, of fronts, that a click on a point shows its design and curves. In a
+light and in a dark scheme words stand out from what is behind them, and curves from the paper. Printed,
+also from a dark scheme, the page is dark on white, no wider than a sheet of A4, and a PDF of such sheets.
 Needs chromedriver and nothing but Python's own modules. Prints a line for each fault; status 1 with any.
 """
 import base64
 import json
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -68,6 +71,50 @@ return faults;
 """
 
 
+# Words whose contrast with their background is below what WCAG 2 asks for (4.5, of large ones 3), and
+# curves below its 3. Returns the faults and the luminance of the paper.
+CONTRAST = r"""
+const faults = [];
+const numbers = (colour) => (colour.match(/[\d.]+/g) || [0, 0, 0, 0]).map(Number);
+const over = ([r, g, b, a = 1], under) => [r, g, b].map((c, i) => a * c + (1 - a) * under[i]);
+const luminance = (rgb) => rgb.map((c) => c / 255).map((c) => c <= 0.04045 ? c / 12.92
+  : ((c + 0.055) / 1.055) ** 2.4).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+const behind = (e) => {
+  if (!e) return [255, 255, 255];
+  const colour = numbers(getComputedStyle(e).backgroundColor);
+  return colour[3] === undefined || colour[3] === 1 ? colour.slice(0, 3)
+    : over(colour, behind(e.parentElement));
+};
+const ratio = (a, b) => {
+  const [high, low] = [luminance(a), luminance(b)].sort((p, q) => q - p);
+  return (high + 0.05) / (low + 0.05);
+};
+const own = (e) => [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
+for (const e of document.querySelectorAll('body *')) {
+  if (!e.getClientRects().length || !own(e) || e.closest('svg, script, style')) continue;
+  const style = getComputedStyle(e), back = behind(e), size = parseFloat(style.fontSize);
+  const large = size >= 24 || (size >= 18.66 && Number(style.fontWeight) >= 700);
+  const found = ratio(over(numbers(style.color), back), back);
+  if (found < (large ? 3 : 4.5))
+    faults.push(`"${e.textContent.trim().slice(0, 40)}" has a contrast of ${found.toFixed(2)}`);
+}
+const paper = behind(document.body);
+const probe = document.createElement('canvas').getContext('2d');
+for (const plot of report.plots) {
+  for (const set of plot.chart.data.datasets) {
+    if (typeof set.borderColor !== 'string') continue;
+    probe.fillStyle = set.borderColor;
+    const hex = probe.fillStyle;
+    if (!hex.startsWith('#')) continue;  // see-through on purpose
+    const colour = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+    const found = ratio(colour, paper);
+    if (found < 3) faults.push(`a curve of ${plot.panel.name} has a contrast of ${found.toFixed(2)}`);
+  }
+}
+return [[...new Set(faults)], luminance(paper)];
+"""
+
+
 class Browser:
     """A headless Chromium behind chromedriver, by plain WebDriver requests."""
 
@@ -115,6 +162,21 @@ class Browser:
     def width(self, pixels):
         self.command("Emulation.setDeviceMetricsOverride", width=pixels, height=900,
                      deviceScaleFactor=1, mobile=False)
+
+    def media(self, scheme, media=""):
+        self.command("Emulation.setEmulatedMedia", media=media,
+                     features=[{"name": "prefers-color-scheme", "value": scheme}])
+        time.sleep(0.3)  # charts are drawn anew
+
+    def pdf(self):
+        """What comes out of the printer, as the bytes of a PDF; none where the browser cannot print."""
+        try:
+            data = self.command("Page.printToPDF", preferCSSPageSize=True, printBackground=False)["data"]
+        except urllib.error.HTTPError as error:
+            if "wasn't found" in error.read().decode():
+                return None
+            raise
+        return base64.b64decode(data)
 
     def click(self, x, y):
         pointer = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [
@@ -259,6 +321,52 @@ def front_faults(browser):
     return faults
 
 
+def scheme_faults(browser, shots, stem):
+    """Light and dark: words and curves stand out, and the paper is what the scheme says."""
+    faults = []
+    for scheme in ("dark", "light"):
+        browser.media(scheme)
+        here, paper = browser.run(CONTRAST)
+        if (paper < 0.2) != (scheme == "dark"):
+            here.append(f"the paper has a luminance of {paper:.2f}")
+        here += browser.run(LOOK)
+        if shots and scheme == "dark":
+            browser.shot(pathlib.Path(shots) / f"{stem}-dark.png")
+        faults += [f"in a {scheme} scheme: {fault}" for fault in here]
+    return faults
+
+
+def print_faults(browser, shots, stem):
+    """Printed from a dark scheme: dark on white, within the sheet, and a PDF of sheets of A4."""
+    sheet = round(180 / 25.4 * 96)  # A4 less its margins
+    browser.width(sheet)
+    browser.media("dark", "print")
+    browser.run("report.print(true)")
+    time.sleep(0.4)
+    faults, paper = browser.run(CONTRAST)
+    if paper < 0.9:
+        faults.append(f"the paper has a luminance of {paper:.2f}")
+    wide = browser.run("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    if wide > 0:
+        faults.append(f"the page is {wide} px wider than the sheet")
+    browser.run("report.print(false)")
+    browser.media("dark")
+    pdf = browser.pdf()
+    if pdf is not None:
+        boxes = re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", pdf)
+        if not pdf.startswith(b"%PDF") or not boxes:
+            faults.append("no PDF of any sheet")
+        for wide, high in set(boxes):
+            if abs(float(wide) - 595.3) > 1 or abs(float(high) - 841.9) > 1:
+                faults.append(f"a sheet of {float(wide):.0f} x {float(high):.0f} points is not A4")
+        if shots:
+            (pathlib.Path(shots) / f"{stem}.pdf").write_bytes(pdf)
+    if browser.run("return document.documentElement.dataset.theme !== undefined"):
+        faults.append("the page on screen stays as it was printed")
+    browser.media("light")
+    return [f"printed: {fault}" for fault in faults]
+
+
 def faults_of(browser, path, shots):
     faults = []
     address = pathlib.Path(path).resolve().as_uri()
@@ -275,6 +383,9 @@ def faults_of(browser, path, shots):
         here += moving_faults(browser) + contact_faults(browser) + joint_faults(browser)
         here += front_faults(browser)
         here += browser.run(LOOK)
+        if width == WIDTHS[0]:
+            stem = pathlib.Path(path).stem
+            here += scheme_faults(browser, shots, stem) + print_faults(browser, shots, stem)
         here += browser.run("return report.errors")
         here += [f"in the browser's log: {message}" for message in browser.log()]
         loaded = browser.run("return performance.getEntriesByType('resource')"
