@@ -293,7 +293,8 @@ void add_conditions(const Answer& answer, Document& document) {
   const std::string unknown = unknown_price_words(answer);
   if (const std::string costs = price_words(answer, unknown); !costs.empty())
     document.say("\n" + costs);
-  if (std::isfinite(a.kkt_residual) && !answer.optimum.found.x.empty()) {  // else nothing was varied
+  if (std::isfinite(a.kkt_residual) &&
+      !answer.optimum.found.x.empty()) {  // else nothing was varied
     const std::string condition =
         std::isnan(a.condition) ? ""
         : std::isinf(a.condition)
