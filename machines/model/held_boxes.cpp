@@ -19,16 +19,16 @@ namespace {
 /// A held curve over boxes of the ranges.
 class HeldBounds {
  public:
-  HeldBounds(const MechanismResponse& response, const Widened& wide, Design x)
-      : wide_(wide),
-        x_(x.begin(), x.end()),
-        curve_(response.curve(wide.binding, optim::Shape::General)),
-        moves_(depends_on_ranges(response, wide)) {
+  HeldBounds(const ShaftParts::Held& held, const Widened& wide, Design x)
+      : wide_(wide), x_(x.begin(), x.end()), curve_(held.curve) {
+    // The held curve's machine may be one cam of a shaft, or a load case: its binding is its own.
+    wide_.binding = held.binding;
+    moves_ = depends_on_ranges(*held.response, wide_);
     if (!moves_) return;
-    bounds_ = bounded_over_boxes(response, curve_, wide);
+    bounds_ = bounded_over_boxes(*held.response, curve_, wide_);
     if (!bounds_) return;
     over_ = bounds_->over_boxes(
-        wide, x_, [this](const Point& p) -> const optim::Trace& { return trace_at(p); });
+        wide_, x_, [this](const Point& p) -> const optim::Trace& { return trace_at(p); });
   }
   HeldBounds(const HeldBounds&) = delete;
   HeldBounds& operator=(const HeldBounds&) = delete;
@@ -61,10 +61,10 @@ class HeldBounds {
     return *known;
   }
 
-  const Widened& wide_;
+  Widened wide_;
   std::vector<double> x_;
   std::shared_ptr<const optim::Curve> curve_;
-  bool moves_;  ///< whether the ranges matter to it
+  bool moves_ = false;  ///< whether the ranges matter to it
   std::map<Point, std::unique_ptr<optim::Trace>> traces_;
   std::shared_ptr<const BoundedOverBoxes> bounds_;
   std::unique_ptr<OverBoxes> over_;
@@ -81,7 +81,7 @@ class HeldOverBoxes final : public OverBoxes {
   HeldOverBoxes(std::shared_ptr<const ShaftParts> parts, const Widened& wide, Design x)
       : parts_(std::move(parts)), wide_(wide), x_(x.begin(), x.end()) {
     for (const ShaftParts::Held& held : parts_->held) {
-      held_.push_back(std::make_unique<HeldBounds>(*held.response, wide, x));
+      held_.push_back(std::make_unique<HeldBounds>(held, wide, x));
     }
   }
 

@@ -194,7 +194,7 @@ ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
   if (phase != varying.end()) {
     held.phase_variable = binding.variables[static_cast<std::size_t>(phase - varying.begin())];
   }
-  if (!curve.phase) held.response = curve.response;
+  if (!curve.phase) held.response = curve.response, held.binding = own;
   if (!held.curve->breaks_move()) held.breaks = held.curve->trace(own_design(binding))->breaks();
   return held;
 }

@@ -43,6 +43,7 @@ struct ShaftParts {
     std::vector<double> breaks;                 ///< where they are the same at every design
     /// Of a curve of the machine itself, at no phase; else null.
     std::shared_ptr<const MechanismResponse> response = {};
+    Binding binding = {};  ///< what the curve was made of: of its own machine, in its own case
 
     double phase_at(optim::Design x) const { return phase_variable ? x[*phase_variable] : phase; }
   };

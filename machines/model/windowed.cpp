@@ -57,6 +57,10 @@ double parameter_at(std::size_t parameter, const Binding& binding, optim::Design
   return binding.constants[parameter];
 }
 
+optim::Window whole_of(const Cycle& cycle) {
+  return {cycle.stretches.front().begin, cycle.stretches.back().end};
+}
+
 /// A window from one angle on, that angle within the turn.
 optim::Window within_turn(double from, double length, double turn) {
   constexpr double kRounded = 1e-12;  // of a turn: rounding has left it there before the end
@@ -79,7 +83,11 @@ std::shared_ptr<const optim::Curve> windowed(std::shared_ptr<const optim::Curve>
         response.in_case ? in_case(binding, response.in_case->parameters).law : binding.law;
     return std::make_shared<optim::WindowCurve>(
         std::move(curve), [window, cycle = response.cycle, law = own](optim::Design x) {
-          return window_at(window, *cycle, law->member_at(x));
+          const Member member = law->member_at(x);
+          // Where there is no law the curve has no value at any place.
+          if (!member.possible_law<double>()) return whole_of(*cycle);
+          const auto [from, to] = window_at(window, *cycle, member);
+          return optim::Window{from, to};
         });
   }
   constexpr double kTurn = 360;
@@ -89,6 +97,7 @@ std::shared_ptr<const optim::Curve> windowed(std::shared_ptr<const optim::Curve>
       [named, phase = mechanism.cams[named.cam].phase, binding](optim::Design x) {
         const Cycle turn{"deg", {{0, kTurn}}};
         const Member cam = laws_side_by_side(binding.law->member_at(x)).at(named.cam);
+        if (!cam.possible_law<double>()) return whole_of(turn);
         const auto [from, to] = window_at({named.segment}, turn, cam);
         return within_turn(from + parameter_at(phase, binding, x), to - from, kTurn);
       },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "optim/cycle/sizes.h"
+#include "optim/problem/interrupted.h"
 #include "optim/search/interruptible.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
@@ -16,6 +17,19 @@ namespace {
 void say_cut(const Deadline& deadline, Assessment& a) {
   if (a.verdict != Verdict::Certified || a.global) return;
   a.reason += "; the search for a better design elsewhere was cut short: " + deadline.reason();
+}
+
+/// The lower bound of an answer by dividing the box; none where the model throws on the way. Throws
+/// Interrupted.
+std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
+                                       const Found& found, const Deadline& deadline) {
+  try {
+    return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
+  } catch (const Interrupted&) {
+    throw;
+  } catch (...) {
+    return {};
+  }
 }
 
 /// A search from one design, which is kept where the search comes to nothing better.
@@ -52,7 +66,7 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
     const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
     if (!stands || a.global) break;
     const Sizes there = sizes(guarded, found.x);
-    const auto division = subdivided(guarded, there, found.x, [&] { return deadline.passed(); });
+    const auto division = division_of(guarded, there, found, deadline);
     if (!division) break;
     if (!division->better) {
       if (std::isfinite(division->best_possible)) {

@@ -43,8 +43,8 @@ std::string length_of(const problems::ProfileErrors& errors) {
   return fmt::format("waves of {:.6g} mm along the profile", *errors.wavelength);
 }
 
-void say_lost(const WaveEffects& waves, Document& document) {
-  for (const ProfileEffect& effect : waves.effects) {
+void say_lost(const std::vector<ProfileEffect>& effects, Document& document) {
+  for (const ProfileEffect& effect : effects) {
     if (!effect.name.starts_with("least ") || effect.worst >= 0 || effect.as_drawn < 0) continue;
     document.say("  below 0 a follower that is not held by a groove leaves the cam\n");
   }
@@ -84,7 +84,7 @@ void add_waviness(const ProfileAnswer& answer, Document& document) {
   if (!waves.effects.empty()) document.add(effects_table("waviness", waves.effects));
   document.say(fmt::format("  the follower deviates by {} {} at most\n",
                            short_digits(waves.displacement), answer.displacement_unit));
-  say_lost(waves, document);
+  say_lost(waves.effects, document);
   say_bridging(waves, document);
   say_left_out(waves, document);
   document.fact("waviness_left_out", waves.left_out);
@@ -114,7 +114,7 @@ void add_form(const ProfileAnswer& answer, Document& document) {
                              length_of(answer.errors)));
     document.add(effects_table("form", form.effects));
   }
-  say_lost(form, document);
+  say_lost(form.effects, document);
   say_bridging(form, document);
   say_left_out(form, document);
   document.fact("form_left_out", form.left_out);
@@ -126,8 +126,9 @@ void add_chords(const ProfileAnswer& answer, Document& document) {
   chords.chord_step = answer.errors.chord_step;
   document.say(fmt::format("\n{}: what their corners do\n", problems::words_of(chords)));
   document.add(effects_table("chords", answer.chords));
+  say_lost(answer.chords, document);
   document.say(
-      answer.chords.size() == 4
+      answer.chords.size() > 2
           ? "  on convex stretches the roller rounds the corners: finer chords make the ripple of "
             "the velocity smaller,\n  and the accelerations shorter but not smaller\n"
           : "  a jump of the velocity is an impact: its acceleration has no bound, however fine "

@@ -70,6 +70,40 @@ void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
       sought.name));
 }
 
+/// Of an optimum the variables that change neither the objective nor a limit with a price: where
+/// they stand follows from where the search began.
+void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
+  constexpr std::size_t kNamed = 3;
+  const optim::Problem& problem = optimum.problem;
+  std::set<std::size_t> counting = optim::inputs_of(problem.objective().response, problem);
+  const auto varies = [&](std::size_t i) {
+    return problem.variables[i].lower < problem.variables[i].upper;
+  };
+  if (std::none_of(counting.begin(), counting.end(), varies)) return;  // that is said of all
+  std::set<std::string> pushing;
+  for (const optim::LimitReport& limit : optimum.found.assessment.limits) {
+    if (limit.multiplier != 0 || limit.at_rest) pushing.insert(limit.name);  // NaN among them
+  }
+  for (const optim::Constraint& c : problem.constraints) {
+    if (pushing.contains(c.response.name)) counting.merge(optim::inputs_of(c.response, problem));
+  }
+  std::vector<std::string> idle;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const optim::Variable& v = problem.variables[i];
+    if (!varies(i) || counting.contains(i)) continue;
+    idle.push_back(fmt::format("{} = {}", v.name, problems::with_unit(optimum.found.x[i], v.unit)));
+  }
+  if (idle.empty()) return;
+  const std::size_t more = idle.size() > kNamed ? idle.size() - kNamed : 0;
+  if (more > 0) idle.resize(kNamed);
+  warnings.push_back(
+      fmt::format("{}{}: other values at which the limits hold are as good, as {} {} nor a limit "
+                  "that holds the design; to choose, limit or seek what depends on {}",
+                  problems::listed(idle), more > 0 ? fmt::format(" and {} more", more) : "",
+                  idle.size() == 1 ? "it changes neither" : "they change neither",
+                  problem.objective().response.name, idle.size() == 1 ? "it" : "them"));
+}
+
 /// The laws of classes that make no program, which are not searched.
 void add_left_out(const problems::ProblemStatement& problem, Warnings& warnings) {
   if (problem.left_out.empty()) return;
@@ -107,6 +141,7 @@ Warnings warnings_of(const Answer& answer) {
   if (has_design) {
     const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
     if (answer.bound.choices().empty()) add_still_objective(optimum.problem, warnings);
+    if (verdict == optim::Verdict::Certified) add_idle_variables(optimum, warnings);
     add_fits_of_other_sizes(answer.bound.statement(), design, warnings);
     add_cautions(design, warnings);
   }

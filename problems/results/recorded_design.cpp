@@ -149,7 +149,11 @@ Json result_of(std::string_view json) {
   // Results of earlier programs state none; what another kind of answer is, its format says best.
   if (const auto format = result.find("format"); format != result.end()) {
     if (!format->is_string()) refuse_result("its format is not text");
-    kResultFormat.check(format->get<std::string>());
+    try {
+      kResultFormat.check(format->get<std::string>());
+    } catch (const std::invalid_argument& error) {
+      refuse_result(fmt::format("{}; {}", error.what(), kWanted));
+    }
   }
   if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
     refuse_result(fmt::format("it is not a result with a design in it; {}", kWanted));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/law_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -70,6 +72,32 @@ void tell_apart(std::vector<Member>& laws) {
   for (Member& law : laws) {
     if (count[law.name()] > 1 && is_law_file(law)) law = called_by_path(law);
   }
+}
+
+void leave_to_free_law(const Entry& names, LawList& list) {
+  const auto free = std::find_if(list.laws.begin(), list.laws.end(),
+                                 [](const Member& law) { return bool(law.family->listed); });
+  if (free == list.laws.end()) return;
+  const auto& varied = free->family->parameters;
+  const auto shares = [&](const Member& law) {
+    return std::any_of(varied.begin(), varied.end(), [&](const auto& parameter) {
+      return parameter.list && index_in(*law.family, parameter.name);
+    });
+  };
+  LawList kept;
+  for (std::size_t i = 0; i < list.laws.size(); ++i) {
+    const Member& law = list.laws[i];
+    if (!law.family->listed && shares(law)) {
+      if (list.is_of_class[i]) continue;
+      refuse(names,
+             fmt::format("{} has the coefficients that the free law varies; name only one of "
+                         "the two",
+                         law.name()));
+    }
+    kept.laws.push_back(law);
+    kept.is_of_class.push_back(list.is_of_class[i]);
+  }
+  list = std::move(kept);
 }
 
 NamedLaw read_law_name(const Entry& name, HeldFiles& files) {

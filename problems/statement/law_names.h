@@ -35,4 +35,15 @@ bool is_of_catalogue(const Member& law);
 /// another law of the list.
 void tell_apart(std::vector<Member>& laws);
 
+/// Laws to choose from, in order, and of each whether a class holds it: it is not named itself.
+struct LawList {
+  std::vector<Member> laws;
+  std::vector<bool> is_of_class;
+};
+
+/// Beside the free law, whose coefficients are varied, leaves out those laws of classes that have
+/// coefficients of this name, as the b-spline: the free law is every such law on its knots. Refuses
+/// one that is named.
+void leave_to_free_law(const Entry& names, LawList& list);
+
 }  // namespace camlaw::problems

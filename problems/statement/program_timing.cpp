@@ -90,6 +90,11 @@ std::vector<double> speeds_of_cases(const Entry& file, const MechanismParameter&
   return speeds;
 }
 
+std::size_t count_of_cases(const Entry& file) {
+  const Entry* cases = find(file, "cases");
+  return cases == nullptr ? 0 : cases->items.size();
+}
+
 /// A speed to read times at that stay while the speed varies: where it starts, or the least, at
 /// which they leave most.
 double speed_to_begin_with(const Entry& varying, double otherwise) {
@@ -198,7 +203,7 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     if (speed) set_speed(*cycle, timing.speed, *speed, problem);
   } else if (timing.follows && stated.varying != nullptr) {
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
-  } else if (timing.follows && stated.fixed == nullptr) {
+  } else if (timing.follows && stated.fixed == nullptr && of_cases.size() == count_of_cases(file)) {
     timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
     problem.constants[*speed] = timing.speed;
   } else if (needs_time) {
@@ -206,9 +211,12 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
   } else {
     return {};
   }
-  const Entry* ranges = find(file, "ranges");
-  const bool has_range = speed && ranges != nullptr &&
-                         speed_in(*ranges, problem.mechanism->parameters[*speed]) != nullptr;
+  const auto varies_by = [&](const char* key) {
+    const Entry* table = find(file, key);
+    return speed && table != nullptr &&
+           speed_in(*table, problem.mechanism->parameters[*speed]) != nullptr;
+  };
+  const bool has_range = varies_by("ranges") || varies_by("variation");
   if (timing.follows || (timing.stays && has_range)) {
     check_follows(file, program, *problem.mechanism, problem.mechanism->parameters[*speed]);
   }

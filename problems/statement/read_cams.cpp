@@ -82,6 +82,16 @@ void check_cam(const Entry& table) {
   }
 }
 
+/// Whether ranges, variations or load cases of the file give the shaft several speeds.
+bool has_several_speeds(const Entry& file) {
+  const auto holds = [](const Entry& table) { return find(table, kSpeed) != nullptr; };
+  for (const char* key : {"ranges", "variation"}) {
+    if (const Entry* table = find(file, key); table != nullptr && holds(*table)) return true;
+  }
+  const Entry* cases = find(file, "cases");
+  return cases != nullptr && std::any_of(cases->items.begin(), cases->items.end(), holds);
+}
+
 ReadCam read_cam(const Entry& table, const Entry& file, HeldFiles& files) {
   check_cam(table);
   ReadCam cam{table.key, {}, {}, {}};
@@ -94,7 +104,8 @@ ReadCam read_cam(const Entry& table, const Entry& file, HeldFiles& files) {
   alone.constants.push_back(0);
   const Entry whole = with_speed(table, file, *cam.mechanism);
   read_motion(whole, alone, cam.fixed);
-  if (alone.timing && alone.timing->follows) {
+  const bool differs = alone.timing && alone.timing->stays && has_several_speeds(file);
+  if (differs || (alone.timing && alone.timing->follows)) {
     refuse(table,
            "its program has times, and the shaft's speed varies: write the speed at which the "
            "times hold in its program, such as times_at = \"60 rpm\"; their angles are then kept "

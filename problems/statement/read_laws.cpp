@@ -16,22 +16,22 @@ using Kind = Entry::Kind;
 
 /// Laws as their names tell, and what the names give.
 struct NamedLaws {
-  std::vector<Member> laws;
+  LawList list;
   std::set<std::string> given;
 };
 
 void read_law(const Entry& file, const Entry& name, HeldFiles& files, NamedLaws& result) {
   if (name.kind == Kind::Text && is_free_name(name.text)) {
-    result.laws.push_back(read_free_law(file, files));
-    return;
+    result.list.laws.push_back(read_free_law(file, files));
+  } else if (auto all = read_law_class(name)) {
+    for (Member& law : *all) result.list.laws.push_back(std::move(law));
+    result.list.is_of_class.resize(result.list.laws.size(), true);
+  } else {
+    NamedLaw law = read_law_name(name, files);
+    result.given.merge(law.given);
+    result.list.laws.push_back(std::move(law.law));
   }
-  if (auto all = read_law_class(name)) {
-    for (Member& law : *all) result.laws.push_back(std::move(law));
-    return;
-  }
-  NamedLaw law = read_law_name(name, files);
-  result.given.merge(law.given);
-  result.laws.push_back(std::move(law.law));
+  result.list.is_of_class.resize(result.list.laws.size(), false);
 }
 
 NamedLaws read_names(const Entry& file, const Entry& name, HeldFiles& files) {
@@ -43,7 +43,8 @@ NamedLaws read_names(const Entry& file, const Entry& name, HeldFiles& files) {
     expect(name, Kind::Text, "a law's name in quotes, or a list of names");
     read_law(file, name, files, result);
   }
-  tell_apart(result.laws);
+  leave_to_free_law(name, result.list);
+  tell_apart(result.list.laws);
   return result;
 }
 
@@ -142,7 +143,7 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
   }
   const Entry& law = law_entry(file);
   const NamedLaws named_laws = read_names(file, name_entry(law), problem.files);
-  problem.laws = named_laws.laws;
+  problem.laws = named_laws.list.laws;
   for (const Entry& entry : law.items) {
     if (entry.key != "name") read_fixed(entry, named_laws.given, problem, fixed);
   }

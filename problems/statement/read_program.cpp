@@ -28,8 +28,7 @@ constexpr const char* kJoining = "joining";
 struct StatedSegment {
   const Entry* entry;
   ProgramSegment segment;
-  std::vector<Member> laws;            ///< empty: it rests or joins
-  std::vector<bool> is_of_class = {};  ///< of each law, whether a class holds it: it is not named
+  LawList list = {};  ///< empty: it rests or joins
 };
 
 Matched read_matched(const Entry& program) {
@@ -46,7 +45,7 @@ Matched read_matched(const Entry& program) {
 /// Adds the law of a name, or the laws of a class.
 void add_segment_laws(const Entry& file, const Entry& name, HeldFiles& files,
                       StatedSegment& segment) {
-  std::vector<Member>& laws = segment.laws;
+  std::vector<Member>& laws = segment.list.laws;
   const auto all = read_law_class(name);
   if (all) {
     laws.insert(laws.end(), all->begin(), all->end());
@@ -55,7 +54,7 @@ void add_segment_laws(const Entry& file, const Entry& name, HeldFiles& files,
   } else {
     laws.push_back(read_law_name(name, files).law);
   }
-  segment.is_of_class.resize(laws.size(), all.has_value());
+  segment.list.is_of_class.resize(laws.size(), all.has_value());
 }
 
 void read_segment_laws(const Entry& file, const Entry& law, HeldFiles& files,
@@ -72,7 +71,8 @@ void read_segment_laws(const Entry& file, const Entry& law, HeldFiles& files,
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
     if (law.text != kJoining) add_segment_laws(file, law, files, segment);
   }
-  tell_apart(segment.laws);
+  leave_to_free_law(law, segment.list);
+  tell_apart(segment.list.laws);
 }
 
 /// Where a segment or a point ends, from where it begins: `to` or `by`; none where it says neither.
@@ -156,7 +156,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
                            double top, const ProgramUnits& units, HeldFiles& files) {
   check_keys(entry, {"name", "angle", "time", "law", "to", "by", "reversed", "points", "velocity",
                      "acceleration", "continuity", "tolerance", "begin", "end", "joining"});
-  StatedSegment result{&entry, {}, {}, {}};
+  StatedSegment result{&entry, {}, {}};
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
   segment.angle = units.angle(entry).value_or(0);
@@ -245,7 +245,8 @@ void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
 /// Refuses more combinations of laws than a search goes through.
 void check_count(const Entry& list, const std::vector<StatedSegment>& stated) {
   double count = 1;
-  for (const StatedSegment& s : stated) count *= std::max(1.0, static_cast<double>(s.laws.size()));
+  for (const StatedSegment& s : stated)
+    count *= std::max(1.0, static_cast<double>(s.list.laws.size()));
   if (count > optim::kMostCombinations) {
     refuse(list, fmt::format("the segments' laws make {:.6g} programs; at most {} are tried", count,
                              optim::kMostCombinations));
@@ -269,7 +270,7 @@ std::vector<Chosen> combinations(const std::vector<StatedSegment>& stated) {
   for (const StatedSegment& s : stated) {
     std::vector<Chosen> longer;
     for (const Chosen& before : all) {
-      const std::size_t count = std::max<std::size_t>(1, s.laws.size());
+      const std::size_t count = std::max<std::size_t>(1, s.list.laws.size());
       for (std::size_t i = 0; i < count; ++i) {
         longer.push_back(before);
         longer.back().push_back(i);
@@ -285,7 +286,7 @@ std::vector<ProgramSegment> segments_of(const std::vector<StatedSegment>& stated
   std::vector<ProgramSegment> segments;
   for (std::size_t k = 0; k < stated.size(); ++k) {
     segments.push_back(stated[k].segment);
-    if (!stated[k].laws.empty()) segments.back().law = stated[k].laws[chosen[k]];
+    if (!stated[k].list.laws.empty()) segments.back().law = stated[k].list.laws[chosen[k]];
   }
   return segments;
 }
@@ -308,9 +309,9 @@ std::string not_fitting(const Unfit& one, std::size_t count) {
 std::string choice_words(const std::vector<StatedSegment>& stated, const Chosen& chosen) {
   std::vector<std::string> words;
   for (std::size_t k = 0; k < stated.size(); ++k) {
-    if (stated[k].laws.size() < 2) continue;
+    if (stated[k].list.laws.size() < 2) continue;
     words.push_back(
-        fmt::format("{} = {}", stated[k].segment.name, stated[k].laws[chosen[k]].label()));
+        fmt::format("{} = {}", stated[k].segment.name, stated[k].list.laws[chosen[k]].label()));
   }
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -323,23 +324,23 @@ std::vector<LeftOut> left_out_of(const Entry& list, const std::vector<StatedSegm
   std::vector<std::vector<bool>> fits_nowhere;
   for (std::size_t k = 0; k < stated.size(); ++k) {
     const StatedSegment& s = stated[k];
-    fits_nowhere.emplace_back(s.laws.size(), false);
-    std::vector<std::size_t> failed(s.laws.size());
-    std::vector<const Unfit*> first(s.laws.size());
+    fits_nowhere.emplace_back(s.list.laws.size(), false);
+    std::vector<std::size_t> failed(s.list.laws.size());
+    std::vector<const Unfit*> first(s.list.laws.size());
     for (const Unfit& one : unfit) {
-      if (s.laws.empty()) break;
+      if (s.list.laws.empty()) break;
       const std::size_t law = one.chosen[k];
       if (failed[law]++ == 0) first[law] = &one;
     }
-    for (std::size_t law = 0; law < s.laws.size(); ++law) {
-      if (failed[law] == 0 || failed[law] * s.laws.size() < count) continue;
-      if (s.laws.size() < 2) continue;  // the others decide
-      if (!s.is_of_class[law]) {
+    for (std::size_t law = 0; law < s.list.laws.size(); ++law) {
+      if (failed[law] == 0 || failed[law] * s.list.laws.size() < count) continue;
+      if (s.list.laws.size() < 2) continue;  // the others decide
+      if (!s.list.is_of_class[law]) {
         refuse(list, not_fitting(*first[law], count));
       }
       fits_nowhere[k][law] = true;
       result.push_back(
-          {fmt::format("{} = {}", s.segment.name, s.laws[law].label()), first[law]->why});
+          {fmt::format("{} = {}", s.segment.name, s.list.laws[law].label()), first[law]->why});
     }
   }
   std::size_t others = 0;
@@ -364,7 +365,7 @@ std::vector<LeftOut> left_out_of(const Entry& list, const std::vector<StatedSegm
 /// Whether a class holds one of the laws that a combination chooses.
 bool has_law_of_class(const std::vector<StatedSegment>& stated, const Chosen& chosen) {
   for (std::size_t k = 0; k < stated.size(); ++k) {
-    if (!stated[k].laws.empty() && stated[k].is_of_class[chosen[k]]) return true;
+    if (!stated[k].list.laws.empty() && stated[k].list.is_of_class[chosen[k]]) return true;
   }
   return false;
 }

@@ -31,6 +31,14 @@ T velocity_change(const ProfilePlace<T>& p, const T& curvature, const ProfileErr
   return T(speed) * turned * (p.arc * curvature) * step;
 }
 
+/// By how much a chord deviates at most from the profile, m, of a curvature.
+template <class T>
+T deviation(const ProfilePlace<T>& p, const T& curvature, const ProfileErrors& errors) {
+  if (errors.chord) return T(*errors.chord / 1e3);
+  const T length = p.arc * T(*errors.chord_step / profile::kPerDegree);
+  return profile::square(length) * curvature / T(8);
+}
+
 template <class F>
 ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const char* unit,
                         double drawn, const F& formula) {
@@ -42,8 +50,10 @@ ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const
 }
 
 /// The follower's force along chords and over their corners (PE10), where a roller runs on convex
-/// stretches.
-std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry) {
+/// stretches. Over a corner the spring gives less by its rate times how much lower the follower may
+/// be; along a chord that is left out of the highest force.
+std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry,
+                                         const ProfileErrors& errors) {
   constexpr double kOfChange = 1e-3;
   const double inertia = geometry.mass() * geometry.speed() * geometry.speed();
   const double radius = geometry.roller();
@@ -75,7 +85,9 @@ std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry) {
               }),
           row("least ", ", over a corner", -1, [&](const auto& p) {
             using T = std::decay_t<decltype(p.curvature)>;
-            return T(inertia) * p.lift.value * *p.stiffness * is_above_zero(p.curvature);
+            const T lower = deviation(p, above_zero(p.curvature), errors);
+            return p.lift.value * (T(inertia) * *p.stiffness + T(geometry.spring()) * lower) *
+                   is_above_zero(p.curvature);
           })};
 }
 
@@ -121,7 +133,7 @@ std::vector<ProfileEffect> chord_effects(const ProfileGeometry& geometry,
                   return T(square) * p.lift.value * *p.stiffness * is_above_zero(p.curvature) -
                          p.acceleration;
                 })};
-  for (ProfileEffect& effect : force_effects(geometry)) all.push_back(std::move(effect));
+  for (ProfileEffect& effect : force_effects(geometry, errors)) all.push_back(std::move(effect));
   return all;
 }
 

@@ -198,7 +198,7 @@ def test_problems_to_begin_with():
     with pytest.raises(cl.InputError, match="camlaw problem 2.*newer than this program"):
         roller(format="camlaw problem 2")
     assert cl.Problem.example("cams/roller_least_base").text == ROLLER.read_text()
-    assert "least base circle" in cl.examples().loc["cams/roller_least_base", "about"]
+    assert "smallest base circle" in cl.examples().loc["cams/roller_least_base", "about"]
     with pytest.raises(cl.InputError, match="roller_least_base"):
         cl.Problem.example("roller_least_bas")
 

@@ -409,6 +409,19 @@ TEST_CASE("an objective that nothing moves is not shown as if it were sought", "
   CHECK(warned(folder, {}).empty());
 }
 
+TEST_CASE("a variable that an optimum does not depend on is named", "[program]") {
+  // The pressure angle decides on the base circle, whatever the spring.
+  const Folder folder;
+  const std::string varied = "[variables.spring_rate]\nlower = 6\nupper = 40\n\n[objective]";
+  CHECK_THAT(warned(folder, {{"spring_rate = \"6 N/mm\"\n", ""}, {"[objective]", varied}}),
+             Contains("spring_rate = ") && Contains("other values at which the limits hold"));
+  // The least force is the spring's, the stroke's and the preload's: no variable is idle.
+  CHECK(warned(folder, {{"spring_rate = \"6 N/mm\"\n", ""},
+                        {"[objective]", varied},
+                        {"minimize = \"base_radius\"", "minimize = \"peak contact_force\""}})
+            .empty());
+}
+
 TEST_CASE("a fit that was taken at another size is named with its deviations", "[program]") {
   // ISO 286: h11 is 160 um above 30 to 50 mm, 190 um above 50 to 80 mm.
   const Folder folder;
