@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace camlaw::problems {
 namespace {
@@ -39,6 +40,24 @@ bool is_pressure_angle(const MechanismResponse& response) {
 
 bool is_allowable_pressure(std::string_view parameter) {
   return parameter.ends_with("allowable_pressure");
+}
+
+std::string_view crowned_twin(std::string_view of_line) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> twins{
+      {{"contact_stress", "crown_stress"},
+       {"root_contact_stress", "crown_stress"},
+       {"tip_contact_stress", "crown_stress"},
+       {"elastic_contact_stress", "elastic_crown_stress"},
+       {"elastic_root_contact_stress", "elastic_crown_stress"},
+       {"elastic_tip_contact_stress", "elastic_crown_stress"},
+       {"max_shear", "crown_shear"},
+       {"shear_depth", "crown_shear_depth"},
+       {"film_thickness", "crown_film"},
+       {"lambda_ratio", "crown_lambda"}}};
+  for (const auto& [line, crowned] : twins) {
+    if (line == of_line) return crowned;
+  }
+  return {};
 }
 
 Subject subject_of(std::string_view curve, std::string_view unit) {

@@ -34,6 +34,8 @@ bool is_of_jerk(const MechanismResponse& response);
 bool is_pressure_angle(const MechanismResponse& response);
 /// Whether a parameter is the pressure that a material bears: "allowable_pressure".
 bool is_allowable_pressure(std::string_view parameter);
+/// Of a response of the line contact of a roller the one of a crowned roller; empty of others.
+std::string_view crowned_twin(std::string_view of_line);
 
 /// What a curve is about, by its name and listed unit.
 enum class Subject { Motion, Loads, Contact, Geometry };

@@ -63,20 +63,8 @@ bool states_crown(const ProblemStatement& design, const std::string& parameter) 
                      [&](std::size_t i) { return parameters[i].name == parameter; });
 }
 
-/// Of a response of the line contact the one of a crowned roller; empty of others.
-std::string crowned_name(const std::string& of_line) {
-  if (of_line == "contact_stress") return "crown_stress";
-  if (of_line == "elastic_contact_stress") return "elastic_crown_stress";
-  if (of_line == "max_shear") return "crown_shear";
-  if (of_line == "shear_depth") return "crown_shear_depth";
-  if (of_line == "film_thickness") return "crown_film";
-  if (of_line == "lambda_ratio") return "crown_lambda";
-  return {};
-}
-
-/// Where a limit, an objective or a check is about a
-/// contact along the whole face, which a crowned roller does not have. Of a shaft's cam the names
-/// begin with `prefix`.
+/// Where a limit, an objective or a check is about a contact along the whole face, which a crowned
+/// roller does not have. Of a shaft's cam the names begin with `prefix`.
 void add_of_line_contact(const ProblemStatement& design, const std::string& prefix,
                          std::vector<Caution>& found) {
   if (!states_crown(design, prefix + "crown_radius")) return;
@@ -86,7 +74,7 @@ void add_of_line_contact(const ProblemStatement& design, const std::string& pref
     const std::string name = response->in_case ? response->in_case->response : response->name;
     if (!name.starts_with(prefix)) return;
     const std::string own = name.substr(prefix.size());
-    if (crowned_name(own).empty()) return;
+    if (crowned_twin(own).empty()) return;
     if (std::find(asked.begin(), asked.end(), own) == asked.end()) asked.push_back(own);
   };
   for (const ObjectiveStatement& o : design.objectives) ask(o.response.response);
@@ -98,9 +86,10 @@ void add_of_line_contact(const ProblemStatement& design, const std::string& pref
   for (const std::string& own : asked) {
     found.push_back(
         {fmt::format("{}{} is that of a line contact, and the roller is crowned", prefix, own),
-         fmt::format("a crowned roller bears on an ellipse, where the stress is higher "
-                     "and the film thinner; see {}{}",
-                     prefix, crowned_name(own))});
+         fmt::format(
+             "a crowned roller bears on an ellipse: where that is shorter than the face, the "
+             "stress is higher and the film thinner; see {}{} and crown_fraction",
+             prefix, crowned_twin(own))});
   }
 }
 

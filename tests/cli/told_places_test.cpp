@@ -395,7 +395,8 @@ TEST_CASE("an infinite film is said with its place", "[program]") {
          "'cycloidal'}, {name = 'low'}]\n"
          "[[constraints]]\nresponse = 'lambda_ratio'\nlower = 0.1\n";
   const std::string text = done({"evaluate", folder / "p.toml"});
-  CHECK_THAT(text, Contains("film_thickness and lambda_ratio become infinite: contact_force is 0 N "
+  CHECK_THAT(text, Contains("film_thickness, lambda_ratio, crown_film and crown_lambda become "
+                            "infinite: contact_force is 0 N "
                             "at 0 deg\n") &&
                        Contains("\nmet lambda_ratio = "));
   const ParsedJson all = json_of({"evaluate", folder / "p.toml", "--json"}).at("responses");

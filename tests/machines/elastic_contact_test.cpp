@@ -296,4 +296,44 @@ TEST_CASE("an elastic follower is checked in each load case, and on a shaft, as 
   CHECK(stress.report.value == Approx(check_of(of_one, "stress").report.value).epsilon(1e-9));
 }
 
+TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine alone",
+          "[elastic-contact]") {
+  const std::string constants =
+      "mass = 0.8\nbase_radius = 60\nend_share = 0.8\nspring_rate = 30\nspring_preload = 3000\n"
+      "speed = 600\ntrain_stiffness = 700\nface_width = 15\n";
+  const std::string stiffness = "[ranges.train_stiffness]\nlower = 600\nupper = 3000\n";
+  const std::string limit = "[[constraints]]\nresponse = 'elastic_contact_stress'\nupper = 1085\n";
+  // The base machine's damping is no case's: dry resonates.
+  const auto alone = standing(
+      read(cam("disc-cam-roller", constants + "train_damping = 0.001\n", stiffness + limit)));
+  const auto in_cases = standing(
+      read(cam("disc-cam-roller", constants + "train_damping = 0.5\n",
+               stiffness + limit +
+                   "[[cases]]\nname = 'dry'\ntrain_damping = 0.001\n[[cases]]\nname = 'oiled'\n"
+                   "train_damping = 0.5\n")));
+  CHECK_FALSE(alone[0].met);
+  REQUIRE(in_cases[0].name == "dry.elastic_contact_stress");
+  CHECK_FALSE(in_cases[0].met);
+  CHECK(in_cases[0].value == Approx(alone[0].value).epsilon(1e-4));
+  // On a shaft with another cam, whose parameters have other numbers.
+  const std::string program =
+      ".program]\nsegments = [{name = 'rise', angle = 120, law = 'cycloidal'}, {name = 'high', "
+      "angle = 40}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n";
+  const std::string press =
+      "mass = 0.8\nbase_radius = 60\ntrain_stiffness = 800\nspring_rate = 30\n"
+      "spring_preload = 400\nface_width = 15\n";
+  const std::string speeds = "[ranges.speed]\nlower = 250\nupper = 300\n";
+  const Buildability on_shaft = buildability(
+      read(speeds +
+           "[cams.feed]\nmechanism = 'disc-cam-flat'\n[cams.feed.constants]\nmass = 1\n[cams.feed" +
+           program +
+           "[cams.press]\nmechanism = 'disc-cam-roller'\n[cams.press.constants]\nphase = 25\n" +
+           press + "[cams.press" + program + "[cams.press.buildable]\nallowable_pressure = 900\n"));
+  const Buildability of_one = buildability(
+      read(cam("disc-cam-roller", press, speeds + "[buildable]\nallowable_pressure = 900\n")));
+  CHECK(check_of(on_shaft, "press: stress").report.value ==
+        Approx(check_of(of_one, "stress").report.value).epsilon(1e-6));
+  CHECK(check_of(on_shaft, "press: stress").built == check_of(of_one, "stress").built);
+}
+
 }  // namespace camlaw::problems::elastic_contact_test
