@@ -92,7 +92,7 @@ void leave_to_free_law(const Entry& names, LawList& list) {
       refuse(names,
              fmt::format("{} has the coefficients that the free law varies; name only one of "
                          "the two",
-                         law.name()));
+                         law.family->name));
     }
     kept.laws.push_back(law);
     kept.is_of_class.push_back(list.is_of_class[i]);
