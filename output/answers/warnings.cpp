@@ -96,12 +96,50 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
   if (idle.empty()) return;
   const std::size_t more = idle.size() > kNamed ? idle.size() - kNamed : 0;
   if (more > 0) idle.resize(kNamed);
+  const std::string named =
+      problems::listed(idle) + (more > 0 ? fmt::format(" and {} more", more) : "");
+  const std::string& sought = problem.objective().response.name;
   warnings.push_back(
-      fmt::format("{}{}: other values at which the limits hold are as good, as {} {} nor a limit "
-                  "that holds the design; to choose, limit or seek what depends on {}",
-                  problems::listed(idle), more > 0 ? fmt::format(" and {} more", more) : "",
-                  idle.size() == 1 ? "it changes neither" : "they change neither",
-                  problem.objective().response.name, idle.size() == 1 ? "it" : "them"));
+      idle.size() == 1
+          ? fmt::format(
+                "{} is one of many values: it changes neither {} nor a limit that holds the "
+                "design; to choose it, limit or minimise what depends on it",
+                named, sought)
+          : fmt::format("{} are some of many values: they change neither {} nor a limit that holds "
+                        "the design; to choose them, limit or minimise what depends on them",
+                        named, sought));
+}
+
+/// Of limits that cannot be met and that no variable changes: what the file states that would.
+void add_what_changes(const problems::ProblemStatement& problem, const optim::Optimum& optimum,
+                      Warnings& warnings) {
+  const auto varies = [&](std::size_t i) {
+    return optimum.problem.variables[i].lower < optimum.problem.variables[i].upper;
+  };
+  for (const std::string& blamed : optimum.found.assessment.blamed) {
+    const auto& limits = optimum.problem.constraints;
+    const auto limit = std::find_if(limits.begin(), limits.end(),
+                                    [&](const auto& c) { return c.response.name == blamed; });
+    const auto& all = problem.constraints;
+    const auto stated = std::find_if(all.begin(), all.end(), [&](const auto& c) {
+      return c.response.name == blamed && c.response.response != nullptr;
+    });
+    if (limit == limits.end() || stated == all.end()) continue;
+    const std::set<std::size_t> inputs = optim::inputs_of(limit->response, optimum.problem);
+    if (std::any_of(inputs.begin(), inputs.end(), varies)) continue;
+    std::vector<std::string> names;
+    for (const std::size_t parameter : stated->response.response->uses) {
+      if (!problem.stated.contains(parameter)) continue;
+      names.push_back(problem.mechanism->parameters[parameter].name);
+    }
+    if (names.empty()) continue;
+    const std::string last = names.back();
+    if (stated->response.response->sees_law) names.emplace_back("the motion");
+    warnings.push_back(
+        fmt::format("{} depends on {}: let one of them vary, as [variables.{}] with "
+                    "lower and upper in place of its constant",
+                    blamed, problems::listed(names), last));
+  }
 }
 
 /// The laws of classes that make no program, which are not searched.
@@ -144,6 +182,9 @@ Warnings warnings_of(const Answer& answer) {
     if (verdict == optim::Verdict::Certified) add_idle_variables(optimum, warnings);
     add_fits_of_other_sizes(answer.bound.statement(), design, warnings);
     add_cautions(design, warnings);
+  }
+  if (verdict == optim::Verdict::Infeasible) {
+    add_what_changes(answer.bound.statement(), optimum, warnings);
   }
   const Warnings doubts = problems::doubtful_limits(answer.bound);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());

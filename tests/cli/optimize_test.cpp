@@ -414,12 +414,22 @@ TEST_CASE("a variable that an optimum does not depend on is named", "[program]")
   const Folder folder;
   const std::string varied = "[variables.spring_rate]\nlower = 6\nupper = 40\n\n[objective]";
   CHECK_THAT(warned(folder, {{"spring_rate = \"6 N/mm\"\n", ""}, {"[objective]", varied}}),
-             Contains("spring_rate = ") && Contains("other values at which the limits hold"));
+             Contains("is one of many values: it changes neither base_radius nor a limit"));
   // The least force is the spring's, the stroke's and the preload's: no variable is idle.
   CHECK(warned(folder, {{"spring_rate = \"6 N/mm\"\n", ""},
                         {"[objective]", varied},
                         {"minimize = \"base_radius\"", "minimize = \"peak contact_force\""}})
             .empty());
+}
+
+TEST_CASE("of a limit that no variable changes it is said what would change it", "[program]") {
+  const Outcome outcome = run({"optimize", testing::source("problems/cams/roller_least_base.toml"),
+                               "--set", "speed=900 rpm"});
+  CHECK(outcome.status == 3);
+  CHECK_THAT(
+      outcome.out,
+      Contains("follower_force depends on stroke, speed, mass, spring_rate, spring_preload and "
+               "the motion: let one of them vary, as [variables.spring_preload]"));
 }
 
 TEST_CASE("a fit that was taken at another size is named with its deviations", "[program]") {

@@ -323,14 +323,16 @@ TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine
       "mass = 0.8\nbase_radius = 60\ntrain_stiffness = 800\nspring_rate = 30\n"
       "spring_preload = 400\nface_width = 15\n";
   const std::string speeds = "[ranges.speed]\nlower = 250\nupper = 300\n";
-  const Buildability on_shaft = buildability(
+  const ProblemStatement shaft =
       read(speeds +
            "[cams.feed]\nmechanism = 'disc-cam-flat'\n[cams.feed.constants]\nmass = 1\n[cams.feed" +
            program +
            "[cams.press]\nmechanism = 'disc-cam-roller'\n[cams.press.constants]\nphase = 25\n" +
-           press + "[cams.press" + program + "[cams.press.buildable]\nallowable_pressure = 900\n"));
-  const Buildability of_one = buildability(
-      read(cam("disc-cam-roller", press, speeds + "[buildable]\nallowable_pressure = 900\n")));
+           press + "[cams.press" + program + "[cams.press.buildable]\nallowable_pressure = 900\n");
+  const ProblemStatement one =
+      read(cam("disc-cam-roller", press, speeds + "[buildable]\nallowable_pressure = 900\n"));
+  const Buildability on_shaft = buildability(shaft);
+  const Buildability of_one = buildability(one);
   CHECK(check_of(on_shaft, "press: stress").report.value ==
         Approx(check_of(of_one, "stress").report.value).epsilon(1e-6));
   CHECK(check_of(on_shaft, "press: stress").built == check_of(of_one, "stress").built);
