@@ -54,17 +54,20 @@ void add_fits_of_other_sizes(const problems::ProblemStatement& begun,
   }
 }
 
+bool varies(const optim::Variable& v) { return v.lower < v.upper; }
+
+/// Whether one of these variables varies.
+bool any_varies(const optim::Problem& problem, const std::set<std::size_t>& variables) {
+  return std::any_of(variables.begin(), variables.end(),
+                     [&](std::size_t i) { return varies(problem.variables[i]); });
+}
+
 /// Where nothing that varies moves the objective, every design that meets the limits is as good:
 /// which one is shown means nothing.
 void add_still_objective(const optim::Problem& problem, Warnings& warnings) {
-  const auto varies = [&](std::size_t i) {
-    return problem.variables[i].lower < problem.variables[i].upper;
-  };
   const optim::Response& sought = problem.objective().response;
-  const std::set<std::size_t> inputs = optim::inputs_of(sought, problem);
-  bool any = false;
-  for (std::size_t i = 0; i < problem.variables.size(); ++i) any = any || varies(i);
-  if (!any || std::any_of(inputs.begin(), inputs.end(), varies)) return;
+  const bool any = std::any_of(problem.variables.begin(), problem.variables.end(), varies);
+  if (!any || any_varies(problem, optim::inputs_of(sought, problem))) return;
   warnings.push_back(fmt::format(
       "nothing that varies changes {}: any design that meets the limits is as good as this one",
       sought.name));
@@ -76,10 +79,7 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
   constexpr std::size_t kNamed = 3;
   const optim::Problem& problem = optimum.problem;
   std::set<std::size_t> counting = optim::inputs_of(problem.objective().response, problem);
-  const auto varies = [&](std::size_t i) {
-    return problem.variables[i].lower < problem.variables[i].upper;
-  };
-  if (std::none_of(counting.begin(), counting.end(), varies)) return;  // that is said of all
+  if (!any_varies(problem, counting)) return;  // that is said of all
   std::set<std::string> pushing;
   for (const optim::LimitReport& limit : optimum.found.assessment.limits) {
     if (limit.multiplier != 0 || limit.at_rest) pushing.insert(limit.name);  // NaN among them
@@ -90,7 +90,7 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
   std::vector<std::string> idle;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const optim::Variable& v = problem.variables[i];
-    if (!varies(i) || counting.contains(i)) continue;
+    if (!varies(v) || counting.contains(i)) continue;
     idle.push_back(fmt::format("{} = {}", v.name, problems::with_unit(optimum.found.x[i], v.unit)));
   }
   if (idle.empty()) return;
@@ -113,9 +113,6 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
 /// Of limits that cannot be met and that no variable changes: what the file states that would.
 void add_what_changes(const problems::ProblemStatement& problem, const optim::Optimum& optimum,
                       Warnings& warnings) {
-  const auto varies = [&](std::size_t i) {
-    return optimum.problem.variables[i].lower < optimum.problem.variables[i].upper;
-  };
   for (const std::string& blamed : optimum.found.assessment.blamed) {
     const auto& limits = optimum.problem.constraints;
     const auto limit = std::find_if(limits.begin(), limits.end(),
@@ -125,8 +122,7 @@ void add_what_changes(const problems::ProblemStatement& problem, const optim::Op
       return c.response.name == blamed && c.response.response != nullptr;
     });
     if (limit == limits.end() || stated == all.end()) continue;
-    const std::set<std::size_t> inputs = optim::inputs_of(limit->response, optimum.problem);
-    if (std::any_of(inputs.begin(), inputs.end(), varies)) continue;
+    if (any_varies(optimum.problem, optim::inputs_of(limit->response, optimum.problem))) continue;
     std::vector<std::string> names;
     for (const std::size_t parameter : stated->response.response->uses) {
       if (!problem.stated.contains(parameter)) continue;

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "machines/model/known_names.h"
 #include "numerics/tables/cells.h"
 #include "numerics/tables/line_source.h"
 #include "numerics/text/csv_rows.h"
@@ -36,13 +37,6 @@ struct Column {
 [[noreturn]] void refuse_line(const std::string& catalogue, std::size_t line,
                               const std::string& why) {
   throw std::invalid_argument(fmt::format("{}:{}: {}", catalogue, line, why));
-}
-
-std::optional<std::size_t> parameter_called(const Mechanism& mechanism, std::string_view name) {
-  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
-    if (mechanism.parameters[i].name == name) return i;
-  }
-  return {};
 }
 
 /// "roller_diameter" as roller_radius and a half.

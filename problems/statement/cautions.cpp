@@ -42,13 +42,16 @@ void add_of_ends(const ProblemStatement& design, std::vector<Caution>& found) {
                                begin, end)});
 }
 
+/// Whether a problem states a parameter, itself or by a part that it names.
+bool states(const ProblemStatement& design, const std::string& parameter) {
+  const auto at = parameter_called(*design.mechanism, parameter);
+  return at && design.stated.contains(*at);
+}
+
 /// Whether a problem states a parameter, or asks for a response of the same family.
 bool counts(const ProblemStatement& design, const std::string& parameter,
             const std::string& family) {
-  const auto& parameters = design.mechanism->parameters;
-  for (const std::size_t i : design.stated) {
-    if (parameters[i].name == parameter) return true;
-  }
+  if (states(design, parameter)) return true;
   const auto is_asked = [&](const auto& of) {
     return of.response.response != nullptr && of.response.response->name.starts_with(family);
   };
@@ -56,18 +59,11 @@ bool counts(const ProblemStatement& design, const std::string& parameter,
          std::any_of(design.constraints.begin(), design.constraints.end(), is_asked);
 }
 
-/// Whether a problem states that a roller is crowned, itself or by a part that it names.
-bool states_crown(const ProblemStatement& design, const std::string& parameter) {
-  const auto& parameters = design.mechanism->parameters;
-  return std::any_of(design.stated.begin(), design.stated.end(),
-                     [&](std::size_t i) { return parameters[i].name == parameter; });
-}
-
 /// Where a limit, an objective or a check is about a contact along the whole face, which a crowned
 /// roller does not have. Of a shaft's cam the names begin with `prefix`.
 void add_of_line_contact(const ProblemStatement& design, const std::string& prefix,
                          std::vector<Caution>& found) {
-  if (!states_crown(design, prefix + "crown_radius")) return;
+  if (!states(design, prefix + "crown_radius")) return;
   std::vector<std::string> asked;
   const auto ask = [&](const MechanismResponse* response) {
     if (response == nullptr) return;

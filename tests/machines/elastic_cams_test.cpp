@@ -8,6 +8,7 @@
 
 #include "machines/model/law_looks.h"
 #include "machines/registry.h"
+#include "tests/machines/fourier_train.h"
 #include "tests/machines/system_fixture.h"
 
 namespace camlaw::problems::elastic_cams_test {
@@ -40,30 +41,6 @@ double number_of(const char* name, const TestDesign& design) {
 
 double at(const char* name, const TestDesign& design, double angle) {
   return response_of(roller(), name, design.binding).curve().at({angle}).value(design.x);
-}
-
-/// What a cycloidal piece of stroke h over [begin, begin + length] adds to the n-th Fourier
-/// coefficient of s'', the integral of s'' exp(-i k x), k = 2 pi n.
-std::complex<double> cycloidal_term(double h, double begin, double length, double k) {
-  using namespace std::complex_literals;
-  const double w = kTurn / length, peak = h * kTurn / (length * length);
-  const auto shifted = peak * std::exp(-1i * k * begin);
-  if (std::abs(w - k) < 1e-9 * w) return shifted * (-1i * length / 2.0);
-  return shifted * w * (1.0 - std::exp(-1i * k * length)) / (w * w - k * k);
-}
-
-/// z of the undamped steady state of a rise over 120 deg, a dwell of 40, a return over 90 and a
-/// dwell, by its Fourier series: (W^2 - k^2) z_n = -s''_n.
-double fourier_deviation(double tau, double x) {
-  constexpr int kTerms = 20000;
-  const double W = kTurn * tau;
-  double z = 0;
-  for (int n = 1; n <= kTerms; ++n) {
-    const double k = kTurn * n;
-    const auto c = cycloidal_term(1, 0, 120.0 / 360, k) + cycloidal_term(-1, 160.0 / 360, 0.25, k);
-    z += 2 * std::real(-c / (W * W - k * k) * std::polar(1.0, k * x));
-  }
-  return z;
 }
 
 Member cycloids() {
@@ -105,7 +82,7 @@ TEST_CASE("the undamped steady state behind a cycloidal cam is its Fourier serie
     CHECK(number_of("train_frequency", design) == Approx(5 * tau).epsilon(1e-12));
     for (const double angle : {0.0, 17.0, 60.0, 120.0, 133.0, 170.0, 214.0, 250.0, 300.0, 359.0}) {
       INFO(tau << " at " << angle);
-      const double z = fourier_deviation(tau, angle / 360);
+      const double z = testing::fourier_deviation(tau, angle / 360, testing::rise_and_return);
       CHECK(at("end_deviation", design, angle) == Approx(20 * z).epsilon(1e-9).margin(1e-10));
       const double pull = -std::pow(kTurn * tau * 5, 2) * 0.02 * z;
       CHECK(at("end_acceleration", design, angle) == Approx(pull).epsilon(1e-9).margin(1e-6));
@@ -246,16 +223,7 @@ TEST_CASE("what an elastic end does has exact derivatives and bounds", "[elastic
       CHECK(here[1] == Approx(testing::slope(value, 0.02)).epsilon(1e-6).margin(1e-6 * size));
       const auto rate = [&](double by) { return trace->at({place + by})[1]; };
       CHECK(here[2] == Approx(testing::slope(rate, 0.02)).epsilon(1e-6).margin(1e-6 * size));
-      double before = 0;
-      for (const double h : {1.0, 0.1, 0.01}) {
-        const auto bounds = trace->enclose(place - h, place + h);
-        for (const double by : {-h, -0.4 * h, 0.0, 0.9 * h}) {
-          CHECK((bounds.lower <= value(by) && value(by) <= bounds.upper));
-        }
-        const double width = bounds.upper - bounds.lower;
-        if (before > 0) CHECK(width <= 0.15 * before);
-        before = width;
-      }
+      testing::check_bounds_close(*trace, place);
     }
     const std::vector<double> slopes = response.curve().slope_gradient({33.0}, x);
     for (std::size_t i = 0; i < x.size(); ++i) {

@@ -5,13 +5,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "machines/registry.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
+#include "tests/machines/fourier_train.h"
 #include "tests/machines/system_fixture.h"
 
 namespace camlaw::problems::elastic_contact_test {
@@ -22,13 +22,16 @@ using testing::design_of, testing::response_of, testing::TestDesign, testing::wi
 
 constexpr double kPi = std::numbers::pi, kTurn = 2 * kPi;
 
+/// The program of all cams here, behind "[" or "[cams.NAME.".
+constexpr const char* kProgram =
+    "program]\nsegments = [{name = 'rise', angle = 120, law = 'cycloidal'}, {name = 'high', angle "
+    "= "
+    "40}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n";
+
 /// A cam that rises over 120 deg, rests over 40, returns over 90 and rests, by cycloids.
 std::string cam(const std::string& mechanism, const std::string& constants,
                 const std::string& more = "") {
-  return "mechanism = '" + mechanism + "'\n[constants]\n" + constants +
-         "[program]\nsegments = [{name = 'rise', angle = 120, law = 'cycloidal'}, {name = 'high', "
-         "angle = 40}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n" +
-         more;
+  return "mechanism = '" + mechanism + "'\n[constants]\n" + constants + "[" + kProgram + more;
 }
 
 ProblemStatement read(const std::string& text) { return read_problem(text, "elastic.toml"); }
@@ -42,27 +45,6 @@ std::array<double, 3> lift(double h, double degrees) {
   return {(rises ? 0 : h) + sign * h * (u - std::sin(kTurn * u) / kTurn),
           sign * h / length * (1 - std::cos(kTurn * u)),
           sign * h / (length * length) * kTurn * std::sin(kTurn * u)};
-}
-
-/// The n-th Fourier coefficient by x, a turn's share, of s'' of one cycloid of the stroke h.
-std::complex<double> cycloid(double h, double begin, double length, double k) {
-  using namespace std::complex_literals;
-  const double w = kTurn / length;
-  const auto peak = h * kTurn / (length * length) * std::exp(-1i * k * begin);
-  if (std::abs(w - k) < 1e-9 * w) return peak * (-1i * length / 2.0);
-  return peak * w * (1.0 - std::exp(-1i * k * length)) / (w * w - k * k);
-}
-
-/// How the end deviates from a rigid one, z, of an undamped train with tau periods in a turn.
-double deviation(double h, double tau, double degrees) {
-  const double W = kTurn * tau;
-  double z = 0;
-  for (int n = 1; n <= 20000; ++n) {
-    const double k = kTurn * n;
-    const auto c = cycloid(h, 0, 1.0 / 3, k) + cycloid(-h, 160.0 / 360, 0.25, k);
-    z += 2 * std::real(-c / (W * W - k * k) * std::polar(1.0, k * degrees / 360));
-  }
-  return z;
 }
 
 double value_of(const ProblemStatement& problem, const std::string& name, double angle) {
@@ -97,7 +79,10 @@ TEST_CASE("the stress under an elastic follower is Hertz's under the force of it
   for (const double angle : {5.0, 33.0, 71.0, 100.0, 140.0, 171.0, 205.0, 240.0, 300.0}) {
     INFO(angle);
     const auto [s, ds, dds] = lift(h, angle);
-    const double force = -mass * natural * natural * deviation(h, tau, angle) + 2e4 * s + 900;
+    const double force =
+        -mass * natural * natural * h *
+            testing::fourier_deviation(tau, angle / 360, testing::rise_and_return) +
+        2e4 * s + 900;
     const double y = prime + s;
     const double k = (y * y + 2 * ds * ds - y * dds) / std::pow(y * y + ds * ds, 1.5);
     const double pressed = force * std::hypot(1, ds / y) / 0.012;
@@ -158,16 +143,7 @@ TEST_CASE("the stress under an elastic follower has exact derivatives and bounds
     const auto value = [&](double by) { return trace->at({place + by})[0]; };
     const double size = std::abs(here[0]);
     CHECK(here[1] == Approx(testing::slope(value, 0.02)).epsilon(1e-6).margin(1e-6 * size));
-    double before = 0;
-    for (const double h : {1.0, 0.1, 0.01}) {
-      const auto bounds = trace->enclose(place - h, place + h);
-      for (const double by : {-h, -0.4 * h, 0.0, 0.9 * h}) {
-        CHECK((bounds.lower <= value(by) && value(by) <= bounds.upper));
-      }
-      const double width = bounds.upper - bounds.lower;
-      if (before > 0) CHECK(width <= 0.15 * before);
-      before = width;
-    }
+    testing::check_bounds_close(*trace, place);
   }
 }
 
@@ -275,9 +251,7 @@ TEST_CASE("an elastic follower is checked in each load case, and on a shaft, as 
   CHECK(check_of(found, "stress in slow").built == Built::Holds);
   CHECK(check_of(found, "stress in fast").built == Built::NotChecked);
   CHECK(check_of(found, "stress in slow").check->response == "slow.elastic_contact_stress");
-  const std::string program =
-      ".program]\nsegments = [{name = 'rise', angle = 120, law = 'cycloidal'}, {name = 'high', "
-      "angle = 40}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n";
+  const std::string program = std::string(".") + kProgram;
   const ProblemStatement shaft = read(
       "[constants]\nspeed = 60\n[cams.press]\nmechanism = 'disc-cam-roller'\n"
       "[cams.press.constants]\nphase = 30\n" +
@@ -316,9 +290,7 @@ TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine
   CHECK_FALSE(in_cases[0].met);
   CHECK(in_cases[0].value == Approx(alone[0].value).epsilon(1e-4));
   // On a shaft with another cam, whose parameters have other numbers.
-  const std::string program =
-      ".program]\nsegments = [{name = 'rise', angle = 120, law = 'cycloidal'}, {name = 'high', "
-      "angle = 40}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n";
+  const std::string program = std::string(".") + kProgram;
   const std::string press =
       "mass = 0.8\nbase_radius = 60\ntrain_stiffness = 800\nspring_rate = 30\n"
       "spring_preload = 400\nface_width = 15\n";

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "machines/registry.h"
+#include "tests/machines/fourier_train.h"
 #include "tests/machines/index_fixture.h"
 #include "tests/machines/system_fixture.h"
 
@@ -58,22 +59,10 @@ Member indexed(const char* law, double angle) {
                         Matched::Velocity, 1);
 }
 
-/// Of a cycloidal index over the first part of a turn: the n-th Fourier coefficient of s''.
-std::complex<double> cycloidal_coefficient(double length, double k) {
-  const double w = kTurn / length, peak = kTurn / (length * length);
-  if (std::abs(w - k) < 1e-9 * w) return peak * (-1i * length / 2.0);
-  return peak * w * (1.0 - std::exp(-1i * k * length)) / (w * w - k * k);
-}
-
+/// Of a cycloidal index over the first part of a turn.
 double fourier_z(double length, double tau, double x) {
-  const double W = kTurn * tau;
-  double z = 0;
-  for (int n = 1; n <= 20000; ++n) {
-    const double k = kTurn * n;
-    z +=
-        2 * std::real(-cycloidal_coefficient(length, k) / (W * W - k * k) * std::polar(1.0, k * x));
-  }
-  return z;
+  return testing::fourier_deviation(
+      tau, x, [&](double k) { return testing::cycloidal_term(1, 0, length, k); });
 }
 
 /// z of a modified sine over a third of a turn, after so many turns from rest, by Runge and Kutta.
