@@ -4,34 +4,18 @@
 #include <random>
 #include <sstream>
 
-#include "machines/model/recorded_response.h"
 #include "machines/model/response_text.h"
-#include "machines/registry.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
-#include "numerics/scalar/dual.h"
+#include "tests/machines/every_formula.h"
 #include "tests/machines/formula_dimension.h"
 
 /// What every machine keeps to.
 namespace camlaw::problems {
+
+using testing::for_each_formula, testing::record_of, testing::some_inputs;
+
 namespace {
-
-Formula record_of(const Mechanism& mechanism, const MechanismResponse& response) {
-  return whole_formula(response.write, mechanism.parameters.size(), other_names(response).size());
-}
-
-void for_each_formula(const std::function<void(const Mechanism&, const MechanismResponse&)>& look) {
-  int looked_at = 0;
-  for (const Mechanism& mechanism : mechanisms()) {
-    for (const MechanismResponse& response : mechanism.responses) {
-      if (!response.write) continue;
-      INFO(mechanism.name << " " << response.name);
-      look(mechanism, response);
-      ++looked_at;
-    }
-  }
-  CHECK(looked_at > 200);
-}
 
 /// The units that a record's inputs are listed in.
 std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismResponse& response) {
@@ -82,20 +66,6 @@ Formula read_back(const Mechanism& mechanism, const MechanismResponse& response,
   });
 }
 
-/// Numbers that parameters and a motion may have, about their usual ones.
-std::vector<double> some_inputs(const Mechanism& mechanism, const MechanismResponse& response,
-                                std::mt19937_64& random) {
-  std::uniform_real_distribution<double> about(0.8, 1.2), motion(-2, 2);
-  std::vector<double> u;
-  for (const MechanismParameter& p : mechanism.parameters) {
-    u.push_back(p.default_value * about(random));
-  }
-  for (std::size_t i = 0; i < other_names(response).size(); ++i) {
-    u.push_back(response.curve ? motion(random) : 10 * about(random));
-  }
-  return u;
-}
-
 }  // namespace
 
 TEST_CASE("every machine's formulas measure what their units say", "[machine][formula]") {
@@ -128,47 +98,6 @@ TEST_CASE("a machine's formula as it is printed, read again, gives the same numb
       } else {
         CHECK(given == Approx(wanted).epsilon(1e-11).margin(1e-300));
       }
-    }
-  });
-}
-
-TEST_CASE("a machine's enclosures hold its formulas, derivatives their differences",
-          "[machine][formula]") {
-  std::mt19937_64 random(12);
-  for_each_formula([&](const Mechanism& mechanism, const MechanismResponse& response) {
-    const Formula formula = record_of(mechanism, response);
-    for (int i = 0; i < 10; ++i) {
-      const std::vector<double> u = some_inputs(mechanism, response, random);
-      std::vector<Interval> box;
-      for (const double x : u) box.emplace_back(x - 1e-3 * std::abs(x), x + 1e-3 * std::abs(x));
-      const Interval over = formula(std::span<const Interval>(box));
-      for (int k = 0; k < 20; ++k) {
-        std::vector<double> inside = u;
-        for (double& x : inside) {
-          x += 1e-3 * std::abs(x) * std::uniform_real_distribution<double>(-1, 1)(random);
-        }
-        const double value = formula(std::span<const double>(inside));
-        if (!std::isfinite(value)) continue;
-        CHECK(over.lower() <= value);
-        CHECK(value <= over.upper());
-      }
-      std::vector<Dual> seeded(u.begin(), u.end());
-      const std::size_t by = random() % u.size();
-      seeded[by].v[0] = 1;
-      const Dual exact = formula(std::span<const Dual>(seeded));
-      const double step = 1e-5 * std::max(std::abs(u[by]), 1e-3);
-      const auto at = [&](double x) {
-        std::vector<double> moved = u;
-        moved[by] = x;
-        return formula(std::span<const double>(moved));
-      };
-      const double ahead = at(u[by] + step), behind = at(u[by] - step), here = at(u[by]);
-      const double slope = (ahead - behind) / (2 * step);
-      // Beside a kink or an edge the one-sided differences part.
-      const double kink = std::abs(ahead - 2 * here + behind) / step;
-      if (!std::isfinite(slope) || kink > 1e-3 * (std::abs(slope) + 1e-9)) continue;
-      CHECK(exact.v[0] ==
-            Approx(slope).epsilon(1e-4).margin(1e-7 * (1 + std::abs(here) / step * 1e-6)));
     }
   });
 }
