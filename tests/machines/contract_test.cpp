@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
 
@@ -13,7 +18,7 @@
 /// What every machine keeps to.
 namespace camlaw::problems {
 
-using testing::for_each_formula, testing::record_of, testing::some_inputs;
+using testing::for_each_formula, testing::record_of, testing::some_inputs, testing::without_zeros;
 
 namespace {
 
@@ -99,6 +104,50 @@ TEST_CASE("a machine's formula as it is printed, read again, gives the same numb
         CHECK(given == Approx(wanted).epsilon(1e-11).margin(1e-300));
       }
     }
+  });
+}
+
+TEST_CASE("every formula is written with its derivatives, for others to check",
+          "[.formula-derivatives]") {
+  const char* path = std::getenv("CAMLAW_FORMULAS");
+  REQUIRE(path != nullptr);
+  std::ofstream out(path);
+  std::mt19937_64 random(15);
+  for_each_formula([&](const Mechanism& mechanism, const MechanismResponse& response) {
+    const auto units = units_of(mechanism, response);
+    const auto names = names_of(mechanism, response);
+    nlohmann::json line{{"machine", mechanism.name},
+                        {"response", response.name},
+                        {"text", formula_text(mechanism, response)},
+                        {"inputs", nlohmann::json::array()},
+                        {"designs", nlohmann::json::array()}};
+    line["factor"] = UnitFactor(si_unit(response.unit).unit, response.unit).as<double>();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double factor = UnitFactor(units[i], si_unit(units[i]).unit).as<double>();
+      line["inputs"].push_back({{"name", names[i]}, {"factor", factor}});
+    }
+    const Formula formula = record_of(mechanism, response);
+    const auto kernel = recorded_kernel({formula, formula.inputs(), {}});
+    for (int tries = 0; tries < 200 && line["designs"].size() < 3; ++tries) {
+      const std::vector<double> u =
+          without_zeros(mechanism, some_inputs(mechanism, response, random), random);
+      std::vector<double> g(u.size()), h(optim::packed_size(u.size()));
+      const double value = kernel->hessian(u, g, h);
+      const auto finite = [](double x) { return std::isfinite(x); };
+      if (!finite(value) || !std::all_of(g.begin(), g.end(), finite)) continue;
+      if (!std::all_of(h.begin(), h.end(), finite)) continue;
+      nlohmann::json second = nlohmann::json::array();
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        for (std::size_t k = 0; k <= i; ++k) {
+          const double entry = h[optim::packed(i, k)];
+          if (entry != 0) second.push_back({i, k, entry});
+        }
+      }
+      line["designs"].push_back(
+          {{"at", u}, {"value", value}, {"gradient", g}, {"hessian", second}});
+    }
+    CHECK(line["designs"].size() == 3);
+    out << line << "\n";
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <random>
@@ -41,6 +42,18 @@ inline std::vector<double> some_inputs(const Mechanism& mechanism,
   }
   for (std::size_t i = 0; i < other_names(response).size(); ++i) {
     u.push_back(response.curve ? motion(random) : 10 * about(random));
+  }
+  return u;
+}
+
+/// The same with small numbers, as far as they are accepted, in place of parameters that are 0
+/// unless somebody states them, such as friction.
+inline std::vector<double> without_zeros(const Mechanism& mechanism, std::vector<double> u,
+                                         std::mt19937_64& random) {
+  std::uniform_real_distribution<double> small(0.05, 0.15);
+  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
+    const MechanismParameter& p = mechanism.parameters[i];
+    if (u[i] == 0) u[i] = std::clamp(small(random), p.low, p.high);
   }
   return u;
 }
