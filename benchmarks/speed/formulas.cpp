@@ -66,12 +66,13 @@ Case case_of(const HandFormula& hand) {
 /// Of some calls that follow one another, nanoseconds of one.
 template <class Work>
 double nanoseconds(const Work& work) {
-  constexpr int kPasses = 2000;
+  constexpr int kPasses = 500;
   return 1e9 * processor_seconds(work, kPasses) / kPasses;
 }
 
 struct Times {
-  std::vector<double> hand, value, gradient, forward, hessian, twice_forward, enclosure, range;
+  std::vector<double> hand, value, gradient, forward, hessian, twice_forward, enclosure, range,
+      range_forward;
 };
 
 void print_row(const HandFormula& hand) {
@@ -86,6 +87,7 @@ void print_row(const HandFormula& hand) {
     throw std::runtime_error(fmt::format("{} {}: by hand {}, recorded {}", hand.machine,
                                          hand.response, by_hand, recorded));
   }
+  const optim::AutomaticKernel<problems::Recorded, Interval, Series<Interval, 2>> ahead(one.record);
   Times times;
   double sum = 0;  // so that nothing is left out
   const Formula& formula = one.record.formula;
@@ -104,6 +106,7 @@ void print_row(const HandFormula& hand) {
         [&] { sum += optim::automatic_hessian(formula, std::span<const double>(u), g, h); }));
     times.enclosure.push_back(nanoseconds([&] { sum += kernel->enclose(u).lower; }));
     times.range.push_back(nanoseconds([&] { sum += kernel->range(box).value.lower; }));
+    times.range_forward.push_back(nanoseconds([&] { sum += ahead.range(box).value.lower; }));
   }
   const auto ratio = [&](const std::vector<double>& of) {
     std::vector<double> all;
@@ -112,11 +115,11 @@ void print_row(const HandFormula& hand) {
   };
   fmt::print(
       "| {}: {} | {} | {} | {:.1f} | {:.1f} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {:.1f} | "
-      "{:.0f} |{}\n",
+      "{:.0f} ({:.0f}) |{}\n",
       hand.machine, hand.response, n, formula.steps().size(), median(times.hand),
       ratio(times.value), ratio(times.gradient), ratio(times.forward), ratio(times.hessian),
       ratio(times.twice_forward), ratio(times.enclosure), ratio(times.range),
-      std::isfinite(sum) ? "" : " not finite");
+      ratio(times.range_forward), std::isfinite(sum) ? "" : " not finite");
 }
 
 }  // namespace
