@@ -128,7 +128,8 @@ Interval FormulaRanges::operator()(std::span<const Interval> box,
             : operate<Interval>(step.operation, values[step.a], values[step.b], values[step.c]);
     add_slopes(step, values.data(), all);
   }
-  std::copy(all.end() - static_cast<std::ptrdiff_t>(inputs_), all.end(), slopes.begin());
+  const auto own = all.end() - static_cast<std::ptrdiff_t>(inputs_);
+  std::copy_n(own, std::min(slopes.size(), inputs_), slopes.begin());
   return values.back();
 }
 

@@ -17,8 +17,9 @@ class FormulaRanges {
   /// Of a formula that has no roots.
   explicit FormulaRanges(const Formula& formula);
 
-  /// Encloses the value over the box, which has a range for each input; slopes[i] is by input i: of
-  /// a kink its difference quotients, infinite or not a number where nothing is known.
+  /// Encloses the value over the box, which has a range for each input, but for last ones that the
+  /// formula does not use; slopes[i], as many, is by input i: of a kink its difference quotients,
+  /// infinite or not a number where nothing is known.
   Interval operator()(std::span<const Interval> box, std::span<Interval> slopes) const;
 
  private:

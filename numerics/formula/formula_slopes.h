@@ -18,9 +18,10 @@ class FormulaSlopes {
   /// Whether a formula's slopes are found so: none of its steps is a root.
   static bool knows(const Formula& formula);
 
-  /// The value at u, which has a number for each input, and slopes[i], the derivative by u[i]; in
-  /// double, or in Dual, whose derivatives are those of the value and of the slopes. A slope that
-  /// has no bound, as that of a square root at 0, comes out infinite or not a number.
+  /// The value at u, which has a number for each input, but for last ones that the formula does not
+  /// use, and slopes[i], the derivative by u[i]; in double, or in Dual, whose derivatives are those
+  /// of the value and of the slopes. A slope that has no bound, as that of a square root at 0,
+  /// comes out infinite or not a number.
   template <class T>
   T operator()(std::span<const T> u, std::span<T> slopes) const;
 

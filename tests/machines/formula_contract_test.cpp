@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "numerics/formula/blocks/formula_blocks.h"
+#include "numerics/formula/expression.h"
 #include "numerics/formula/formula_ranges.h"
 #include "numerics/formula/formula_slopes.h"
 #include "numerics/scalar/dual.h"
@@ -241,6 +242,24 @@ TEST_CASE("slopes over a box are within those of passes forward and hold those a
       }
     }
   });
+}
+
+TEST_CASE("last inputs that a formula does not use may be left out", "[machine][formula]") {
+  const Formula formula =
+      Formula::record(3, [](std::span<const Expression> u) { return u[0] * u[0] * u[1]; });
+  const std::vector<double> u{2, 3};
+  std::vector<double> g(2), h(3);
+  CHECK(FormulaSlopes(formula)(std::span<const double>(u), std::span<double>(g)) == 12);
+  CHECK(g == std::vector<double>{12, 4});
+  CHECK(FormulaSlopes(formula).hessian(u, g, h) == 12);
+  CHECK(h == std::vector<double>{6, 4, 0});
+  const std::vector<Interval> box{Interval(2, 4), Interval(3)};
+  std::vector<Interval> slopes{Interval(-1), Interval(-1), Interval(-1)};
+  const FormulaRanges ranges(formula);
+  ranges(box, std::span(slopes).first(2));
+  CHECK(slopes[1].lower() <= 4);
+  CHECK(slopes[1].upper() >= 16);
+  CHECK(slopes[2].lower() == -1);  // not written
 }
 
 }  // namespace camlaw::problems
