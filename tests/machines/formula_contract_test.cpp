@@ -92,8 +92,8 @@ bool check_shrinking(const Formula& formula, const std::vector<double>& u) {
   return true;
 }
 
-/// At some places of every formula; a formula with roots, which takes a thousand times as long,
-/// only if that is wanted.
+/// At some places of every formula. Of a formula with roots, which takes a thousand times as long,
+/// at one in a box of the first size, if that is wanted.
 void check_enclosures(int places, std::initializer_list<double> radii, bool roots_too) {
   std::mt19937_64 random(12);
   std::size_t shrank = 0;
@@ -102,8 +102,9 @@ void check_enclosures(int places, std::initializer_list<double> radii, bool root
     const FormulaBlocks blocks({&formula, 1}, 0);
     for (int i = 0; i < places; ++i) {
       const std::vector<double> u = some_inputs(mechanism, response, random);
-      if (roots_too || FormulaSlopes::knows(formula)) {
-        for (const double radius : radii) check_samples(formula, blocks, u, radius);
+      for (const double radius : radii) {
+        const bool wanted = roots_too && i == 0 && radius == *radii.begin();
+        if (wanted || FormulaSlopes::knows(formula)) check_samples(formula, blocks, u, radius);
       }
       if (check_shrinking(formula, u)) ++shrank;
     }
@@ -120,7 +121,7 @@ TEST_CASE("a machine's enclosures hold ten thousand samples and shrink with the 
 
 TEST_CASE("a machine's enclosures hold ten thousand samples of many boxes",
           "[machine][formula][heavy]") {
-  check_enclosures(5, {1e-4, 1e-2, 0.3}, true);
+  check_enclosures(5, {1e-2, 1e-4, 0.3}, true);
 }
 
 TEST_CASE("a machine's derivatives are those that differences show", "[machine][formula]") {
