@@ -35,7 +35,7 @@ MechanismResponse arm_clearance_response() {
   constexpr bool turns_back = requires(const M<double>& cam, const CamPoint<double>& p) {
     cam.placed(p, 0.0);
   };
-  const auto& all = MachineTraits<M>::parameters();
+  const auto& all = parameters_of<M>();
   const auto pivot = std::find_if(all.begin(), all.end(),
                                   [](const auto& p) { return p.name == "pivot_distance"; });
   ArmAndProfile of{seen(Seen::ContactX, "contact_x"),

@@ -14,41 +14,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<FlatCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&FlatCam<T>::stroke,
-                                     &FlatCam<T>::base_radius,
-                                     &FlatCam<T>::angular_speed,
-                                     &FlatCam<T>::mass,
-                                     &FlatCam<T>::spring_rate,
-                                     &FlatCam<T>::spring_preload,
-                                     &FlatCam<T>::load,
-                                     &FlatCam<T>::face_width,
-                                     &FlatCam<T>::youngs_modulus,
-                                     &FlatCam<T>::poisson_ratio,
-                                     &FlatCam<T>::density,
-                                     &FlatCam<T>::bore_radius,
-                                     &FlatCam<T>::wear_coefficient,
-                                     &FlatCam<T>::guide_friction,
-                                     &FlatCam<T>::guide_length,
-                                     &FlatCam<T>::train_stiffness,
-                                     &FlatCam<T>::train_damping,
-                                     &FlatCam<T>::end_share,
-                                     &FlatCam<T>::viscosity,
-                                     &FlatCam<T>::pressure_viscosity,
-                                     &FlatCam<T>::roughness};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters(), wear_parameter(), friction_parameters(),
-              sliding_train(), lubricant_parameters()});
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -83,7 +48,7 @@ Mechanism flat_cam_mechanism() {
   return checked({.name = "disc-cam-flat",
                   .title = "disc cam with a translating flat-faced follower",
                   .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<FlatCam>::parameters(),
+                  .parameters = parameters_of<FlatCam>(),
                   .responses = std::move(responses),
                   .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                              "least radius of curvature of the profile"},

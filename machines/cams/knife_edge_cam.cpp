@@ -13,47 +13,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<KnifeEdgeCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&KnifeEdgeCam<T>::stroke,
-                                     &KnifeEdgeCam<T>::base_radius,
-                                     &KnifeEdgeCam<T>::offset,
-                                     &KnifeEdgeCam<T>::angular_speed,
-                                     &KnifeEdgeCam<T>::mass,
-                                     &KnifeEdgeCam<T>::spring_rate,
-                                     &KnifeEdgeCam<T>::spring_preload,
-                                     &KnifeEdgeCam<T>::load,
-                                     &KnifeEdgeCam<T>::cutter_radius,
-                                     &KnifeEdgeCam<T>::face_width,
-                                     &KnifeEdgeCam<T>::density,
-                                     &KnifeEdgeCam<T>::bore_radius,
-                                     &KnifeEdgeCam<T>::wear_coefficient,
-                                     &KnifeEdgeCam<T>::guide_friction,
-                                     &KnifeEdgeCam<T>::guide_length,
-                                     &KnifeEdgeCam<T>::overhang,
-                                     &KnifeEdgeCam<T>::train_stiffness,
-                                     &KnifeEdgeCam<T>::train_damping,
-                                     &KnifeEdgeCam<T>::end_share};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(),
-              base_parameter(),
-              offset_parameter(),
-              speed_parameter(),
-              sliding_load(5, 50),
-              cutter_parameter(),
-              {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
-              blank_parameters(),
-              wear_parameter(),
-              guide_parameters(),
-              sliding_train()});
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -106,7 +65,7 @@ Mechanism knife_edge_cam_mechanism() {
       {.name = "disc-cam-knife-edge",
        .title = "disc cam with a translating knife-edged follower",
        .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
+       .parameters = parameters_of<KnifeEdgeCam>(),
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(),
                  {"sharpest_curvature", "profile_curvature", Part::Highest,

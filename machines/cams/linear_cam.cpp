@@ -14,36 +14,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<LinearCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &LinearCam<T>::stroke,          &LinearCam<T>::travel,        &LinearCam<T>::roller_radius,
-      &LinearCam<T>::angular_speed,   &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
-      &LinearCam<T>::spring_preload,  &LinearCam<T>::load,          &LinearCam<T>::face_width,
-      &LinearCam<T>::youngs_modulus,  &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius,
-      &LinearCam<T>::guide_friction,  &LinearCam<T>::guide_length,  &LinearCam<T>::overhang,
-      &LinearCam<T>::train_stiffness, &LinearCam<T>::train_damping, &LinearCam<T>::end_share};
-  template <class T>
-  static constexpr auto part = &LinearCam<T>::duty;
-};
-
-const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(),
-              {{"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6}},
-              roller_parameter(),
-              {{"speed", "n", "rpm", "rad/s", "cycles of the plate per minute", 300, 1e-3, 1e6}},
-              sliding_load(5, 50),
-              contact_parameters(),
-              cutter_parameter(),
-              guide_parameters(),
-              sliding_train(),
-              duty_parameters()});
-  return all;
-}
-
 namespace {
 
 /// A plate has no shaft: its force stands for the torque.
@@ -73,7 +43,7 @@ Mechanism linear_cam_mechanism() {
       {.name = "linear-cam",
        .title = "cam plate that slides under a translating roller follower",
        .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<LinearCam>::parameters(),
+       .parameters = parameters_of<LinearCam>(),
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(),
                  peak_undercut(),

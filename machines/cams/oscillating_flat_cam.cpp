@@ -13,51 +13,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<OscillatingFlatCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&OscillatingFlatCam<T>::swing,
-                                     &OscillatingFlatCam<T>::base_radius,
-                                     &OscillatingFlatCam<T>::face_offset,
-                                     &OscillatingFlatCam<T>::pivot_distance,
-                                     &OscillatingFlatCam<T>::angular_speed,
-                                     &OscillatingFlatCam<T>::inertia,
-                                     &OscillatingFlatCam<T>::spring_rate,
-                                     &OscillatingFlatCam<T>::spring_preload,
-                                     &OscillatingFlatCam<T>::load,
-                                     &OscillatingFlatCam<T>::face_width,
-                                     &OscillatingFlatCam<T>::youngs_modulus,
-                                     &OscillatingFlatCam<T>::poisson_ratio,
-                                     &OscillatingFlatCam<T>::density,
-                                     &OscillatingFlatCam<T>::bore_radius,
-                                     &OscillatingFlatCam<T>::train_stiffness,
-                                     &OscillatingFlatCam<T>::train_damping,
-                                     &OscillatingFlatCam<T>::end_share,
-                                     &OscillatingFlatCam<T>::wear_coefficient,
-                                     &OscillatingFlatCam<T>::viscosity,
-                                     &OscillatingFlatCam<T>::pressure_viscosity,
-                                     &OscillatingFlatCam<T>::roughness};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parameters() {
-  static const Parameters all =
-      joined({swing_parameter(),
-              base_parameter(),
-              {{"face_offset", "f", "mm", "m",
-                "distance of the face from the pivot, positive towards the cam", 0, -1e5, 1e5},
-               {"pivot_distance", "d", "mm", "m",
-                "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
-              speed_parameter(),
-              oscillating_load(0.2, 3),
-              contact_parameters(),
-              blank_parameters(),
-              oscillating_train(),
-              wear_parameter(),
-              lubricant_parameters()});
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -92,7 +47,7 @@ Mechanism oscillating_flat_cam_mechanism() {
   return checked({.name = "disc-cam-oscillating-flat",
                   .title = "disc cam with an oscillating flat-faced follower",
                   .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
+                  .parameters = parameters_of<OscillatingFlatCam>(),
                   .responses = std::move(responses),
                   .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                              "least radius of curvature of the profile"},

@@ -13,60 +13,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<OscillatingRollerCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &OscillatingRollerCam<T>::swing,           &OscillatingRollerCam<T>::base_radius,
-      &OscillatingRollerCam<T>::roller_radius,   &OscillatingRollerCam<T>::arm_length,
-      &OscillatingRollerCam<T>::pivot_distance,  &OscillatingRollerCam<T>::angular_speed,
-      &OscillatingRollerCam<T>::inertia,         &OscillatingRollerCam<T>::spring_rate,
-      &OscillatingRollerCam<T>::spring_preload,  &OscillatingRollerCam<T>::load,
-      &OscillatingRollerCam<T>::face_width,      &OscillatingRollerCam<T>::youngs_modulus,
-      &OscillatingRollerCam<T>::poisson_ratio,   &OscillatingRollerCam<T>::cutter_radius,
-      &OscillatingRollerCam<T>::density,         &OscillatingRollerCam<T>::bore_radius,
-      &OscillatingRollerCam<T>::train_stiffness, &OscillatingRollerCam<T>::train_damping,
-      &OscillatingRollerCam<T>::end_share};
-  template <class T>
-  static constexpr auto part = &OscillatingRollerCam<T>::duty;
-};
-
-const std::vector<MechanismParameter>& MachineTraits<OscillatingRollerCam>::parameters() {
-  static const Parameters all =
-      joined({swing_parameter(),
-              base_parameter(),
-              roller_parameter(),
-              {{"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
-               {"pivot_distance", "d", "mm", "m",
-                "distance of the arm's pivot from the cam's centre", 100, 1e-3, 1e5}},
-              speed_parameter(),
-              oscillating_load(0.2, 3),
-              contact_parameters(),
-              cutter_parameter(),
-              blank_parameters(),
-              oscillating_train(),
-              duty_parameters()});
-  return all;
-}
-
-/// The same fields, as members of the derived machine.
-template <>
-struct MachineTraits<LeadingRollerCam> {
-  static const std::vector<MechanismParameter>& parameters() {
-    return MachineTraits<OscillatingRollerCam>::parameters();
-  }
-  template <class T>
-  static constexpr auto fields = [] {
-    constexpr auto& base = MachineTraits<OscillatingRollerCam>::fields<T>;
-    std::array<T LeadingRollerCam<T>::*, base.size()> all{};
-    for (std::size_t i = 0; i < base.size(); ++i) all[i] = base[i];
-    return all;
-  }();
-  template <class T>
-  static constexpr auto part = &LeadingRollerCam<T>::duty;
-};
-
 namespace {
 
 template <template <class> class M>
@@ -81,7 +27,7 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
   return checked({.name = name,
                   .title = title,
                   .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<M>::parameters(),
+                  .parameters = parameters_of<M>(),
                   .responses = std::move(responses),
                   .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                             least_torque(), peak_outer_undercut(), peak_groove_stress(),

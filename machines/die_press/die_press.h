@@ -5,6 +5,7 @@
 
 #include "kinematics/law.h"
 #include "machines/contact/hertz.h"
+#include "machines/model/given.h"
 
 namespace camlaw {
 
@@ -59,19 +60,29 @@ struct PublishedLineContact {
 /// 754 N, near its printed 750 N.
 template <class T>
 struct DiePress {
-  T cam_force = number<T>(815.48);                ///< F_k, N
-  T spring_force = number<T>(354.08);             ///< F_s, N
-  T load_factor = number<T>(0.8);                 ///< k, share of F_s in the load
-  T roller_radius = number<T>(0.050);             ///< R1, m
-  T segment_radius = number<T>(0.350);            ///< R2, m, of the cam's largest segment
-  T face_width = number<T>(0.030);                ///< b, m
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< mu
-  T stroke = number<T>(0.040);                    ///< h, m
-  T angular_speed = number<T>(13.0899693899575);  ///< omega, rad/s, of the cam
-  T mass = number<T>(220);                        ///< m, kg, reduced to the rollers' path
-  T spring_rate = number<T>(10000);               ///< c, N/m
-  T spring_preload = number<T>(700);              ///< F_0, N, at the lowest place
+  Given<T> given = {};
+  T cam_force = given({"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9});
+  T spring_force =
+      given({"spring_force", "F_s", "N", "N", "given force of the spring", 354.08, 0, 1e9});
+  T load_factor = given(
+      {"load_factor", "k", "1", "1", "fraction of the spring's force in the load", 0.8, 0, 10});
+  T roller_radius =
+      given({"roller_radius", "R1", "mm", "m", "radius of the roller", 50, 1e-3, 1e5});
+  T segment_radius =
+      given({"segment_radius", "R2", "mm", "m", "radius of the cam's segment", 350, 1e-3, 1e5});
+  T face_width = given(
+      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 30, 1e-3, 1e4});
+  T youngs_modulus = given(
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4});
+  T poisson_ratio =
+      given({"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5});
+  T stroke = given({"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5});
+  T angular_speed = given({"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6});
+  T mass =
+      given({"mass", "m", "kg", "kg", "moving mass, referred to the rollers' path", 220, 0, 1e6});
+  T spring_rate = given({"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6});
+  T spring_preload = given({"spring_preload", "F_0", "N", "N",
+                            "force of the spring at the lowest position", 700, 0, 1e9});
 
   PublishedLineContact<T> published() const {
     return {youngs_modulus, poisson_ratio, roller_radius, segment_radius};

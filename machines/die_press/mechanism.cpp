@@ -6,37 +6,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<DiePress> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &DiePress<T>::cam_force,      &DiePress<T>::spring_force,   &DiePress<T>::load_factor,
-      &DiePress<T>::roller_radius,  &DiePress<T>::segment_radius, &DiePress<T>::face_width,
-      &DiePress<T>::youngs_modulus, &DiePress<T>::poisson_ratio,  &DiePress<T>::stroke,
-      &DiePress<T>::angular_speed,  &DiePress<T>::mass,           &DiePress<T>::spring_rate,
-      &DiePress<T>::spring_preload};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9},
-      {"spring_force", "F_s", "N", "N", "given force of the spring", 354.08, 0, 1e9},
-      {"load_factor", "k", "1", "1", "fraction of the spring's force in the load", 0.8, 0, 10},
-      {"roller_radius", "R1", "mm", "m", "radius of the roller", 50, 1e-3, 1e5},
-      {"segment_radius", "R2", "mm", "m", "radius of the cam's segment", 350, 1e-3, 1e5},
-      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 30, 1e-3, 1e4},
-      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4},
-      {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5},
-      {"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5},
-      {"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6},
-      {"mass", "m", "kg", "kg", "moving mass, referred to the rollers' path", 220, 0, 1e6},
-      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6},
-      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest position", 700, 0,
-       1e9}};
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -148,7 +117,7 @@ Mechanism die_press_mechanism() {
       .source =
           "Study of the elastic deformation amount of the flat die-cutting press parts "
           "being in constant contact, Ukrainian Academy of Printing",
-      .parameters = MachineTraits<DiePress>::parameters(),
+      .parameters = parameters_of<DiePress>(),
       .responses = responses(),
       .peaks = {
           {"least_force", "running_force", Part::Lowest,

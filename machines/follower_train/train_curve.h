@@ -117,7 +117,7 @@ MechanismResponse train_curve(TrainQuantity which, TrainRun run, ResponseAbout a
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   const std::vector<Write> writes = machine_parts<M>(parts);
-  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  response.uses = used_by_any(writes, parameters_of<M>().size());
   if (run == TrainRun::Turn) response.cycle = std::make_shared<Cycle>(turn_of_the_cam());
   response.along = response.cycle ? response.cycle->unit : std::string(1, '1');
   response.sees_law = true;

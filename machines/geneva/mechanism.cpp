@@ -8,37 +8,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<PlanarGenevaDrive> {
-  static const std::vector<MechanismParameter>& parameters() {
-    static const std::vector<MechanismParameter> all = [] {
-      auto result = drive_parameters();
-      result.push_back({"centre_distance", "a", "mm", "m", "centre distance of driver and wheel",
-                        200, 1e-3, 1e5});
-      result.push_back({"pin_radius", "r_p", "mm", "m", "radius of the driver's pin", 10, 0, 1e5});
-      return result;
-    }();
-    return all;
-  }
-  template <class T>
-  static constexpr std::array<T PlanarGenevaDrive<T>::*, 6> fields{
-      &PlanarGenevaDrive<T>::slots,           &PlanarGenevaDrive<T>::angular_speed,
-      &PlanarGenevaDrive<T>::inertia,         &PlanarGenevaDrive<T>::friction,
-      &PlanarGenevaDrive<T>::centre_distance, &PlanarGenevaDrive<T>::pin_radius};
-};
-
-template <>
-struct MachineTraits<SphericalGenevaDrive> {
-  static const std::vector<MechanismParameter>& parameters() {
-    static const std::vector<MechanismParameter> all = drive_parameters();
-    return all;
-  }
-  template <class T>
-  static constexpr std::array fields{
-      &SphericalGenevaDrive<T>::slots, &SphericalGenevaDrive<T>::angular_speed,
-      &SphericalGenevaDrive<T>::inertia, &SphericalGenevaDrive<T>::friction};
-};
-
 namespace {
 
 using optim::Part;
@@ -98,7 +67,7 @@ Mechanism planar_geneva_mechanism() {
   return {.name = "geneva",
           .title = "planar Geneva that drives a conveyor",
           .source = "docs/theory.md, Geneva mechanisms",
-          .parameters = MachineTraits<PlanarGenevaDrive>::parameters(),
+          .parameters = parameters_of<PlanarGenevaDrive>(),
           .responses = std::move(responses),
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,
@@ -110,7 +79,7 @@ Mechanism spherical_geneva_mechanism() {
   return {.name = "geneva-spherical",
           .title = "spherical Geneva, its axes at right angles, that drives a conveyor",
           .source = "docs/theory.md, Geneva mechanisms",
-          .parameters = MachineTraits<SphericalGenevaDrive>::parameters(),
+          .parameters = parameters_of<SphericalGenevaDrive>(),
           .responses = drive_responses<SphericalGenevaDrive>(),
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,

@@ -13,41 +13,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<ParallelIndexCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 20> fields{
-      &ParallelIndexCam<T>::stations,        &ParallelIndexCam<T>::rollers,
-      &ParallelIndexCam<T>::plates,          &ParallelIndexCam<T>::axis_distance,
-      &ParallelIndexCam<T>::turret_radius,   &ParallelIndexCam<T>::roller_radius,
-      &ParallelIndexCam<T>::angular_speed,   &ParallelIndexCam<T>::inertia,
-      &ParallelIndexCam<T>::friction,        &ParallelIndexCam<T>::load,
-      &ParallelIndexCam<T>::face_width,      &ParallelIndexCam<T>::youngs_modulus,
-      &ParallelIndexCam<T>::poisson_ratio,   &ParallelIndexCam<T>::cutter_radius,
-      &ParallelIndexCam<T>::bore_radius,     &ParallelIndexCam<T>::shaft_radius,
-      &ParallelIndexCam<T>::train_stiffness, &ParallelIndexCam<T>::train_damping,
-      &ParallelIndexCam<T>::end_share,       &ParallelIndexCam<T>::crown_radius};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
-  static const Parameters all =
-      joined({stations_parameter(4),
-              {{"rollers", "N", "1", "1", "rollers of the turret for each cam", 4, 2, 60, true},
-               {"plates", "P", "1", "1", "disc cams on the shaft", 2, 2, 4, true}},
-              index_sizes(90, 60),
-              roller_radius_parameter(8),
-              index_load(),
-              contact_parameters(),
-              cutter_parameter(),
-              bore_parameter(),
-              {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
-                10, 0, 1e5}},
-              table_train(),
-              turret_crown()});
-  return all;
-}
-
 namespace {
 
 constexpr const char *kDriving = "driving flank", *kHolding = "holding flank";
@@ -126,7 +91,7 @@ Mechanism parallel_index_cam_mechanism() {
       {.name = "parallel-index-cam",
        .title = "parallel index drive: conjugate disc cams that turn a turret with rollers",
        .source = "docs/theory.md, Index drives",
-       .parameters = MachineTraits<ParallelIndexCam>::parameters(),
+       .parameters = parameters_of<ParallelIndexCam>(),
        .responses = parallel_responses(),
        .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle(), kHolding), peak_undercut(),
                  of_second(peak_undercut(), kHolding), peak_turret_torque(), peak_torque(),

@@ -32,12 +32,12 @@ template <template <class> class M, class Integrand, class F>
 MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
   using Numbers = std::span<const Expression>;
   const UnitFactor factor(about.stored, about.unit);
-  return recorded_mean(
-      detail::described<M>(std::move(about)), MachineTraits<M>::parameters().size(),
-      detail::written_integrand<M>(integrand), [formula, factor](Numbers parameters, Numbers mean) {
-        return factor.template as<Expression>() *
-               formula(detail::machine_of<M>(parameters), mean[0]);
-      });
+  return recorded_mean(detail::described<M>(std::move(about)), parameters_of<M>().size(),
+                       detail::written_integrand<M>(integrand),
+                       [formula, factor](Numbers parameters, Numbers mean) {
+                         return factor.template as<Expression>() *
+                                formula(detail::machine_of<M>(parameters), mean[0]);
+                       });
 }
 
 /// The same of the means of two integrands: formula(machine, first, second) -> T.
@@ -45,8 +45,7 @@ template <template <class> class M, class First, class Second, class F>
 MechanismResponse mean_number(ResponseAbout about, First first, Second second, F formula) {
   using Numbers = std::span<const Expression>;
   const UnitFactor factor(about.stored, about.unit);
-  return recorded_means(detail::described<M>(std::move(about)),
-                        MachineTraits<M>::parameters().size(),
+  return recorded_means(detail::described<M>(std::move(about)), parameters_of<M>().size(),
                         {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},
                         [formula, factor](Numbers parameters, Numbers means) {
                           return factor.template as<Expression>() *

@@ -83,7 +83,7 @@ std::vector<Margin> margins_of() {
         return machine_of<M>(parameters).conditions()[k].margin;
       };
       result.push_back({write, conditions[k].may_be_zero, [](std::size_t parameter) {
-                          const MechanismParameter& p = MachineTraits<M>::parameters()[parameter];
+                          const MechanismParameter& p = parameters_of<M>()[parameter];
                           return Interval(p.low, p.high);
                         }});
     }
@@ -94,8 +94,7 @@ std::vector<Margin> margins_of() {
 /// What decides whether there is such a machine.
 template <template <class> class M>
 const PossibleBy& possible_machines() {
-  static const PossibleBy kept =
-      possible_by(margins_of<M>(), MachineTraits<M>::parameters().size());
+  static const PossibleBy kept = possible_by(margins_of<M>(), parameters_of<M>().size());
   return kept;
 }
 
@@ -122,7 +121,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
                                      std::span<const Expression>) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters));
   };
-  return recorded_number(std::move(response), MachineTraits<M>::parameters());
+  return recorded_number(std::move(response), parameters_of<M>());
 }
 
 template <template <class> class M, class F>
@@ -134,7 +133,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
     return factor.as<Expression>() *
            applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
   };
-  return recorded_curve(std::move(response), MachineTraits<M>::parameters(), cycle,
+  return recorded_curve(std::move(response), parameters_of<M>(), cycle,
                         [formula, factor](std::span<const double> parameters, const Formula& record,
                                           std::span<const double> arguments, bool is_possible) {
                           return std::make_unique<detail::CurveFormulaOf<M, F>>(

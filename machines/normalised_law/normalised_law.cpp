@@ -17,30 +17,17 @@ namespace {
 /// What a law is looked at with: undamped followers of up to three natural periods.
 template <class T>
 struct Followers {
-  T first = number<T>(2), second = number<T>(3), third = number<T>(4);  ///< period ratios
-};
+  Given<T> given = {};
+  T first = given(ratio("period_ratio", "tau", 2));
+  T second = given(ratio("period_ratio_2", "tau_2", 3));
+  T third = given(ratio("period_ratio_3", "tau_3", 4));
 
-}  // namespace
-
-template <>
-struct MachineTraits<Followers> {
-  static const std::vector<MechanismParameter>& parameters() {
-    const auto ratio = [](const char* name, const char* symbol, double default_value) {
-      return MechanismParameter{
-          name,          symbol, "1", "1", "duration of the law over a follower's natural period",
-          default_value, 1e-3,   1000};
-    };
-    static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
-                                                     ratio("period_ratio_2", "tau_2", 3),
-                                                     ratio("period_ratio_3", "tau_3", 4)};
-    return all;
+ private:
+  static constexpr MachineParameter ratio(const char* name, const char* symbol, double value) {
+    return {name,  symbol, "1", "1", "duration of the law over a follower's natural period",
+            value, 1e-3,   1000};
   }
-  template <class T>
-  static constexpr std::array<T Followers<T>::*, 3> fields{
-      &Followers<T>::first, &Followers<T>::second, &Followers<T>::third};
 };
-
-namespace {
 
 using optim::Shape;
 
@@ -226,7 +213,7 @@ Mechanism normalised_law_mechanism() {
   return {.name = "law",
           .title = "a motion law alone, normalised",
           .source = "VDI 2143",
-          .parameters = MachineTraits<Followers>::parameters(),
+          .parameters = parameters_of<Followers>(),
           .responses = responses(),
           .peaks = {{"C_v", "velocity", P::Magnitude,
                      "peak velocity; also max_velocity, and B in older files"},

@@ -10,118 +10,9 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<ServoAxis> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T ServoAxis<T>::*, 15> fields{
-      &ServoAxis<T>::stroke,        &ServoAxis<T>::cycle_speed,       &ServoAxis<T>::gear_ratio,
-      &ServoAxis<T>::gear_inertia,  &ServoAxis<T>::efficiency,        &ServoAxis<T>::load_inertia,
-      &ServoAxis<T>::load,          &ServoAxis<T>::friction,          &ServoAxis<T>::viscosity,
-      &ServoAxis<T>::motor_inertia, &ServoAxis<T>::continuous_torque, &ServoAxis<T>::maximum_torque,
-      &ServoAxis<T>::corner_speed,  &ServoAxis<T>::maximum_speed,     &ServoAxis<T>::end_torque};
-};
-
-template <>
-struct MachineTraits<LinearServoAxis> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T LinearServoAxis<T>::*, 16> fields{
-      &LinearServoAxis<T>::stroke,         &LinearServoAxis<T>::feed,
-      &LinearServoAxis<T>::cycle_speed,    &LinearServoAxis<T>::gear_ratio,
-      &LinearServoAxis<T>::gear_inertia,   &LinearServoAxis<T>::efficiency,
-      &LinearServoAxis<T>::mass,           &LinearServoAxis<T>::load,
-      &LinearServoAxis<T>::friction,       &LinearServoAxis<T>::viscosity,
-      &LinearServoAxis<T>::motor_inertia,  &LinearServoAxis<T>::continuous_torque,
-      &LinearServoAxis<T>::maximum_torque, &LinearServoAxis<T>::corner_speed,
-      &LinearServoAxis<T>::maximum_speed,  &LinearServoAxis<T>::end_torque};
-};
-
 namespace {
 
 using optim::Part;
-using AxisParameters = std::vector<MechanismParameter>;
-
-/// The gear, whose ratio is per turn of `turn`.
-void add_gear(AxisParameters& all, double ratio, const std::string& turn) {
-  all.insert(
-      all.end(),
-      {{"gear_ratio", "i", "1", "1", "turns of the motor per turn of the " + turn, ratio, 1e-3,
-        1e5},
-       {"gear_inertia", "J_G", "kg cm2", "kg m2",
-        "moment of inertia of gear and coupling, referred to the motor's shaft", 0.3, 0, 1e8},
-       {"gear_efficiency", "eta", "1", "1",
-        "efficiency of gear and guide, in either direction of power flow", 0.95, 0.01, 1}});
-}
-
-void add_motor(AxisParameters& all) {
-  all.insert(
-      all.end(),
-      {{"motor_inertia", "J_M", "kg cm2", "kg m2", "moment of inertia of the motor, with a brake",
-        1.6, 1e-6, 1e8},
-       {"continuous_torque", "M_0", "N m", "N m",
-        "torque that the motor can deliver continuously without overheating", 2.4, 1e-6, 1e7},
-       {"maximum_torque", "M_max", "N m", "N m", "greatest torque up to the corner speed", 7.2,
-        1e-6, 1e7},
-       {"corner_speed", "n_c", "rpm", "rad/s", "speed above which the greatest torque falls", 3600,
-        0, 1e6},
-       {"maximum_speed", "n_max", "rpm", "rad/s", "greatest speed of the motor", 6000, 1e-3, 1e6},
-       {"end_torque", "M_e", "N m", "N m", "greatest torque at the maximum speed", 3, 0, 1e7}});
-}
-
-MechanismParameter cycles_per_minute(double n) {
-  return {"speed", "n", "rpm", "rad/s", "cycles of the axis per minute", n, 1e-3, 1e6};
-}
-
-}  // namespace
-
-const std::vector<MechanismParameter>& MachineTraits<ServoAxis>::parameters() {
-  static const AxisParameters all = [] {
-    AxisParameters list{
-        {"stroke", "S", "deg", "rad", "travel of the load at displacement 1", 90, 1e-6, 1e6},
-        cycles_per_minute(120)};
-    add_gear(list, 10, "load");
-    list.insert(
-        list.end(),
-        {{"load_inertia", "J_L", "kg m2", "kg m2",
-          "moment of inertia of everything that turns with the load", 0.02, 0, 1e6},
-         {"load_torque", "M_L", "N m", "N m",
-          "constant torque of the load that opposes motion to greater displacements", 0, -1e9, 1e9},
-         {"friction_torque", "M_C", "N m", "N m",
-          "friction of the load, which opposes its motion at any speed", 0, 0, 1e9},
-         {"viscous_friction", "d", "N m s", "N m s",
-          "viscous friction of the load, per unit of its velocity", 0, 0, 1e9}});
-    add_motor(list);
-    return list;
-  }();
-  return all;
-}
-
-const std::vector<MechanismParameter>& MachineTraits<LinearServoAxis>::parameters() {
-  static const AxisParameters all = [] {
-    AxisParameters list{
-        {"stroke", "S", "mm", "m", "travel of the load at displacement 1", 200, 1e-6, 1e6},
-        {"feed", "p", "mm", "m",
-         "travel of the load per turn of the screw, the pinion or the belt's pulley", 100, 1e-3,
-         1e5},
-        cycles_per_minute(60)};
-    add_gear(list, 3, "screw or pinion");
-    list.insert(
-        list.end(),
-        {{"mass", "m", "kg", "kg", "mass of everything that moves with the load", 10, 0, 1e6},
-         {"load_force", "F_L", "N", "N",
-          "constant force of the load that opposes motion to greater displacements", 0, -1e9, 1e9},
-         {"friction_force", "F_C", "N", "N",
-          "friction of the load, which opposes its motion at any speed", 0, 0, 1e9},
-         {"viscous_friction", "d", "N s/m", "N s/m",
-          "viscous friction of the load, per unit of its velocity", 0, 0, 1e9}});
-    add_motor(list);
-    return list;
-  }();
-  return all;
-}
-
-namespace {
 
 enum class ServoCurve {
   Displacement,
@@ -262,7 +153,7 @@ std::vector<MechanismResponse> servo_numbers() {
                     [](const auto&, const auto& mean) { return root_of_squares(mean); }),
       servo_mean<M>({"rms_utilisation", "1", "1", "torque_rms over the continuous torque"}, square,
                     [](const auto& axis, const auto& mean) {
-                      return root_of_squares(mean) / axis.continuous_torque;
+                      return root_of_squares(mean) / axis.motor.continuous_torque;
                     }),
       servo_mean<M>({"mean_power", "W", "W", "mean power of the motor's shaft"}, power,
                     [](const auto&, const auto& mean) { return mean; }),
@@ -291,7 +182,7 @@ Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& 
       .name = name,
       .title = title,
       .source = "docs/theory.md, Servo axes",
-      .parameters = MachineTraits<M>::parameters(),
+      .parameters = parameters_of<M>(),
       .responses = std::move(responses),
       .peaks = {{"peak_torque", "motor_torque", Part::Magnitude, "greatest torque of the motor"},
                 {"peak_motor_speed", "motor_speed", Part::Magnitude, "greatest speed of the motor"},

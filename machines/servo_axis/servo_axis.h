@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/law.h"
+#include "machines/model/given.h"
 #include "machines/model/possibility.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/extremes.h"
@@ -21,6 +22,21 @@ struct ServoMotor {
   T maximum_speed;      ///< omega_max, rad/s
   T end_torque;         ///< M_e, N m, at the maximum speed
 
+  static ServoMotor given_by(Given<T>& given) {
+    return {given({"motor_inertia", "J_M", "kg cm2", "kg m2",
+                   "moment of inertia of the motor, with a brake", 1.6, 1e-6, 1e8}),
+            given({"continuous_torque", "M_0", "N m", "N m",
+                   "torque that the motor can deliver continuously without overheating", 2.4, 1e-6,
+                   1e7}),
+            given({"maximum_torque", "M_max", "N m", "N m",
+                   "greatest torque up to the corner speed", 7.2, 1e-6, 1e7}),
+            given({"corner_speed", "n_c", "rpm", "rad/s",
+                   "speed above which the greatest torque falls", 3600, 0, 1e6}),
+            given({"maximum_speed", "n_max", "rpm", "rad/s", "greatest speed of the motor", 6000,
+                   1e-3, 1e6}),
+            given({"end_torque", "M_e", "N m", "N m", "greatest torque at the maximum speed", 3, 0,
+                   1e7})};
+  }
   auto conditions() const {
     return std::to_array<Condition<T>>(
         {{corner_speed, "corner_speed must be 0 or above", true},
@@ -110,39 +126,57 @@ struct ServoDrive {
   }
 };
 
-/// The motor's fields of an axis, as ServoMotor names them.
-template <class T>
-struct MotorOfAxis {
-  T motor_inertia = number<T>(1.6e-4);
-  T continuous_torque = number<T>(2.4);
-  T maximum_torque = number<T>(7.2);
-  T corner_speed = number<T>(376.99111843077515);
-  T maximum_speed = number<T>(628.3185307179587);
-  T end_torque = number<T>(3);
+/// Parameters of any axis.
+namespace axes {
 
-  ServoMotor<T> motor() const {
-    return {motor_inertia, continuous_torque, maximum_torque,
-            corner_speed,  maximum_speed,     end_torque};
-  }
-  auto conditions() const { return motor().conditions(); }
-};
+inline constexpr MachineParameter kStroke{
+    "stroke", "S", "deg", "rad", "travel of the load at displacement 1", 90, 1e-6, 1e6},
+    kSpeed{"speed", "n", "rpm", "rad/s", "cycles of the axis per minute", 120, 1e-3, 1e6},
+    kGearRatio{"gear_ratio", "i",  "1", "1", "turns of the motor per turn of the load",
+               10,           1e-3, 1e5},
+    kGearInertia{"gear_inertia",
+                 "J_G",
+                 "kg cm2",
+                 "kg m2",
+                 "moment of inertia of gear and coupling, referred to the motor's shaft",
+                 0.3,
+                 0,
+                 1e8},
+    kEfficiency{"gear_efficiency",
+                "eta",
+                "1",
+                "1",
+                "efficiency of gear and guide, in either direction of power flow",
+                0.95,
+                0.01,
+                1};
+
+}  // namespace axes
 
 /// An axis that turns its load. Fields in SI units.
 template <class T>
-struct ServoAxis : MotorOfAxis<T> {
-  T stroke = number<T>(1.5707963267949);          ///< S, rad, of the load
-  T cycle_speed = number<T>(12.566370614359172);  ///< omega, rad/s, 2 pi per cycle
-  T gear_ratio = number<T>(10);                   ///< i, turns of the motor per turn of the load
-  T gear_inertia = number<T>(0.3e-4);             ///< J_G, kg m^2, at the motor's shaft
-  T efficiency = number<T>(0.95);                 ///< eta
-  T load_inertia = number<T>(0.02);               ///< J_L, kg m^2
-  T load = number<T>(0);                          ///< M_L, N m
-  T friction = number<T>(0);                      ///< M_C, N m
-  T viscosity = number<T>(0);                     ///< d, N m s
+struct ServoAxis {
+  Given<T> given = {};
+  T stroke = given(axes::kStroke);             ///< S, rad, of the load
+  T cycle_speed = given(axes::kSpeed);         ///< omega, rad/s, 2 pi per cycle
+  T gear_ratio = given(axes::kGearRatio);      ///< i, turns of the motor per turn of the load
+  T gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
+  T efficiency = given(axes::kEfficiency);     ///< eta
+  T load_inertia =
+      given({"load_inertia", "J_L", "kg m2", "kg m2",
+             "moment of inertia of everything that turns with the load", 0.02, 0, 1e6});
+  T load = given({"load_torque", "M_L", "N m", "N m",
+                  "constant torque of the load that opposes motion to greater displacements", 0,
+                  -1e9, 1e9});
+  T friction = given({"friction_torque", "M_C", "N m", "N m",
+                      "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
+  T viscosity = given({"viscous_friction", "d", "N m s", "N m s",
+                       "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
+  ServoMotor<T> motor = ServoMotor<T>::given_by(given);
 
+  auto conditions() const { return motor.conditions(); }
   ServoDrive<T> drive() const {
-    return {this->motor(), gear_ratio, gear_inertia, efficiency,
-            load_inertia,  load,       friction,     viscosity};
+    return {motor, gear_ratio, gear_inertia, efficiency, load_inertia, load, friction, viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
   T matched_ratio() const { return drive().matched_turns(); }
@@ -150,22 +184,34 @@ struct ServoAxis : MotorOfAxis<T> {
 
 /// An axis that moves its load along a line, by a screw, a pinion or a belt. Fields in SI units.
 template <class T>
-struct LinearServoAxis : MotorOfAxis<T> {
-  T stroke = number<T>(0.2);                     ///< S, m, of the load
-  T feed = number<T>(0.1);                       ///< p, m, per turn of the screw or pinion
-  T cycle_speed = number<T>(6.283185307179586);  ///< omega, rad/s, 2 pi per cycle
-  T gear_ratio = number<T>(3);                   ///< i, turns of the motor per turn of the pinion
-  T gear_inertia = number<T>(0.3e-4);            ///< J_G, kg m^2, at the motor's shaft
-  T efficiency = number<T>(0.95);                ///< eta
-  T mass = number<T>(10);                        ///< m, kg
-  T load = number<T>(0);                         ///< F_L, N
-  T friction = number<T>(0);                     ///< F_C, N
-  T viscosity = number<T>(0);                    ///< d, N s/m
+struct LinearServoAxis {
+  Given<T> given = {};
+  T stroke =
+      given({"stroke", "S", "mm", "m", "travel of the load at displacement 1", 200, 1e-6, 1e6});
+  T feed = given({"feed", "p", "mm", "m",
+                  "travel of the load per turn of the screw, the pinion or the belt's pulley", 100,
+                  1e-3, 1e5});
+  T cycle_speed = given(axes::kSpeed.by_default(60));  ///< omega, rad/s, 2 pi per cycle
+  T gear_ratio = given(axes::kGearRatio.by_default(3).meaning_that(
+      "turns of the motor per turn of the screw or pinion"));
+  T gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
+  T efficiency = given(axes::kEfficiency);     ///< eta
+  T mass =
+      given({"mass", "m", "kg", "kg", "mass of everything that moves with the load", 10, 0, 1e6});
+  T load = given({"load_force", "F_L", "N", "N",
+                  "constant force of the load that opposes motion to greater displacements", 0,
+                  -1e9, 1e9});
+  T friction = given({"friction_force", "F_C", "N", "N",
+                      "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
+  T viscosity = given({"viscous_friction", "d", "N s/m", "N s/m",
+                       "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
+  ServoMotor<T> motor = ServoMotor<T>::given_by(given);
 
+  auto conditions() const { return motor.conditions(); }
   /// k = 2 pi i / p.
   ServoDrive<T> drive() const {
     const T turns = number<T>(2) * pi<T>() * gear_ratio / feed;
-    return {this->motor(), turns, gear_inertia, efficiency, mass, load, friction, viscosity};
+    return {motor, turns, gear_inertia, efficiency, mass, load, friction, viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
   T matched_ratio() const { return drive().matched_turns() * feed / (number<T>(2) * pi<T>()); }

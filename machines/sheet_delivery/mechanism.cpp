@@ -8,43 +8,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<SheetDelivery> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &SheetDelivery<T>::guide_ratio,      &SheetDelivery<T>::rod_angle_max,
-      &SheetDelivery<T>::slide_friction_A, &SheetDelivery<T>::slide_friction_B,
-      &SheetDelivery<T>::joint_friction_A, &SheetDelivery<T>::joint_friction_B,
-      &SheetDelivery<T>::joint_friction_O, &SheetDelivery<T>::joint_radius_A,
-      &SheetDelivery<T>::joint_radius_B,   &SheetDelivery<T>::joint_radius_O};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<SheetDelivery>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"guide_ratio", "lambda", "1", "1", "offset of the guide over the length of its stretch", 0.4,
-       1e-3, 100},
-      {"rod_angle_max", "alpha_max", "deg", "rad", "angle of the rod at the greatest offset", 60,
-       0.1, 89},
-      {"slide_friction_A", "f_A'", "1", "1",
-       "coefficient of friction of the chain's link in its guide", 0.1, 0, 10},
-      {"slide_friction_B", "f_B'", "1", "1", "coefficient of friction of the carriage in its guide",
-       0.1, 0, 10},
-      {"joint_friction_A", "f_A", "1", "1", "coefficient of friction in the joint of rod and link",
-       0.15, 0, 10},
-      {"joint_friction_B", "f_B", "1", "1",
-       "coefficient of friction in the joint of rod and carriage", 0.15, 0, 10},
-      {"joint_friction_O", "f_O", "1", "1", "coefficient of friction in the sprocket's bearing",
-       0.15, 0, 10},
-      {"joint_radius_A", "r_A", "1", "1",
-       "radius of the joint of rod and link over the rod's length", 0.1, 0, 1},
-      {"joint_radius_B", "r_B", "1", "1",
-       "radius of the joint of rod and carriage over the rod's length", 0.1, 0, 1},
-      {"joint_radius_O", "r_O", "1", "1", "radius of the bearing over that of the sprocket", 0.1, 0,
-       1}};
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -175,7 +138,7 @@ Mechanism sheet_delivery_mechanism() {
               "Analytical study of the efficiency of sheet-delivery conveyors with "
               "curvilinear chain guides, Polihrafiia i vydavnycha sprava, received "
               "29.12.1982",
-          .parameters = MachineTraits<SheetDelivery>::parameters(),
+          .parameters = parameters_of<SheetDelivery>(),
           .responses = std::move(responses),
           .peaks = {{"least_efficiency", "efficiency", Part::Lowest,
                      "least efficiency from the motor to the carriage"},

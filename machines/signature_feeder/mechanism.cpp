@@ -8,28 +8,6 @@
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<SignatureFeeder> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &SignatureFeeder<T>::crank_radius, &SignatureFeeder<T>::centre_distance,
-      &SignatureFeeder<T>::offset, &SignatureFeeder<T>::pinion_radius,
-      &SignatureFeeder<T>::crank_speed};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<SignatureFeeder>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"crank_radius", "r1", "mm", "m", "radius of the crank", 92, 1e-3, 1e5},
-      {"centre_distance", "L", "mm", "m", "distance of the centres of crank and guide", 702, 1e-3,
-       1e5},
-      {"offset", "e", "mm", "m", "distance of the guide's centre from the rack's pitch line", 52, 0,
-       1e5},
-      {"pinion_radius", "r_p", "mm", "m", "pitch radius of the cylinder's pinion", 45, 1e-3, 1e5},
-      {"speed", "n", "rpm", "rad/s", "speed of the crank", 60, 1e-3, 1e6}};
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -115,7 +93,7 @@ Mechanism signature_feeder_mechanism() {
               "O. V. Romanchenko, Z. M. Prystavskyi, Synthesis of the coulisse-rack mechanism "
               "and determination of the kinematic characteristics of the delivery cylinders "
               "of the reversing signature feeder, NTUU KPI",
-          .parameters = MachineTraits<SignatureFeeder>::parameters(),
+          .parameters = parameters_of<SignatureFeeder>(),
           .responses = std::move(responses),
           .peaks = {{"peak_velocity", "drum_velocity", Part::Magnitude,
                      "greatest angular velocity of the cylinder"},

@@ -95,26 +95,13 @@ std::vector<MechanismResponse> cutter_curves() {
 
 }  // namespace
 
-const std::vector<MechanismParameter>& spine_cutter_parameters() {
-  static const std::vector<MechanismParameter> parameters{
-      {"cutter_diameter", "D_f", "mm", "m", "outer diameter of the cutter", 50, 1e-3, 1e4},
-      {"blades", "z", "1", "1", "number of blades", 17, 1, 1e4, true},
-      {"stroke", "S_f", "mm", "m", "axial stroke, one way", 40, 1e-3, 1e4},
-      {"block_speed", "V", "m/s", "m/s", "speed of the book block", 0.3, 1e-6, 1e3},
-      {"depth", "h", "mm", "m", "depth of the notches", 0.4, 1e-6, 1e4},
-      {"mass", "m", "kg", "kg", "mass that the cam moves", 2.4, 1e-6, 1e6},
-      {"pressure_angle", "v", "deg", "rad", "permissible pressure angle", 30, 0.1, 89.9},
-      {"cam_radius", "R", "mm", "m", "radius of the cam", 35, 1e-3, 1e4}};
-  return parameters;
-}
-
 Mechanism spine_cutter_mechanism() {
   std::vector<MechanismResponse> responses = cutter_numbers();
   append(responses, cutter_curves());
   return {.name = "spine-cutter",
           .title = "spine-notching cutter stroked by a face cam",
           .source = "Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70)",
-          .parameters = spine_cutter_parameters(),
+          .parameters = parameters_of<SpineCutter>(),
           .responses = std::move(responses),
           .peaks = {{"minimum_cam_radius", "required_cam_radius", Part::Magnitude,
                      "least cam radius at the permissible pressure angle"},

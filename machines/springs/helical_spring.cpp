@@ -11,55 +11,36 @@ namespace {
 
 /// A spring that works between two deflections, no longer than its least gaps ask for.
 template <class T>
-struct WorkingSpring : HelicalSpring<T> {
-  T preload_deflection, working_deflection, gap_factor, seating;
+struct WorkingSpring {
+  Given<T> given = {};
+  T wire_diameter = given({"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3});
+  T mean_diameter =
+      given({"mean_diameter", "D", "mm", "m", "mean diameter of the coils", 24, 1e-3, 1e4});
+  T active_coils = given({"active_coils", "n", "1", "1", "active coils", 8.5, 0.1, 1e4});
+  T end_coils = given({"end_coils", "n_e", "1", "1", "inactive coils at the ends", 2, 0, 100});
+  T preload_deflection =
+      given({"preload_deflection", "s_1", "mm", "m", "least deflection", 10, 0, 1e5});
+  T working_deflection =
+      given({"working_deflection", "s_2", "mm", "m", "greatest deflection", 30, 0, 1e5});
+  T shear_modulus = given({"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4});
+  T youngs_modulus = given({"youngs_modulus", "E", "GPa", "Pa",
+                            "Young's modulus, above the shear modulus", 206, 1e-3, 1e4});
+  T density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
+  T gap_factor = given({"gap_factor", "k_a", "1", "1",
+                        "gaps between coils at the working deflection over the least permitted "
+                        "ones; 1.5 if the deflection varies",
+                        1, 0, 1000});
+  T seating = given({"seating", "nu", "1", "1",
+                     "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1, 10});
 
-  T gaps() const { return gap_factor * HelicalSpring<T>::least_gaps(); }
-  T free_length() const { return HelicalSpring<T>::free_length(working_deflection, gap_factor); }
+  HelicalSpring<T> coil() const {
+    return {wire_diameter, mean_diameter, active_coils,  shear_modulus,
+            density,       end_coils,     youngs_modulus};
+  }
+  auto conditions() const { return coil().conditions(); }
+  T gaps() const { return gap_factor * coil().least_gaps(); }
+  T free_length() const { return coil().free_length(working_deflection, gap_factor); }
 };
-
-}  // namespace
-
-template <>
-struct MachineTraits<WorkingSpring> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T WorkingSpring<T>::*, 11> fields{
-      &WorkingSpring<T>::wire_diameter,
-      &WorkingSpring<T>::mean_diameter,
-      &WorkingSpring<T>::active_coils,
-      &WorkingSpring<T>::end_coils,
-      &WorkingSpring<T>::preload_deflection,
-      &WorkingSpring<T>::working_deflection,
-      &WorkingSpring<T>::shear_modulus,
-      &WorkingSpring<T>::youngs_modulus,
-      &WorkingSpring<T>::density,
-      &WorkingSpring<T>::gap_factor,
-      &WorkingSpring<T>::seating};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<WorkingSpring>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3},
-      {"mean_diameter", "D", "mm", "m", "mean diameter of the coils", 24, 1e-3, 1e4},
-      {"active_coils", "n", "1", "1", "active coils", 8.5, 0.1, 1e4},
-      {"end_coils", "n_e", "1", "1", "inactive coils at the ends", 2, 0, 100},
-      {"preload_deflection", "s_1", "mm", "m", "least deflection", 10, 0, 1e5},
-      {"working_deflection", "s_2", "mm", "m", "greatest deflection", 30, 0, 1e5},
-      {"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4},
-      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus, above the shear modulus", 206, 1e-3,
-       1e4},
-      {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
-      {"gap_factor", "k_a", "1", "1",
-       "gaps between coils at the working deflection over the least permitted ones; 1.5 if the "
-       "deflection varies",
-       1, 0, 1000},
-      {"seating", "nu", "1", "1", "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1,
-       10}};
-  return all;
-}
-
-namespace {
 
 using S = optim::Shape;
 
@@ -82,28 +63,31 @@ std::vector<ShapeStatement> linear_in_wire() {
 }
 
 std::vector<MechanismResponse> coil_forces() {
-  return {
-      coil_number({"rate", "N/mm", "N/m", "rate", of_rate()},
-                  [](const auto& spring) { return spring.rate(); }),
-      coil_number({"preload_force", "N", "N", "force at the preload deflection", of_rate()},
-                  [](const auto& spring) { return spring.force(spring.preload_deflection); }),
-      coil_number({"working_force", "N", "N", "force at the working deflection", of_rate()},
-                  [](const auto& spring) { return spring.force(spring.working_deflection); }),
-      coil_number(
-          {"stroke", "mm", "m", "working deflection minus preload deflection"},
-          [](const auto& spring) { return spring.working_deflection - spring.preload_deflection; }),
-      coil_number(
-          {"work", "J", "J", "energy stored between the deflections"}, [](const auto& spring) {
-            return spring.work(spring.working_deflection) - spring.work(spring.preload_deflection);
-          })};
+  return {coil_number({"rate", "N/mm", "N/m", "rate", of_rate()},
+                      [](const auto& spring) { return spring.coil().rate(); }),
+          coil_number(
+              {"preload_force", "N", "N", "force at the preload deflection", of_rate()},
+              [](const auto& spring) { return spring.coil().force(spring.preload_deflection); }),
+          coil_number(
+              {"working_force", "N", "N", "force at the working deflection", of_rate()},
+              [](const auto& spring) { return spring.coil().force(spring.working_deflection); }),
+          coil_number({"stroke", "mm", "m", "working deflection minus preload deflection"},
+                      [](const auto& spring) {
+                        return spring.working_deflection - spring.preload_deflection;
+                      }),
+          coil_number({"work", "J", "J", "energy stored between the deflections"},
+                      [](const auto& spring) {
+                        return spring.coil().work(spring.working_deflection) -
+                               spring.coil().work(spring.preload_deflection);
+                      })};
 }
 
 std::vector<MechanismResponse> coil_stresses() {
   const auto corrected = [](const auto& spring, const auto& deflection) {
-    return spring.shear_stress(spring.force(deflection));
+    return spring.coil().shear_stress(spring.coil().force(deflection));
   };
   const auto uncorrected = [](const auto& spring, const auto& deflection) {
-    return spring.uncorrected_stress(spring.force(deflection));
+    return spring.coil().uncorrected_stress(spring.coil().force(deflection));
   };
   return {
       coil_number({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection"},
@@ -127,15 +111,15 @@ std::vector<MechanismResponse> coil_stresses() {
 std::vector<MechanismResponse> coil_sizes() {
   return {
       coil_number({"index", "1", "1", "mean diameter over wire diameter"},
-                  [](const auto& spring) { return spring.index(); }),
+                  [](const auto& spring) { return spring.coil().index(); }),
       coil_number({"outer_diameter", "mm", "m", "outer diameter without load"},
-                  [](const auto& spring) { return spring.outer_diameter(); }),
+                  [](const auto& spring) { return spring.coil().outer_diameter(); }),
       coil_number({"inner_diameter", "mm", "m", "inner diameter without load"},
-                  [](const auto& spring) { return spring.inner_diameter(); }),
+                  [](const auto& spring) { return spring.coil().inner_diameter(); }),
       coil_number({"solid_length", "mm", "m", "solid length, with all coils touching"},
-                  [](const auto& spring) { return spring.solid_length(); }),
+                  [](const auto& spring) { return spring.coil().solid_length(); }),
       coil_number({"working_length", "mm", "m", "length at the working deflection"},
-                  [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
+                  [](const auto& spring) { return spring.coil().solid_length() + spring.gaps(); }),
       coil_number(
           {"preload_length", "mm", "m", "length at the preload deflection"},
           [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
@@ -145,19 +129,19 @@ std::vector<MechanismResponse> coil_sizes() {
       coil_number({"buckling", "1", "1",
                    "how near the working deflection comes to buckling; above 1 the spring buckles"},
                   [](const auto& spring) {
-                    return spring.buckling_fraction(spring.working_deflection, spring.free_length(),
-                                                    spring.seating);
+                    return spring.coil().buckling_fraction(spring.working_deflection,
+                                                           spring.free_length(), spring.seating);
                   })};
 }
 
 std::vector<MechanismResponse> masses() {
   return {coil_number({"mass", "kg", "kg", "mass of the spring"},
-                      [](const auto& spring) { return spring.mass(); }),
+                      [](const auto& spring) { return spring.coil().mass(); }),
           coil_number({"active_mass", "kg", "kg", "mass of the active coils"},
-                      [](const auto& spring) { return spring.active_mass(); }),
+                      [](const auto& spring) { return spring.coil().active_mass(); }),
           coil_number({"surge_frequency", "Hz", "Hz", "lowest natural frequency, both ends held",
                        linear_in_wire()},
-                      [](const auto& spring) { return spring.surge_frequency(); })};
+                      [](const auto& spring) { return spring.coil().surge_frequency(); })};
 }
 
 }  // namespace
@@ -170,7 +154,7 @@ Mechanism helical_spring_mechanism() {
           .source =
               "EN 13906-1, Cylindrical helical springs made from round wire and bar, "
               "calculation and design, part 1: compression springs",
-          .parameters = MachineTraits<WorkingSpring>::parameters(),
+          .parameters = parameters_of<WorkingSpring>(),
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
