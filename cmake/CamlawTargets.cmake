@@ -15,7 +15,8 @@ endfunction()
 
 # Compiles the sources as units of up to CAMLAW_UNITY files: most of a file's time goes into the headers
 # and templates that its neighbours need too (benchmarks/README.md). Sources that follow LONG take longer
-# by themselves: up to four of a folder form a unit, for in a large one the compiler inlines less.
+# by themselves: up to four of a folder form a unit, for in a large one the compiler inlines less;
+# those of no folder are compiled alone.
 function(camlaw_units target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" LONG)
   if(NOT CAMLAW_UNITY)
@@ -30,6 +31,9 @@ function(camlaw_units target)
   set(folders)
   foreach(source IN LISTS arg_LONG)
     get_filename_component(folder ${source} DIRECTORY)
+    if(folder STREQUAL "")
+      continue()
+    endif()
     string(MAKE_C_IDENTIFIER ${folder} folder)
     list(APPEND long_${folder} ${source})
     list(APPEND folders ${folder})

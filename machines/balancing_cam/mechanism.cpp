@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "machines/balancing_cam/mechanism.h"
 
 #include "machines/balancing_cam/balancing_cam.h"
 #include "machines/cams/buildable_checks.h"
@@ -7,6 +6,7 @@
 #include "machines/model/append.h"
 #include "machines/model/peak_number.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -199,7 +199,7 @@ MechanismResponse balance(const char* name, const char* meaning, const Mechanism
 }
 
 template <template <class> class M>
-Mechanism balancing_cam(const char* name, const char* title) {
+Mechanism balancing_cam(const char* name, const char* title, UsualProblem usual) {
   std::vector<MechanismResponse> responses = balancing_numbers<M>();
   responses.push_back(
       balance<M>("balancing_coefficient",
@@ -230,7 +230,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
        .moved_by = MovedBy::Nothing,
        .validity = {{"flattening", 1}},
        .form = Form::BalancingCam,
-       .why_impossible = why_impossible_as<M>},
+       .why_impossible = why_impossible_as<M>,
+       .usual = usual_problem(std::move(usual))},
       {undercut_checks(), stress_checks()});
 }
 
@@ -238,13 +239,25 @@ Mechanism balancing_cam(const char* name, const char* title) {
 
 Mechanism planar_balancing_cam_mechanism() {
   return balancing_cam<PlanarBalancingCam>(
-      "balancing-cam", "spring-loaded cam that balances a conveyor with a planar Geneva");
+      "balancing-cam", "spring-loaded cam that balances a conveyor with a planar Geneva",
+      {.objective = "spring_tension",
+       .variables = {{"preload_ratio", 0.6, 2, 1}, {"cone_height", 0.65, 1, 0.75}},
+       .limits = {{"flattening", kNone, 0.75}, {"balancing_coefficient", 9.1, kNone}},
+       .others = {"peak_residual_torque", "peak_stress", "peak_pressure_angle",
+                  "least_roller_force", "spring_stress", "undercut"},
+       .constants = {{"springs", 48}}});
 }
 
 Mechanism spherical_balancing_cam_mechanism() {
   return balancing_cam<SphericalBalancingCam>(
       "balancing-cam-spherical",
-      "spring-loaded cam that balances a conveyor with a spherical Geneva");
+      "spring-loaded cam that balances a conveyor with a spherical Geneva",
+      {.objective = "spring_tension",
+       .variables = {{"preload_ratio", 0.6, 2, 1}, {"cone_height", 0.65, 1, 0.75}},
+       .limits = {{"flattening", kNone, 0.75}, {"balancing_coefficient", 3.7, kNone}},
+       .others = {"peak_residual_torque", "peak_stress", "peak_pressure_angle",
+                  "least_roller_force", "spring_stress", "undercut"},
+       .constants = {{"springs", 48}}});
 }
 
 }  // namespace camlaw::problems

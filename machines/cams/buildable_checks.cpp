@@ -12,15 +12,17 @@ namespace {
 /// Every input that a check of a cam has.
 const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
-      {"wheel_radius", "mm", "radius of the grinding wheel"},
-      {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius"},
+      {"wheel_radius", "mm", "radius of the grinding wheel", 50},
+      {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius",
+       5},
       {"keyway_depth", "mm",
-       "how far the corner of the hub's keyway lies beyond bore_radius; the wall begins there"},
-      {"arm_width", "mm", "width of the arm, and of its eye around the pivot"},
-      {"free_length", "mm", "free length of the spring"},
-      {"solid_length", "mm", "solid length of the spring, with all its coils closed"},
-      {"solid_angle", "deg", "deflection at which the spring of the arm is solid"},
-      {"allowable_pressure", "MPa", "permissible Hertz pressure of the material"}};
+       "how far the corner of the hub's keyway lies beyond bore_radius; the wall begins there",
+       3.3},
+      {"arm_width", "mm", "width of the arm, and of its eye around the pivot", 16},
+      {"free_length", "mm", "free length of the spring", 100},
+      {"solid_length", "mm", "solid length of the spring, with all its coils closed", 30},
+      {"solid_angle", "deg", "deflection at which the spring of the arm is solid", 60},
+      {"allowable_pressure", "MPa", "permissible Hertz pressure of the material", 1200}};
   return all;
 }
 

@@ -3,17 +3,16 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 constexpr const char *kMain = "main cam", *kSecond = "second cam";
@@ -57,7 +56,16 @@ Mechanism conjugate_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscConjugate,
-       .why_impossible = why_impossible_as<ConjugateCam>},
+       .why_impossible = why_impossible_as<ConjugateCam>,
+       .usual = usual_problem(
+           {.objective = "roller_distance",
+            .variables = {{"base_radius", 20, 120, 50}, {"roller_distance", 60, 300, 180}},
+            .limits = {{"pressure_angle", -35, 35},
+                       {"second_pressure_angle", -35, 35},
+                       {"second_base_radius", 25, kNone}},
+            .others = {"peak_stress", "peak_torque", "undercut", "life", "outer_radius",
+                       "second_outer_radius"},
+            .segments = rise_and_return()})},
       {conjugate_checks(), guide_checks()});
 }
 

@@ -3,13 +3,13 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -33,7 +33,13 @@ Mechanism end_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::EndRoller,
-       .why_impossible = why_impossible_as<EndCam>},
+       .why_impossible = why_impossible_as<EndCam>,
+       .usual = usual_problem({.objective = "radius",
+                               .variables = {{"radius", 5, 200, 60}},
+                               .limits = {{"pressure_angle", -35, 35}},
+                               .others = {"undercut", "follower_force", "peak_stress",
+                                          "peak_torque", "contact_loss_speed", "life"},
+                               .segments = rise_and_return()})},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 

@@ -3,17 +3,16 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -64,7 +63,14 @@ Mechanism flat_cam_mechanism() {
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlat,
-                  .why_impossible = why_impossible_as<FlatCam>},
+                  .why_impossible = why_impossible_as<FlatCam>,
+                  .usual = usual_problem(
+                      {.objective = "base_radius",
+                       .variables = {{"base_radius", 10, 200, 80}},
+                       .limits = {{"profile_radius", 5, kNone}, {"follower_force", 0, kNone}},
+                       .others = {"peak_stress", "peak_torque", "contact_loss_speed",
+                                  "face_half_width", "outer_radius", "cam_mass"},
+                       .segments = rise_and_return()})},
                  {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks(),
                   guide_checks()});
 }

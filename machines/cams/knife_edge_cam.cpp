@@ -3,16 +3,15 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -82,7 +81,14 @@ Mechanism knife_edge_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscKnifeEdge,
-       .why_impossible = why_impossible_as<KnifeEdgeCam>},
+       .why_impossible = why_impossible_as<KnifeEdgeCam>,
+       .usual =
+           usual_problem({.objective = "base_radius",
+                          .variables = {{"base_radius", 5, 120, 60}},
+                          .limits = {{"pressure_angle", -40, 35}, {"profile_curvature", 0, kNone}},
+                          .others = {"peak_pressure_angle", "peak_force", "peak_torque",
+                                     "contact_loss_speed", "outer_radius", "cam_mass"},
+                          .segments = rise_and_return()})},
       {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }
 

@@ -3,17 +3,16 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 /// A plate has no shaft: its force stands for the torque.
@@ -59,7 +58,13 @@ Mechanism linear_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::Plate,
-       .why_impossible = why_impossible_as<LinearCam>},
+       .why_impossible = why_impossible_as<LinearCam>,
+       .usual = usual_problem({.objective = "travel",
+                               .variables = {{"travel", 50, 1000, 400}},
+                               .limits = {{"pressure_angle", -35, 35}, {"undercut", kNone, 0.5}},
+                               .others = {"follower_force", "peak_plate_force", "peak_stress",
+                                          "contact_loss_speed", "life"},
+                               .segments = rise_and_return()})},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 

@@ -3,12 +3,12 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -28,7 +28,13 @@ Mechanism oscillating_end_cam_mechanism() {
                             peak_end_deviation(), least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::EndArm,
-                  .why_impossible = why_impossible_as<OscillatingEndCam>},
+                  .why_impossible = why_impossible_as<OscillatingEndCam>,
+                  .usual = usual_problem({.objective = "radius",
+                                          .variables = {{"radius", 10, 200, 80}},
+                                          .limits = {{"pressure_angle", -40, 35}},
+                                          .others = {"undercut", "follower_torque", "peak_stress",
+                                                     "peak_torque", "contact_loss_speed", "life"},
+                                          .segments = rise_and_return()})},
                  {roller_checks(), force_closure_checks(kOscillating), roller_stress_checks()});
 }
 

@@ -3,16 +3,15 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -65,7 +64,15 @@ Mechanism oscillating_flat_cam_mechanism() {
                             least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlatArm,
-                  .why_impossible = why_impossible_as<OscillatingFlatCam>},
+                  .why_impossible = why_impossible_as<OscillatingFlatCam>,
+                  .usual = usual_problem(
+                      {.objective = "base_radius",
+                       .variables = {{"base_radius", 10, 70, 50}},
+                       .limits = {{"profile_radius", 8, kNone}, {"contact_lever", 30, 180}},
+                       .others = {"follower_torque", "peak_stress", "peak_torque",
+                                  "contact_loss_speed", "outer_radius", "cam_mass"},
+                       .constants = {{"swing", 15}, {"face_offset", 4}, {"pivot_distance", 110}},
+                       .segments = rise_and_return()})},
                  {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
                   stress_checks()});
 }

@@ -3,13 +3,13 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -35,7 +35,15 @@ Mechanism roller_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscRoller,
-       .why_impossible = why_impossible_as<RollerCam>},
+       .why_impossible = why_impossible_as<RollerCam>,
+       .usual = usual_problem({.objective = "base_radius",
+                               .variables = {{"base_radius", 10, 120, 60}},
+                               .limits = {{"pressure_angle", -40, 30},
+                                          {"undercut", kNone, 0.8},
+                                          {"follower_force", 0, kNone}},
+                               .others = {"peak_stress", "peak_torque", "contact_loss_speed",
+                                          "life", "outer_radius", "cam_mass"},
+                               .segments = rise_and_return()})},
       {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks(),
        guide_checks()});
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/geneva/mechanism.h"
 
 #include "machines/geneva/drive_tables.h"
 #include "machines/geneva/surplus.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -64,15 +63,24 @@ std::vector<NamedPeak> peaks() {
 Mechanism planar_geneva_mechanism() {
   std::vector<MechanismResponse> responses = rooms();
   append(responses, drive_responses<PlanarGenevaDrive>());
-  return {.name = "geneva",
-          .title = "planar Geneva that drives a conveyor",
-          .source = "docs/theory.md, Geneva mechanisms",
-          .parameters = parameters_of<PlanarGenevaDrive>(),
-          .responses = std::move(responses),
-          .peaks = peaks(),
-          .moved_by = MovedBy::Nothing,
-          .form = Form::Geneva,
-          .why_impossible = why_impossible_as<PlanarGenevaDrive>};
+  return {
+      .name = "geneva",
+      .title = "planar Geneva that drives a conveyor",
+      .source = "docs/theory.md, Geneva mechanisms",
+      .parameters = parameters_of<PlanarGenevaDrive>(),
+      .responses = std::move(responses),
+      .peaks = peaks(),
+      .moved_by = MovedBy::Nothing,
+      .form = Form::Geneva,
+      .why_impossible = why_impossible_as<PlanarGenevaDrive>,
+      .usual = usual_problem({.objective = "speed",
+                              .sense = optim::Sense::Maximize,
+                              .variables = {{"slots", 4, 8, 6}, {"speed", 10, 200, 50}},
+                              .limits = {{"peak_acceleration", kNone, 60},
+                                         {"driver_shaft_room", 45, kNone},
+                                         {"wheel_shaft_room", 60, kNone}},
+                              .others = {"peak_velocity", "peak_torque", "greatest_drive_torque",
+                                         "crank_radius", "wheel_radius"}})};
 }
 
 Mechanism spherical_geneva_mechanism() {
@@ -84,7 +92,14 @@ Mechanism spherical_geneva_mechanism() {
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,
           .form = Form::SphericalGeneva,
-          .why_impossible = why_impossible_as<SphericalGenevaDrive>};
+          .why_impossible = why_impossible_as<SphericalGenevaDrive>,
+          .usual = usual_problem({.objective = "speed",
+                                  .sense = optim::Sense::Maximize,
+                                  .variables = {{"slots", 4, 8, 6}, {"speed", 10, 200, 40}},
+                                  .limits = {{"peak_torque", kNone, 150}},
+                                  .others = {"peak_velocity", "peak_acceleration",
+                                             "greatest_drive_torque", "mean_torque", "engagement"},
+                                  .constants = {{"inertia", 4}}})};
 }
 
 }  // namespace camlaw::problems

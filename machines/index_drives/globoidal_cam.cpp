@@ -2,9 +2,9 @@
 #include "machines/index_drives/globoidal_cam.h"
 
 #include "machines/cams/buildable_checks.h"
-#include "machines/index_drives/index_drives.h"
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/rib_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -20,7 +20,23 @@ Mechanism globoidal_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},
        .form = Form::RollerGear,
-       .why_impossible = why_impossible_as<GloboidalCam>},
+       .why_impossible = why_impossible_as<GloboidalCam>,
+       .usual = usual_problem(
+           {.objective = "axis_distance",
+            .variables = {{"axis_distance", 100, 500, 220}, {"turret_radius", 50, 250, 100}},
+            .limits = {{"tip_pressure_angle", kNone, 40},
+                       {"roller_gap", 14, kNone},
+                       {"tip_contact_stress", kNone, 1000}},
+            .others = {"peak_stress", "peak_torque", "torque_rms", "undercut", "outer_radius",
+                       "wall"},
+            .constants = {{"stations", 8},
+                          {"roller_radius", 13},
+                          {"speed", 120},
+                          {"inertia", 0.6},
+                          {"friction_torque", 4},
+                          {"face_width", 18},
+                          {"bore_radius", 18}},
+            .segments = index_once(120, 120)})},
       {rib_checks(), ring_checks()});
 }
 

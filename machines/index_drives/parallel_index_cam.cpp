@@ -5,14 +5,13 @@
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/pair_responses.h"
-#include "machines/index_drives/index_drives.h"
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/turret_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 constexpr const char *kDriving = "driving flank", *kHolding = "holding flank";
@@ -102,7 +101,27 @@ Mechanism parallel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,
-       .why_impossible = why_impossible_as<ParallelIndexCam>},
+       .why_impossible = why_impossible_as<ParallelIndexCam>,
+       .usual = usual_problem(
+           {.objective = "axis_distance",
+            .variables = {{"axis_distance", 60, 400, 170}, {"turret_radius", 40, 300, 120}},
+            .limits = {{"pressure_angle", -40, 40},
+                       {"second_pressure_angle", -40, 40},
+                       {"crossing_ratio", kNone, 1.05},
+                       {"contact_stress", kNone, 900}},
+            .others = {"peak_stress", "peak_torque", "torque_rms", "undercut", "second_undercut",
+                       "outer_radius"},
+            .constants = {{"stations", 8},
+                          {"rollers", 8},
+                          {"plates", 3},
+                          {"speed", 120},
+                          {"inertia", 4},
+                          {"friction_torque", 4},
+                          {"face_width", 14},
+                          {"bore_radius", 30},
+                          {"shaft_radius", 20},
+                          {"cutter_radius", 8}},
+            .segments = index_once(80, 200)})},
       {conjugate_checks(), shaft_checks(), ring_checks()});
 }
 

@@ -31,10 +31,9 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. The first call, with
-/// an M<T>, works out what the machine contributes; it returns a callable that takes the follower's
-/// motion along x, a Motion<X>, where X is T or a Taylor series over T, and, if it wants, x itself.
-/// For example
+/// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. It is recorded once:
+/// the machine is an M<Expression>, the follower's motion a Motion<Expression>, x, if the formula
+/// wants it, the place in the cycle. For example
 ///   [](const auto& machine) {
 ///     return [scale = machine.force_scale()](const auto& motion) { return scale * motion.a; };
 ///   }
@@ -50,27 +49,6 @@ template <class T>
 PlaceOf<T> as_place(std::span<const T> u) {
   return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
 }
-
-/// The curve for one machine: compiled over the angle, enclosed by its record.
-template <template <class> class M, class F>
-class CurveFormulaOf final : public RecordedCurveFormula {
-  using OfMotion = std::invoke_result_t<const F&, const M<double>&>;
-
- public:
-  CurveFormulaOf(const M<double>& machine, const UnitFactor& factor, const F& formula,
-                 const Formula& record, std::span<const double> arguments, bool is_possible)
-      : RecordedCurveFormula(record, arguments, is_possible),
-        scale_(is_possible ? factor.template as<double>() : kNaN),
-        of_motion_(formula(machine)) {}
-
-  Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
-    return scale_ * applied(of_motion_, place);
-  }
-
- private:
-  double scale_;
-  OfMotion of_motion_;
-};
 
 /// The margins of a machine's conditions.
 template <template <class> class M>
@@ -133,13 +111,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
     return factor.as<Expression>() *
            applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
   };
-  return recorded_curve(std::move(response), parameters_of<M>(), cycle,
-                        [formula, factor](std::span<const double> parameters, const Formula& record,
-                                          std::span<const double> arguments, bool is_possible) {
-                          return std::make_unique<detail::CurveFormulaOf<M, F>>(
-                              detail::machine_of<M>(parameters), factor, formula, record, arguments,
-                              is_possible);
-                        });
+  return recorded_curve(std::move(response), parameters_of<M>(), cycle, AtPulse::Infinite);
 }
 
 }  // namespace camlaw::problems

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "machines/model/known_names.h"
-#include "machines/usual_problem.h"
+#include "machines/model/usual_problem.h"
 #include "problems/statement/problem_format.h"
 
 namespace camlaw::problems {
@@ -237,8 +237,7 @@ std::string buildable_part(const Mechanism& mechanism) {
       "# the machine's formulas do not have; what is not stated is not checked.\n"
       "[buildable]\nrequire = true\n";
   for (const BuildableInput& input : mechanism.inputs) {
-    text += sentence(input.meaning) +
-            assignment(kOptional, input.name, usual_input(input.name), input.unit);
+    text += sentence(input.meaning) + assignment(kOptional, input.name, input.usual, input.unit);
   }
   return text;
 }
@@ -274,7 +273,7 @@ std::string other_responses(const Mechanism& mechanism, const UsualProblem& usua
 }  // namespace
 
 std::string first_file(const Mechanism& mechanism) {
-  const UsualProblem& usual = usual_problem(mechanism);
+  const UsualProblem& usual = *mechanism.usual;
   return head_part(mechanism) + constants_part(mechanism, usual) + law_part(usual) +
          program_part(usual) + variables_part(mechanism, usual) + objective_part(mechanism, usual) +
          limits_part(mechanism, usual) + buildable_part(mechanism) + solver_part() +

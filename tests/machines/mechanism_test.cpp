@@ -8,7 +8,7 @@
 #include <set>
 
 #include "machines/registry.h"
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 #include "numerics/text/units.h"
 #include "problems/published/spine_cutter/study.h"
 #include "tests/machines/mechanism_fixture.h"

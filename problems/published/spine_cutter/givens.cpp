@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "machines/spine_cutter/mechanism.h"
+#include "machines/model/machine.h"
 #include "numerics/text/units.h"
 #include "problems/published/spine_cutter/study.h"
 

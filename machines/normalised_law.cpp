@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "machines/normalised_law/normalised_law.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "machines/model/law_formula.h"
 #include "machines/model/mean_square.h"
 #include "machines/model/norm_kernel.h"
+#include "machines/model/usual_problem.h"
 
 namespace camlaw::problems {
 namespace {
@@ -222,7 +222,12 @@ Mechanism normalised_law_mechanism() {
                     {"C_j", "jerk", P::Magnitude, "peak jerk; also max_jerk, and D in older files"},
                     {"C_Mdyn", "moment", P::Magnitude,
                      "peak dynamic moment; also max_dynamic_moment, and Cm in older files"}},
-          .form = Form::LawAlone};
+          .form = Form::LawAlone,
+          .usual = usual_problem({.objective = "C_a",
+                                  .limits = {{"C_v", kNone, 1.6}, {"C_j", kNone, 60}},
+                                  .others = {"C_Mdyn", "acceleration", "mean_square_acceleration",
+                                             "mean_square_jerk", "residual_amplitude"},
+                                  .law = "free"})};
 }
 
 }  // namespace camlaw::problems

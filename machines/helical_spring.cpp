@@ -3,8 +3,8 @@
 
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
-#include "machines/springs/springs.h"
 
 namespace camlaw::problems {
 namespace {
@@ -158,7 +158,20 @@ Mechanism helical_spring_mechanism() {
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
-          .why_impossible = why_impossible_as<WorkingSpring>};
+          .why_impossible = why_impossible_as<WorkingSpring>,
+          .usual = usual_problem({.objective = "active_mass",
+                                  .variables = {{"wire_diameter", 1, 8, 4},
+                                                {"mean_diameter", 10, 100, 30},
+                                                {"active_coils", 2, 30, 8},
+                                                {"preload_deflection", 0, 60, 10},
+                                                {"working_deflection", 0, 80, 25}},
+                                  .limits = {{"stroke", 12, kNone},
+                                             {"preload_force", 250, kNone},
+                                             {"working_stress", kNone, 700},
+                                             {"index", kNone, 7},
+                                             {"surge_frequency", 400, kNone}},
+                                  .others = {"rate", "outer_diameter", "free_length",
+                                             "solid_stress", "buckling", "mass"}})};
 }
 
 }  // namespace camlaw::problems

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 #include "machines/springs/disc_spring_stack.h"
-#include "machines/springs/springs.h"
 
 namespace camlaw::problems {
 namespace {
@@ -179,7 +179,19 @@ Mechanism disc_springs_mechanism() {
           .peaks = {},
           .moved_by = MovedBy::Nothing,
           .validity = {{"flattening", 1}},
-          .why_impossible = why_impossible_as<DiscSprings>};
+          .why_impossible = why_impossible_as<DiscSprings>,
+          .usual = usual_problem({.objective = "springs",
+                                  .variables = {{"series", 12, 20, 16},
+                                                {"preload_deflection", 0, 40, 5},
+                                                {"working_deflection", 0, 50, 10}},
+                                  .limits = {{"stroke", 8, kNone},
+                                             {"preload_force", 5500, kNone},
+                                             {"preload_flattening", 0.15, kNone},
+                                             {"flattening", kNone, 0.75},
+                                             {"stress_III", kNone, 1100}},
+                                  .others = {"working_force", "stress_II", "stress_range_III",
+                                             "free_length", "working_length", "mass"},
+                                  .constants = {{"parallel", 2}}})};
 }
 
 }  // namespace camlaw::problems

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/sheet_delivery/mechanism.h"
+#include "machines/sheet_delivery.h"
 
 #include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
-#include "machines/sheet_delivery/sheet_delivery.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -146,7 +145,15 @@ Mechanism sheet_delivery_mechanism() {
                      "least efficiency from the carriage to the motor"},
                     {"greatest_efficiency", "efficiency", Part::Highest,
                      "greatest efficiency from the motor to the carriage"}},
-          .why_impossible = why_impossible_as<SheetDelivery>};
+          .why_impossible = why_impossible_as<SheetDelivery>,
+          .usual = usual_problem(
+              {.objective = "lowest efficiency",
+               .sense = optim::Sense::Maximize,
+               .variables = {{"guide_ratio", 0.1, 2, 0.4}, {"rod_angle_max", 10, 75, 60}},
+               .limits = {{"slow_down", 0.2, kNone}},
+               .others = {"least_efficiency", "least_reverse_efficiency", "greatest_efficiency",
+                          "efficiency", "relative_speed"},
+               .law = "cycloidal"})};
 }
 
 }  // namespace camlaw::problems

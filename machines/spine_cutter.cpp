@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "machines/spine_cutter/mechanism.h"
+#include "machines/spine_cutter.h"
 
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
@@ -107,7 +108,14 @@ Mechanism spine_cutter_mechanism() {
                      "least cam radius at the permissible pressure angle"},
                     {"peak_inertia_force", "inertia_force", Part::Magnitude, "peak inertia force"},
                     {"peak_drive_torque", "drive_torque", Part::Magnitude, "peak drive torque"}},
-          .why_impossible = why_impossible_as<SpineCutter>};
+          .why_impossible = why_impossible_as<SpineCutter>,
+          .usual = usual_problem(
+              {.objective = "cam_radius",
+               .variables = {{"cam_radius", 20, 80, 40}},
+               .limits = {{"cam_pressure_angle", -30, 30}, {"peak_inertia_force", kNone, 20}},
+               .others = {"minimum_cam_radius", "peak_drive_torque", "inertia_force",
+                          "drive_torque", "blades_in_contact"},
+               .law = "modified-sine"})};
 }
 
 }  // namespace camlaw::problems

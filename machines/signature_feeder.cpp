@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/signature_feeder/mechanism.h"
+#include "machines/signature_feeder.h"
 
 #include "machines/model/append.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
-#include "machines/signature_feeder/signature_feeder.h"
 
 namespace camlaw::problems {
-
 namespace {
 
 using optim::Part;
@@ -101,7 +100,15 @@ Mechanism signature_feeder_mechanism() {
                      "greatest angular acceleration of the cylinder"}},
           .moved_by = MovedBy::Nothing,
           .form = Form::SignatureFeeder,
-          .why_impossible = why_impossible_as<SignatureFeeder>};
+          .why_impossible = why_impossible_as<SignatureFeeder>,
+          .usual = usual_problem(
+              {.objective = "peak drum_acceleration",
+               .variables = {{"crank_radius", 60, 150, 92},
+                             {"centre_distance", 400, 900, 702},
+                             {"offset", 45, 200, 52}},
+               .limits = {{"drum_swing", 240, kNone}, {"greatest_guide_length", kNone, 800}},
+               .others = {"peak_velocity", "peak_acceleration", "drum_velocity", "rack_travel",
+                          "guide_swing"}})};
 }
 
 }  // namespace camlaw::problems
