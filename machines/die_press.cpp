@@ -3,7 +3,8 @@
 
 #include "kinematics/law.h"
 #include "machines/contact/hertz.h"
-#include "machines/model/listed_responses.h"
+#include "machines/model/append.h"
+#include "machines/model/responses.h"
 #include "machines/model/usual_problem.h"
 
 namespace camlaw::problems {
@@ -142,100 +143,56 @@ struct DiePress {
 using optim::Part;
 using S = optim::Shape;
 
-enum class PressQuantity {
-  Force,
-  LineLoad,
-  Stress,
-  HalfWidth,
-  Approach,
-  ExactStress,
-  ExactHalfWidth,
-  ExactApproach
-};
-
-/// A quantity of the contact under a force.
-template <class Machine, class X>
-X under(const Machine& press, PressQuantity wanted, const X& force) {
-  switch (wanted) {
-    case PressQuantity::Force:
-      return force;
-    case PressQuantity::LineLoad:
-      return press.line_load(force);
-    case PressQuantity::Stress:
-      return press.stress(force);
-    case PressQuantity::HalfWidth:
-      return press.half_width(force);
-    case PressQuantity::Approach:
-      return press.approach(force);
-    case PressQuantity::ExactStress:
-      return press.exact_stress(force);
-    case PressQuantity::ExactHalfWidth:
-      return press.exact_half_width(force);
-    case PressQuantity::ExactApproach:
-      break;
-  }
-  return press.exact_approach(force);
-}
-
-MechanismResponse given(PressQuantity which, ResponseAbout about) {
-  return number_response<DiePress>(
-      std::move(about), [which](const auto& press) { return under(press, which, press.load()); });
-}
-
 const Cycle& turn() {
   static const Cycle turn{"deg", {{0, 180}, {180, 360, true}}};
   return turn;
 }
 
-MechanismResponse running(PressQuantity which, ResponseAbout about) {
-  return listed_curve<DiePress>(std::move(about), turn(), which,
-                                [](const auto& press, PressQuantity wanted, const auto& motion) {
-                                  return under(press, wanted, press.running_force(motion));
-                                });
+/// A quantity of the contact, of the given load and of the running force: formula(press, force).
+template <class F>
+std::vector<MechanismResponse> contact(const char* number, const char* curve, const char* unit,
+                                       const char* stored, const char* meaning, S in_radii,
+                                       F formula) {
+  const std::vector<ShapeStatement> shapes{{{"roller_radius", "segment_radius"}, in_radii, "DS9"}};
+  return {number_response<DiePress>({number, unit, stored, meaning, shapes},
+                                    [formula](const auto& p) { return formula(p, p.load()); }),
+          curve_response<DiePress>({curve, unit, stored, meaning, shapes}, turn(),
+                                   [formula](const auto& p, const auto& motion) {
+                                     return formula(p, p.running_force(motion));
+                                   })};
 }
-
-MechanismResponse displacement() {
-  const ResponseAbout about{"displacement", "mm", "m",
-                            "travel of the rollers from their lowest position"};
-  return listed_curve<DiePress>(
-      about, turn(), PressQuantity{},
-      [](const auto& press, PressQuantity, const auto& motion) { return press.stroke * motion.s; });
-}
-
-struct Row {
-  PressQuantity quantity;
-  const char *number, *curve, *unit, *stored, *meaning;
-  S in_radii;  ///< form in the two radii
-};
-
-constexpr Row kRows[] = {
-    {PressQuantity::Stress, "contact_stress", "running_stress", "MPa", "Pa",
-     "contact stress, as published", S::Convex},
-    {PressQuantity::HalfWidth, "contact_half_width", "running_half_width", "mm", "m",
-     "half the contact's width, as published", S::Concave},
-    {PressQuantity::Approach, "elastic_approach", "running_approach", "um", "m",
-     "elastic approach of cam and roller, as published", S::Concave},
-    {PressQuantity::ExactStress, "exact_contact_stress", "running_exact_stress", "MPa", "Pa",
-     "contact stress according to Hertz", S::Convex},
-    {PressQuantity::ExactHalfWidth, "exact_contact_half_width", "running_exact_half_width", "mm",
-     "m", "half the contact's width according to Hertz", S::Concave},
-    {PressQuantity::ExactApproach, "exact_elastic_approach", "running_exact_approach", "um", "m",
-     "approach of the axes according to Hertz", S::Concave}};
 
 std::vector<MechanismResponse> responses() {
   std::vector<MechanismResponse> all{
-      given(PressQuantity::Force, {"load", "N", "N", "contact load, F_k + k F_s"}),
-      given(PressQuantity::LineLoad, {"line_load", "N/mm", "N/m", "contact load per unit width"}),
-      running(PressQuantity::Force,
-              {"running_force", "N", "N",
-               "force between cam and roller; below 0 the roller leaves the cam"})};
-  all.push_back(displacement());
-  const std::vector<std::string> radii{"roller_radius", "segment_radius"};
-  for (const Row& row : kRows) {
-    const std::vector<ShapeStatement> shapes{{radii, row.in_radii, "DS9"}};
-    all.push_back(given(row.quantity, {row.number, row.unit, row.stored, row.meaning, shapes}));
-    all.push_back(running(row.quantity, {row.curve, row.unit, row.stored, row.meaning, shapes}));
-  }
+      number_response<DiePress>({"load", "N", "N", "contact load, F_k + k F_s"},
+                                [](const auto& p) { return p.load(); }),
+      number_response<DiePress>({"line_load", "N/mm", "N/m", "contact load per unit width"},
+                                [](const auto& p) { return p.line_load(p.load()); }),
+      curve_response<DiePress>({"running_force", "N", "N",
+                                "force between cam and roller; below 0 the roller leaves the cam"},
+                               turn(),
+                               [](const auto& p, const auto& m) { return p.running_force(m); }),
+      curve_response<DiePress>(
+          {"displacement", "mm", "m", "travel of the rollers from their lowest position"}, turn(),
+          [](const auto& p, const auto& m) { return p.stroke * m.s; })};
+  append(all,
+         contact("contact_stress", "running_stress", "MPa", "Pa", "contact stress, as published",
+                 S::Convex, [](const auto& p, const auto& force) { return p.stress(force); }));
+  append(all, contact("contact_half_width", "running_half_width", "mm", "m",
+                      "half the contact's width, as published", S::Concave,
+                      [](const auto& p, const auto& force) { return p.half_width(force); }));
+  append(all, contact("elastic_approach", "running_approach", "um", "m",
+                      "elastic approach of cam and roller, as published", S::Concave,
+                      [](const auto& p, const auto& force) { return p.approach(force); }));
+  append(all, contact("exact_contact_stress", "running_exact_stress", "MPa", "Pa",
+                      "contact stress according to Hertz", S::Convex,
+                      [](const auto& p, const auto& force) { return p.exact_stress(force); }));
+  append(all, contact("exact_contact_half_width", "running_exact_half_width", "mm", "m",
+                      "half the contact's width according to Hertz", S::Concave,
+                      [](const auto& p, const auto& force) { return p.exact_half_width(force); }));
+  append(all, contact("exact_elastic_approach", "running_exact_approach", "um", "m",
+                      "approach of the axes according to Hertz", S::Concave,
+                      [](const auto& p, const auto& force) { return p.exact_approach(force); }));
   return all;
 }
 

@@ -35,8 +35,8 @@ template <class F>
 MechanismResponse law_curve(const char* name, const char* meaning, std::optional<Quantity> quantity,
                             F motion) {
   static const Cycle cycle{"1", {{0, 1}}};
-  MechanismResponse response = curve_response<Followers>({name, "1", "1", meaning}, cycle,
-                                                         [motion](const auto&) { return motion; });
+  MechanismResponse response = curve_response<Followers>(
+      {name, "1", "1", meaning}, cycle, [motion](const auto&, const auto& m) { return motion(m); });
   response.of_law = quantity;
   return response;
 }

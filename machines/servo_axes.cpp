@@ -2,9 +2,9 @@
 #include "kinematics/law.h"
 #include "machines/model/append.h"
 #include "machines/model/given.h"
-#include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
 #include "machines/model/possibility.h"
+#include "machines/model/responses.h"
 #include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 #include "numerics/scalar/by_side.h"
@@ -233,65 +233,6 @@ AxisMotion<X> axis_motion(const Axis& axis, const Motion<X>& motion) {
 
 using optim::Part;
 
-enum class ServoCurve {
-  Displacement,
-  Velocity,
-  Acceleration,
-  Jerk,
-  Output,
-  MotorAngle,
-  MotorSpeed,
-  MotorAcceleration,
-  MotorJerk,
-  MotorTorque,
-  AccelerationTorque,
-  MotorPower,
-  AvailableTorque,
-  TorqueReserve,
-  TorqueUtilisation,
-  SpeedUtilisation
-};
-
-template <class T, class X>
-X servo_curve(const ServoDrive<T>& drive, ServoCurve which, const AxisMotion<X>& y) {
-  using C = ServoCurve;
-  switch (which) {
-    case C::Displacement:
-      return y.s;
-    case C::Velocity:
-      return y.v;
-    case C::Acceleration:
-      return y.a;
-    case C::Jerk:
-      return y.j;
-    case C::Output:
-      return drive.output(y);
-    case C::MotorAngle:
-      return drive.turns * y.s;
-    case C::MotorSpeed:
-      return drive.turns * y.v;
-    case C::MotorAcceleration:
-      return drive.turns * y.a;
-    case C::MotorJerk:
-      return drive.turns * y.j;
-    case C::MotorTorque:
-      return drive.motor_torque(y);
-    case C::AccelerationTorque:
-      return drive.acceleration_torque(y);
-    case C::MotorPower:
-      return drive.motor_power(y);
-    case C::AvailableTorque:
-      return drive.available_torque(y);
-    case C::TorqueReserve:
-      return drive.torque_reserve(y);
-    case C::TorqueUtilisation:
-      return drive.torque_utilisation(y);
-    case C::SpeedUtilisation:
-      break;
-  }
-  return absolute(X(drive.turns * y.v)) / drive.motor.maximum_speed;
-}
-
 /// Units and names that differ between loads that turn and loads that slide.
 struct AxisWords {
   const char *place, *place_stored, *velocity, *acceleration, *jerk;
@@ -307,38 +248,52 @@ constexpr AxisWords kLinear{"mm",   "m",
 
 template <template <class> class M>
 std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
-  using C = ServoCurve;
-  std::vector<MechanismResponse> all;
-  const auto add = [&](C which, const char* name, const char* listed, const char* stored,
-                       const char* meaning) {
-    all.push_back(listed_curve<M>({name, listed, stored, meaning}, turn_of_the_cam(), which,
-                                  [](const auto& axis, C curve, const auto& motion) {
-                                    return servo_curve(axis.drive(), curve,
-                                                       axis_motion(axis, motion));
-                                  }));
+  const auto curve = [](ResponseAbout about, auto formula) {
+    return curve_response<M>(std::move(about), turn_of_the_cam(),
+                             [formula](const auto& axis, const auto& motion) {
+                               return formula(axis.drive(), axis_motion(axis, motion));
+                             });
   };
-  add(C::Displacement, "displacement", w.place, w.place_stored, "travel of the load");
-  add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the load");
-  add(C::Acceleration, "acceleration", w.acceleration, w.acceleration, "acceleration of the load");
-  add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the load");
-  add(C::Output, w.output, w.output_unit, w.output_unit, w.output_meaning);
-  add(C::MotorAngle, "motor_angle", "deg", "rad", "angle of the motor, 0 at displacement 0");
-  add(C::MotorSpeed, "motor_speed", "rpm", "rad/s", "speed of the motor");
-  add(C::MotorAcceleration, "motor_acceleration", "rad/s2", "rad/s2", "acceleration of the motor");
-  add(C::MotorJerk, "motor_jerk", "rad/s3", "rad/s3", "jerk of the motor");
-  add(C::MotorTorque, "motor_torque", "N m", "N m", "torque on the motor's shaft");
-  add(C::AccelerationTorque, "acceleration_torque", "N m", "N m",
-      "part of the motor torque that accelerates motor, gear and load, without losses");
-  add(C::MotorPower, "motor_power", "W", "W",
-      "power of the motor's shaft; below 0 the load drives the motor");
-  add(C::AvailableTorque, "available_torque", "N m", "N m",
-      "greatest torque that the motor can deliver at its present speed");
-  add(C::TorqueReserve, "torque_reserve", "N m", "N m",
-      "available torque minus the motor's torque");
-  add(C::TorqueUtilisation, "torque_utilisation", "1", "1",
-      "the motor's torque, in either direction, over the available torque");
-  add(C::SpeedUtilisation, "speed_utilisation", "1", "1",
-      "the motor's speed, in either direction, over its maximum speed");
+  std::vector<MechanismResponse> all{
+      curve({"displacement", w.place, w.place_stored, "travel of the load"},
+            [](const auto&, const auto& y) { return y.s; }),
+      curve({"velocity", w.velocity, w.velocity, "velocity of the load"},
+            [](const auto&, const auto& y) { return y.v; }),
+      curve({"acceleration", w.acceleration, w.acceleration, "acceleration of the load"},
+            [](const auto&, const auto& y) { return y.a; }),
+      curve({"jerk", w.jerk, w.jerk, "jerk of the load"},
+            [](const auto&, const auto& y) { return y.j; }),
+      curve({w.output, w.output_unit, w.output_unit, w.output_meaning},
+            [](const auto& drive, const auto& y) { return drive.output(y); }),
+      curve({"motor_angle", "deg", "rad", "angle of the motor, 0 at displacement 0"},
+            [](const auto& drive, const auto& y) { return drive.turns * y.s; }),
+      curve({"motor_speed", "rpm", "rad/s", "speed of the motor"},
+            [](const auto& drive, const auto& y) { return drive.turns * y.v; }),
+      curve({"motor_acceleration", "rad/s2", "rad/s2", "acceleration of the motor"},
+            [](const auto& drive, const auto& y) { return drive.turns * y.a; }),
+      curve({"motor_jerk", "rad/s3", "rad/s3", "jerk of the motor"},
+            [](const auto& drive, const auto& y) { return drive.turns * y.j; }),
+      curve({"motor_torque", "N m", "N m", "torque on the motor's shaft"},
+            [](const auto& drive, const auto& y) { return drive.motor_torque(y); }),
+      curve({"acceleration_torque", "N m", "N m",
+             "part of the motor torque that accelerates motor, gear and load, without losses"},
+            [](const auto& drive, const auto& y) { return drive.acceleration_torque(y); }),
+      curve({"motor_power", "W", "W",
+             "power of the motor's shaft; below 0 the load drives the motor"},
+            [](const auto& drive, const auto& y) { return drive.motor_power(y); }),
+      curve({"available_torque", "N m", "N m",
+             "greatest torque that the motor can deliver at its present speed"},
+            [](const auto& drive, const auto& y) { return drive.available_torque(y); }),
+      curve({"torque_reserve", "N m", "N m", "available torque minus the motor's torque"},
+            [](const auto& drive, const auto& y) { return drive.torque_reserve(y); }),
+      curve({"torque_utilisation", "1", "1",
+             "the motor's torque, in either direction, over the available torque"},
+            [](const auto& drive, const auto& y) { return drive.torque_utilisation(y); }),
+      curve({"speed_utilisation", "1", "1",
+             "the motor's speed, in either direction, over its maximum speed"},
+            [](const auto& drive, const auto& y) {
+              return absolute(drive.turns * y.v) / drive.motor.maximum_speed;
+            })};
   set_defined_while(all, {"available_torque", "torque_reserve", "torque_utilisation"},
                     {.response = "speed_utilisation", .upper = 1});
   return all;

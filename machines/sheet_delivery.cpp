@@ -2,7 +2,7 @@
 #include "machines/sheet_delivery.h"
 
 #include "machines/model/append.h"
-#include "machines/model/listed_responses.h"
+#include "machines/model/responses.h"
 #include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
@@ -11,75 +11,32 @@ namespace {
 
 using optim::Part;
 
-enum class DeliveryQuantity {
-  RodAngle,
-  GuideAngle,
-  RelativeSpeed,
-  SpeedRatio,
-  SlowSpeedRatio,
-  EfficiencyA,
-  EfficiencyB,
-  Efficiency,
-  ReverseEfficiency,
-  PrintedEfficiencyA,
-  PrintedEfficiencyB,
-  PrintedEfficiency,
-  PrintedReverseEfficiency
-};
-
-template <class Machine, class X>
-X efficiency(const Machine& drive, DeliveryQuantity wanted, const RodPlace<X>& at,
-             Friction friction) {
-  switch (wanted) {
-    case DeliveryQuantity::EfficiencyA:
-    case DeliveryQuantity::PrintedEfficiencyA:
-      return drive.efficiency_A(at, friction);
-    case DeliveryQuantity::EfficiencyB:
-    case DeliveryQuantity::PrintedEfficiencyB:
-      return drive.efficiency_B(at, friction);
-    case DeliveryQuantity::Efficiency:
-    case DeliveryQuantity::PrintedEfficiency:
-      return drive.efficiency(at, friction);
-    default:
-      return drive.reverse_efficiency(at, friction);
-  }
-}
-
-template <class Machine, class X>
-X along_guide(const Machine& drive, DeliveryQuantity wanted, const Motion<X>& motion) {
-  switch (wanted) {
-    case DeliveryQuantity::RodAngle:
-      return drive.rod_angle(motion);
-    case DeliveryQuantity::GuideAngle:
-      return drive.guide_angle(motion);
-    default:
-      break;
-  }
-  const auto at = drive.place(motion);
-  switch (wanted) {
-    case DeliveryQuantity::RelativeSpeed:
-      return drive.relative_speed(at);
-    case DeliveryQuantity::SpeedRatio:
-      return drive.speed_ratio(at);
-    case DeliveryQuantity::SlowSpeedRatio:
-      return drive.slow_speed_ratio(at);
-    case DeliveryQuantity::PrintedEfficiencyA:
-    case DeliveryQuantity::PrintedEfficiencyB:
-    case DeliveryQuantity::PrintedEfficiency:
-    case DeliveryQuantity::PrintedReverseEfficiency:
-      return efficiency(drive, wanted, at, Friction::AsPrinted);
-    default:
-      return efficiency(drive, wanted, at, Friction::Dissipates);
-  }
-}
-
-MechanismResponse curve(DeliveryQuantity which, ResponseAbout about) {
+/// A curve over one stretch of the guide.
+template <class F>
+MechanismResponse curve(ResponseAbout about, F formula) {
   static const Cycle stretch{"1", {{0, 1}}};
-  return listed_curve<SheetDelivery>(
-      std::move(about), stretch, which,
-      [](const auto& drive, DeliveryQuantity wanted, const auto& motion) {
-        return along_guide(drive, wanted, motion);
-      });
+  return curve_response<SheetDelivery>(std::move(about), stretch, formula);
+}
+
+/// Efficiencies, by names that begin and words that end with these.
+std::vector<MechanismResponse> efficiencies(const std::string& prefix, Friction friction,
+                                            const std::array<std::string, 4>& meanings) {
+  const auto of = [&](const char* name, const std::string& meaning, auto formula) {
+    return curve({prefix + name, "1", "1", meaning},
+                 [friction, formula](const auto& drive, const auto& motion) {
+                   return formula(drive, drive.place(motion), friction);
+                 });
+  };
+  return {
+      of("efficiency_A", meanings[0],
+         [](const auto& drive, const auto& at, Friction by) { return drive.efficiency_A(at, by); }),
+      of("efficiency_B", meanings[1],
+         [](const auto& drive, const auto& at, Friction by) { return drive.efficiency_B(at, by); }),
+      of("efficiency", meanings[2],
+         [](const auto& drive, const auto& at, Friction by) { return drive.efficiency(at, by); }),
+      of("reverse_efficiency", meanings[3], [](const auto& drive, const auto& at, Friction by) {
+        return drive.reverse_efficiency(at, by);
+      })};
 }
 
 std::vector<MechanismResponse> delivery_numbers() {
@@ -97,33 +54,37 @@ std::vector<MechanismResponse> delivery_numbers() {
 }
 
 std::vector<MechanismResponse> delivery_curves() {
-  using Q = DeliveryQuantity;
-  return {
-      curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
-      curve(Q::GuideAngle, {"guide_angle", "deg", "rad", "angle of the curved guide, beta"}),
-      curve(Q::RelativeSpeed, {"relative_speed", "1", "1",
-                               "speed of the carriage about the link over that of the chain"}),
-      curve(Q::SpeedRatio,
-            {"speed_ratio", "1", "1", "speed of the carriage over that of the chain, speeding up"}),
-      curve(Q::SlowSpeedRatio,
-            {"slow_speed_ratio", "1", "1",
-             "speed of the carriage over that of the chain, slowing down on the mirrored stretch"}),
-      curve(Q::EfficiencyA, {"efficiency_A", "1", "1", "efficiency of the link's joint and guide"}),
-      curve(Q::EfficiencyB,
-            {"efficiency_B", "1", "1", "efficiency of the carriage's joint and guide"}),
-      curve(Q::Efficiency,
-            {"efficiency", "1", "1",
-             "efficiency from the motor to the carriage; at 0 or below the drive is self-locking"}),
-      curve(Q::ReverseEfficiency,
-            {"reverse_efficiency", "1", "1", "efficiency from the carriage to the motor"}),
-      curve(Q::PrintedEfficiencyA,
-            {"printed_efficiency_A", "1", "1", "efficiency_A with the signs as printed"}),
-      curve(Q::PrintedEfficiencyB,
-            {"printed_efficiency_B", "1", "1", "efficiency_B with the signs as printed"}),
-      curve(Q::PrintedEfficiency,
-            {"printed_efficiency", "1", "1", "efficiency with the signs as printed"}),
-      curve(Q::PrintedReverseEfficiency, {"printed_reverse_efficiency", "1", "1",
-                                          "reverse_efficiency with the signs as printed"})};
+  std::vector<MechanismResponse> all{
+      curve({"rod_angle", "deg", "rad", "angle of the rod, alpha"},
+            [](const auto& drive, const auto& motion) { return drive.rod_angle(motion); }),
+      curve({"guide_angle", "deg", "rad", "angle of the curved guide, beta"},
+            [](const auto& drive, const auto& motion) { return drive.guide_angle(motion); }),
+      curve({"relative_speed", "1", "1",
+             "speed of the carriage about the link over that of the chain"},
+            [](const auto& drive, const auto& motion) {
+              return drive.relative_speed(drive.place(motion));
+            }),
+      curve({"speed_ratio", "1", "1", "speed of the carriage over that of the chain, speeding up"},
+            [](const auto& drive, const auto& motion) {
+              return drive.speed_ratio(drive.place(motion));
+            }),
+      curve({"slow_speed_ratio", "1", "1",
+             "speed of the carriage over that of the chain, slowing down on the mirrored stretch"},
+            [](const auto& drive, const auto& motion) {
+              return drive.slow_speed_ratio(drive.place(motion));
+            })};
+  append(all, efficiencies("", Friction::Dissipates,
+                           {"efficiency of the link's joint and guide",
+                            "efficiency of the carriage's joint and guide",
+                            "efficiency from the motor to the carriage; at 0 or below the drive is "
+                            "self-locking",
+                            "efficiency from the carriage to the motor"}));
+  append(all, efficiencies(
+                  "printed_", Friction::AsPrinted,
+                  {"efficiency_A with the signs as printed",
+                   "efficiency_B with the signs as printed", "efficiency with the signs as printed",
+                   "reverse_efficiency with the signs as printed"}));
+  return all;
 }
 
 }  // namespace

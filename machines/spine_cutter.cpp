@@ -44,54 +44,43 @@ std::vector<MechanismResponse> cutter_numbers() {
           [](const auto& m) { return m.angular_velocity(); })};
 }
 
-/// A curve over one revolution of the cam: `scale` of the machine times `part` of the motion.
-template <class Scale, class PartOf>
-MechanismResponse scaled_curve(ResponseAbout about, Scale scale, PartOf part) {
+/// A curve over one revolution of the cam.
+template <class F>
+MechanismResponse curve(ResponseAbout about, F formula) {
   static const Cycle revolution{"deg", {{0, 180}, {180, 360, true}}};
-  return curve_response<SpineCutter>(
-      std::move(about), revolution, [scale, part](const auto& machine) {
-        return [factor = scale(machine), part](const auto& motion) { return part(factor, motion); };
-      });
+  return curve_response<SpineCutter>(std::move(about), revolution, formula);
 }
 
 std::vector<MechanismResponse> cutter_curves() {
   const std::vector<std::string> speeds{"block_speed", "depth", "cutter_diameter"};
-  return {scaled_curve(
-              {"cam_pressure_angle",
-               "deg",
-               "rad",
-               "pressure angle on the cam",
-               {{{"law", "cam_radius"}, Shape::Quasilinear, "DS8"}}},
-              [](const auto& m) { return m.pressure_scale(); },
-              [](const auto& scale, const auto& motion) {
-                using std::atan;
-                return atan(scale * motion.v);
-              }),
-          scaled_curve(
-              {"required_cam_radius", "mm", "m",
-               "cam radius that the permissible pressure angle requires, with the sign of s'"},
-              [](const auto& m) { return m.radius_scale(); },
-              [](const auto& scale, const auto& motion) { return scale * motion.v; }),
-          scaled_curve(
-              {"inertia_force",
-               "N",
-               "N",
-               "inertia force of the moved mass",
-               {{speeds, Shape::Quasilinear, "DS7"}}},
-              [](const auto& m) { return m.force_scale(); },
-              [](const auto& scale, const auto& motion) { return scale * motion.a; }),
-          scaled_curve(
-              {"drive_torque",
-               "N m",
-               "N m",
-               "torque of the inertia force on the cam's axis",
-               {{speeds, Shape::Quasilinear, "DS7"}}},
-              [](const auto& m) { return m.torque_scale(); },
-              [](const auto& scale, const auto& motion) { return scale * (motion.v * motion.a); }),
-          scaled_curve(
-              {"displacement", "mm", "m", "axial displacement of the cutter"},
-              [](const auto& m) { return m.stroke; },
-              [](const auto& scale, const auto& motion) { return scale * motion.s; })};
+  return {curve({"cam_pressure_angle",
+                 "deg",
+                 "rad",
+                 "pressure angle on the cam",
+                 {{{"law", "cam_radius"}, Shape::Quasilinear, "DS8"}}},
+                [](const auto& m, const auto& motion) {
+                  using std::atan;
+                  return atan(m.pressure_scale() * motion.v);
+                }),
+          curve({"required_cam_radius", "mm", "m",
+                 "cam radius that the permissible pressure angle requires, with the sign of s'"},
+                [](const auto& m, const auto& motion) { return m.radius_scale() * motion.v; }),
+          curve({"inertia_force",
+                 "N",
+                 "N",
+                 "inertia force of the moved mass",
+                 {{speeds, Shape::Quasilinear, "DS7"}}},
+                [](const auto& m, const auto& motion) { return m.force_scale() * motion.a; }),
+          curve({"drive_torque",
+                 "N m",
+                 "N m",
+                 "torque of the inertia force on the cam's axis",
+                 {{speeds, Shape::Quasilinear, "DS7"}}},
+                [](const auto& m, const auto& motion) {
+                  return m.torque_scale() * (motion.v * motion.a);
+                }),
+          curve({"displacement", "mm", "m", "axial displacement of the cutter"},
+                [](const auto& m, const auto& motion) { return m.stroke * motion.s; })};
 }
 
 }  // namespace

@@ -22,10 +22,9 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
-  append(all, film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
-                                           [](const auto& cam, FilmCurve which, const auto& f) {
-                                             return cam.film(which, f);
-                                           }));
+  append(all,
+         film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
+                                      [](const auto& cam, const auto& f) { return cam.film(f); }));
   all.push_back(guide_response<ConjugateCam>());
   all.push_back(overhang_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));

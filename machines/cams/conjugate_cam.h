@@ -150,18 +150,18 @@ struct ConjugateCam {
     const X force = contact_force(f);
     return unless_zero(force, roller().stress(absolute(force), loaded_curvature(f)));
   }
-  /// Of the roller on the cam that bears, crowned or not.
-  template <class X>
-  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
-    return unless_zero(contact_force(f), crown_curve(which, loaded_roller(f)));
+  /// formula(PressedRoller) of the roller on the cam that bears, crowned or not.
+  template <class X, class F>
+  X of_pressed(const FollowerMotion<X>& f, F formula) const {
+    return unless_zero(contact_force(f), X(formula(loaded_roller(f))));
   }
-  /// (RB7), (RB18) Film between that roller and its cam.
+  /// Between that roller and its cam.
   template <class X>
-  X film(FilmCurve which, const FollowerMotion<X>& f) const {
+  RollerFilm<T, T, X> film(const FollowerMotion<X>& f) const {
     const X of_main = rolled_way(main().pitch_curve(f), roller_radius);
     const X of_second = rolled_way(second().pitch_curve(second_motion(f)), roller_radius);
-    return film_curve(which, duty().lubricant(), loaded_roller(f),
-                      X(angular_speed * by_side(follower().force(f), of_main, of_second)));
+    return {duty().lubricant(), loaded_roller(f),
+            X(angular_speed * by_side(follower().force(f), of_main, of_second))};
   }
 
  private:

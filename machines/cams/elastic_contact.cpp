@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "machines/model/listed_responses.h"
+#include "machines/cams/cam_curve.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/shaft_curve.h"
 #include "numerics/formula/expression.h"

@@ -13,30 +13,18 @@
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-namespace {
 
 using optim::Part;
 
-enum class FlatCurve { ContactOffset, ContactForce };
-
-MechanismResponse flat_curve(FlatCurve which, ResponseAbout about) {
-  return listed_curve<FlatCam>(std::move(about), turn_of_the_cam(), which,
-                               [](const auto& cam, FlatCurve wanted, const auto& motion) {
-                                 const auto f = cam.over_angle(motion);
-                                 return wanted == FlatCurve::ContactOffset ? cam.contact_offset(f)
-                                                                           : cam.contact_force(f);
-                               });
-}
-
-}  // namespace
-
 Mechanism flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
-  responses.push_back(flat_curve(
-      FlatCurve::ContactOffset, {"contact_offset", "mm", "m",
-                                 "position of the contact on the face, from the follower's axis"}));
-  responses.push_back(flat_curve(FlatCurve::ContactForce,
-                                 {"contact_force", "N", "N", "force between face and cam"}));
+  responses.push_back(
+      cam_curve<FlatCam>({"contact_offset", "mm", "m",
+                          "position of the contact on the face, from the follower's axis"},
+                         [](const auto& cam, const auto& f) { return cam.contact_offset(f); }));
+  responses.push_back(
+      cam_curve<FlatCam>({"contact_force", "N", "N", "force between face and cam"},
+                         [](const auto& cam, const auto& f) { return cam.contact_force(f); }));
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));

@@ -12,48 +12,27 @@
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-namespace {
 
 using optim::Part;
 
-enum class KnifeEdgeCurve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
-
-MechanismResponse knife_edge_curve(KnifeEdgeCurve which, ResponseAbout about) {
-  return listed_curve<KnifeEdgeCam>(std::move(about), turn_of_the_cam(), which,
-                                    [](const auto& cam, KnifeEdgeCurve wanted, const auto& motion) {
-                                      const auto f = cam.over_angle(motion);
-                                      switch (wanted) {
-                                        case KnifeEdgeCurve::PressureAngle:
-                                          return cam.pressure_angle(f);
-                                        case KnifeEdgeCurve::ProfileCurvature:
-                                          return cam.profile_curvature(f);
-                                        case KnifeEdgeCurve::ToolFit:
-                                          return cam.tool_fit(f);
-                                        case KnifeEdgeCurve::ContactForce:
-                                          break;
-                                      }
-                                      return cam.contact_force(f);
-                                    });
-}
-
-}  // namespace
-
 Mechanism knife_edge_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
-  responses.push_back(knife_edge_curve(
-      KnifeEdgeCurve::PressureAngle, {"pressure_angle", "deg", "rad",
-                                      "angle between the normal of the profile and the follower's "
-                                      "path, with the sign of the slope"}));
-  responses.push_back(
-      knife_edge_curve(KnifeEdgeCurve::ProfileCurvature,
-                       {"profile_curvature", "1/mm", "1/m",
-                        "curvature of the profile, positive where convex, negative where hollow"}));
-  responses.push_back(
-      knife_edge_curve(KnifeEdgeCurve::ToolFit,
-                       {"tool_fit", "1", "1",
-                        "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
-  responses.push_back(knife_edge_curve(KnifeEdgeCurve::ContactForce,
-                                       {"contact_force", "N", "N", "force between edge and cam"}));
+  append(responses, {cam_curve<KnifeEdgeCam>(
+                         {"pressure_angle", "deg", "rad",
+                          "angle between the normal of the profile and the follower's "
+                          "path, with the sign of the slope"},
+                         [](const auto& cam, const auto& f) { return cam.pressure_angle(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"profile_curvature", "1/mm", "1/m",
+                          "curvature of the profile, positive where convex, negative where hollow"},
+                         [](const auto& cam, const auto& f) { return cam.profile_curvature(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"tool_fit", "1", "1",
+                          "tool radius over the radius of a hollow; above 1 the tool does not fit"},
+                         [](const auto& cam, const auto& f) { return cam.tool_fit(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"contact_force", "N", "N", "force between edge and cam"},
+                         [](const auto& cam, const auto& f) { return cam.contact_force(f); })});
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
   responses.push_back(guide_response<KnifeEdgeCam>());
   responses.push_back(overhang_response<KnifeEdgeCam>());

@@ -21,11 +21,9 @@ std::vector<MechanismResponse> plate_responses() {
   std::erase_if(responses, [](const auto& response) {
     return response.name.find("torque") != std::string::npos;
   });
-  responses.push_back(curve_response<LinearCam>(
-      {"plate_force", "N", "N", "force that moves the plate"}, turn_of_the_cam(),
-      [](const auto& cam) {
-        return [cam](const auto& motion) { return cam.plate_force(cam.over_angle(motion)); };
-      }));
+  responses.push_back(
+      cam_curve<LinearCam>({"plate_force", "N", "N", "force that moves the plate"},
+                           [](const auto& cam, const auto& f) { return cam.plate_force(f); }));
   return responses;
 }
 

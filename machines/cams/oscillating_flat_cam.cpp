@@ -12,32 +12,19 @@
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-namespace {
 
 using optim::Part;
 
-enum class LeverCurve { ContactLever, ContactForce };
-
-MechanismResponse lever_curve(LeverCurve which, ResponseAbout about) {
-  return listed_curve<OscillatingFlatCam>(
-      std::move(about), turn_of_the_cam(), which,
-      [](const auto& cam, LeverCurve wanted, const auto& motion) {
-        const auto f = cam.over_angle(motion);
-        return wanted == LeverCurve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
-      });
-}
-
-}  // namespace
-
 Mechanism oscillating_flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<OscillatingFlatCam>(kOscillating);
-  responses.push_back(
-      lever_curve(LeverCurve::ContactLever, {"contact_lever", "mm", "m",
-                                             "position of the contact along the face, from "
-                                             "the foot of the perpendicular from the pivot"}));
+  responses.push_back(cam_curve<OscillatingFlatCam>(
+      {"contact_lever", "mm", "m",
+       "position of the contact along the face, from the foot of the perpendicular from the pivot"},
+      [](const auto& cam, const auto& f) { return cam.contact_lever(f); }));
   responses.push_back(profile_radius_response<OscillatingFlatCam>());
-  responses.push_back(lever_curve(LeverCurve::ContactForce,
-                                  {"contact_force", "N", "N", "force between face and cam"}));
+  responses.push_back(cam_curve<OscillatingFlatCam>(
+      {"contact_force", "N", "N", "force between face and cam"},
+      [](const auto& cam, const auto& f) { return cam.contact_force(f); }));
   append(responses, face_contact_responses<OscillatingFlatCam>());
   append(responses, sliding_responses<OscillatingFlatCam>({"contact_force", "profile_radius"}));
   append(responses, drawn_responses<OscillatingFlatCam>(false));

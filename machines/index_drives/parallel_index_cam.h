@@ -147,13 +147,13 @@ struct ParallelIndexCam {
       return contact.stress(force, curvature);
     });
   }
-  /// Of the roller on the flank that bears, crowned or not.
-  template <class X>
-  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
+  /// formula(PressedRoller) of the roller on the flank that bears, crowned or not.
+  template <class X, class F>
+  X of_pressed(const FollowerMotion<X>& f, F formula) const {
     const T crown_curvature = number<T>(1) / crown_radius;
     return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
-      return crown_curve(which, pressed_roller(force, contact.curvature_sum(curvature),
-                                               crown_curvature, face_width, contact.material));
+      return X(formula(pressed_roller(force, X(contact.curvature_sum(curvature)), crown_curvature,
+                                      face_width, contact.material)));
     });
   }
   /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the

@@ -21,7 +21,8 @@ namespace detail {
 template <template <class> class M, class Integrand>
 Write written_integrand(Integrand integrand) {
   return [integrand](std::span<const Expression> parameters, std::span<const Expression> motion) {
-    return integrand(machine_of<M>(parameters), as_place(motion).motion);
+    return integrand(machine_of<M>(parameters),
+                     Motion<Expression>{motion[0], motion[1], motion[2], motion[3]});
   };
 }
 

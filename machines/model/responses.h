@@ -31,24 +31,20 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. It is recorded once:
-/// the machine is an M<Expression>, the follower's motion a Motion<Expression>, x, if the formula
-/// wants it, the place in the cycle. For example
-///   [](const auto& machine) {
-///     return [scale = machine.force_scale()](const auto& motion) { return scale * motion.a; };
-///   }
+/// A curve: formula(machine, motion) or formula(machine, motion, x), of an M<Expression>, the
+/// follower's motion along x, a Motion<Expression>, and, if the formula wants it, x itself.
 template <template <class> class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula);
+
+/// A whole turn of the cam as one stretch: what motion programs run over.
+inline const Cycle& turn_of_the_cam() {
+  static const Cycle turn{"deg", {{0, 360}}};
+  return turn;
+}
 
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// From s, v, a, j, and x if it is there.
-template <class T>
-PlaceOf<T> as_place(std::span<const T> u) {
-  return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
-}
 
 /// The margins of a machine's conditions.
 template <template <class> class M>
@@ -107,9 +103,14 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   response.write = [formula, factor](std::span<const Expression> parameters,
-                                     std::span<const Expression> place) {
-    return factor.as<Expression>() *
-           applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
+                                     std::span<const Expression> u) {
+    const auto machine = detail::machine_of<M>(parameters);
+    const Motion<Expression> motion{u[0], u[1], u[2], u[3]};
+    if constexpr (std::is_invocable_v<F, decltype(machine), decltype(motion), const Expression&>) {
+      return factor.as<Expression>() * formula(machine, motion, u[4]);
+    } else {
+      return factor.as<Expression>() * formula(machine, motion);
+    }
   };
   return recorded_curve(std::move(response), parameters_of<M>(), cycle, AtPulse::Infinite);
 }
