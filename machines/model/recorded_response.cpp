@@ -49,7 +49,9 @@ class InterpretedCurve final : public RecordedCurveFormula {
   InterpretedCurve(const Formula& record, const std::optional<Formula>& domain,
                    std::span<const double> arguments, bool is_possible, AtPulse at_pulse)
       : RecordedCurveFormula(record, arguments, is_possible),
-        formula_(record, arguments),
+        formula_([record, own = std::vector<double>(arguments.begin(), arguments.end())] {
+          return FormulaAlong<double>(record, own);
+        }),
         is_possible_(is_possible),
         at_pulse_(at_pulse) {
     if (!domain) return;
@@ -61,7 +63,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
     if (!is_possible_) return Series<double, 3>(std::numeric_limits<double>::quiet_NaN());
     const auto& m = place.motion;
     const std::array<Series<double, 3>, kOfPlace> inputs{m.s, m.v, m.a, m.j, place.x};
-    return formula_(std::span<const Series<double, 3>>(inputs));
+    return (*formula_)(std::span<const Series<double, 3>>(inputs));
   }
   Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override {
     return where_known(place, RecordedCurveFormula::enclosed(place));
@@ -85,7 +87,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
     return known_where((*domain_)(std::span<const Interval>(inputs)), value);
   }
 
-  FormulaAlong<double> formula_;
+  Lazy<FormulaAlong<double>> formula_;
   std::optional<FormulaAlong<Interval>> domain_;
   bool is_possible_;
   AtPulse at_pulse_;
