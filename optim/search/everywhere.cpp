@@ -42,10 +42,10 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   const Problem guarded = interruptible(problem, deadline);
   const Assessment own = assess(guarded, sizes(guarded, x), x, true);
   // A long first step may lead into the valley that was found before: then another method tries.
-  Found found = search_continuous(again, once, deadline, true);
+  Found found = search_continuous(again, once, deadline, Depth::Whole);
   if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
     once.solver = "ipopt";
-    Found other = search_continuous(again, once, deadline, true);
+    Found other = search_continuous(again, once, deadline, Depth::Whole);
     if (better(problem, other.assessment, found.assessment)) found = std::move(other);
   }
   if (better(problem, own, found.assessment)) {
@@ -89,7 +89,7 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
 
 Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
                         const Deadline& deadline, std::vector<FromStart> known) {
-  Found found = search_continuous(problem, how, deadline, true, std::move(known));
+  Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
   try {
     look_everywhere(problem, how, deadline, found);
   } catch (const Interrupted&) {  // the answer stands without
