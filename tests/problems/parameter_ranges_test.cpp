@@ -246,14 +246,20 @@ TEST_CASE(
 }
 
 TEST_CASE("Of a number the place of a range without a value is found too") {
-  const ProblemStatement ranged = read(
-      cam(kSpeeds,
-          "[responses.beside]\nunit = '1'\nformula = 'sqrt((speed / (1 rpm) - 333.3)^2 - 0.1)'\n"
-          "[[constraints]]\nresponse = 'beside'\nupper = 1000\n"));
-  const auto limits = standing(ranged);
-  REQUIRE(limits.size() == 1);
-  CHECK(std::isnan(limits[0].value));
-  CHECK_FALSE(limits[0].met);
+  // Beside it, a root of which the range touches no such place is proved.
+  for (const double beside : {333.3, 40.0}) {
+    INFO(beside);
+    const ProblemStatement ranged = read(cam(
+        kSpeeds, fmt::format("[responses.beside]\nunit = '1'\nformula = 'sqrt((speed / (1 rpm) - "
+                             "{})^2 - 0.1)'\n[[constraints]]\nresponse = 'beside'\nupper = 1000\n",
+                             beside)));
+    const auto limits = standing(ranged);
+    REQUIRE(limits.size() == 1);
+    const bool has_gap = beside > 100;
+    CHECK(std::isnan(limits[0].value) == has_gap);
+    CHECK(limits[0].met == !has_gap);
+    CHECK(limits[0].proved == !has_gap);
+  }
 }
 
 TEST_CASE("From a place of a range the path uphill ends at a top, whatever waves lie beyond") {
