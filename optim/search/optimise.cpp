@@ -171,6 +171,9 @@ class Optimiser {
         proved.starts = found.starts;
         proved.agreed = found.agreed;
         found = std::move(proved);
+      } else if (!deadline_.passed()) {
+        // What was found without a proof may break a limit where only a proof looks.
+        found.assessment = assess(fixed, sizes(fixed, found.x), found.x, true);
       }
       work_.add_work(found);
     }
