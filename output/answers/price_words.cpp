@@ -9,6 +9,7 @@
 #include "optim/verdict/unknown_prices.h"
 #include "output/answers/price_step.h"
 #include "output/document/formatting.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 
@@ -60,6 +61,85 @@ std::string price_words(const Answer& answer, const std::string& why) {
         priced_step(v, a.objective.value));
   }
   return text.empty() ? unknown : "what each limit costs, to first order\n" + text + unknown;
+}
+
+namespace {
+
+/// A step that is enough: rounded up to the digits that are shown.
+double rounded_up(double by) {
+  constexpr int kDigits = 4;
+  const double unit = std::pow(10.0, std::floor(std::log10(by)) + 1 - kDigits);
+  const double steps = by / unit;
+  constexpr double kRounding = 1e-6;  // of a step that is whole but for rounding
+  return std::ceil(steps - kRounding) * unit;
+}
+
+/// "easing the upper bound of base_radius by 1.2 mm".
+std::string easing_words(const optim::Easing& easing) {
+  const std::string what =
+      easing.is_bound
+          ? fmt::format("the {} bound of {}", easing.is_upper ? "upper" : "lower", easing.name)
+          : "the limit on " + easing.name;
+  return fmt::format("easing {} by {}", what,
+                     with_unit(in_digits(rounded_up(easing.by), 4), easing.unit));
+}
+
+/// What the design shown does not meet, as easings; empty where one of them has no number.
+std::vector<optim::Easing> missed_limits(const Answer& answer) {
+  std::vector<optim::Easing> missed;
+  for (const optim::LimitReport& limit : answer.limits()) {
+    if (limit.met) continue;
+    if (limit.is_equation || !std::isfinite(limit.margin)) return {};
+    missed.push_back({.name = limit.name,
+                      .unit = limit.unit,
+                      .is_bound = false,
+                      .is_upper = limit.is_upper,
+                      .bound = limit.bound,
+                      .by = -limit.margin,
+                      .x = answer.optimum.found.x});
+  }
+  return missed;
+}
+
+bool is_cured_together(const Answer& answer) { return answer.easings.empty(); }
+
+std::vector<optim::Easing> cures(const Answer& answer) {
+  const optim::Found& found = answer.optimum.found;
+  if (found.assessment.verdict != optim::Verdict::Infeasible || found.x.empty()) return {};
+  return is_cured_together(answer) ? missed_limits(answer) : answer.easings;
+}
+
+}  // namespace
+
+std::string cure_words(const Answer& answer) {
+  const std::vector<optim::Easing> all = cures(answer);
+  if (all.empty()) return "";
+  if (is_cured_together(answer) && all.size() > 1) {
+    std::vector<std::string> parts;
+    for (const optim::Easing& easing : all) parts.push_back(easing_words(easing).substr(7));
+    return fmt::format(
+        "what would let every limit be met, by the design above\n  easing {} together\n",
+        problems::listed(parts));
+  }
+  std::string text = "what would let every limit be met, each alone\n";
+  if (all.size() == 1) text = "what would let every limit be met\n";
+  for (const optim::Easing& easing : all) text += "  " + easing_words(easing) + "\n";
+  return text;
+}
+
+Json cures_json(const Answer& answer) {
+  const std::vector<optim::Easing> all = cures(answer);
+  if (all.empty()) return nullptr;
+  Json list = Json::array();
+  for (const optim::Easing& easing : all) {
+    list.push_back({{"name", easing.name},
+                    {"is_bound", easing.is_bound},
+                    {"side", easing.is_upper ? "upper" : "lower"},
+                    {"unit", easing.unit},
+                    {"bound", to_json(easing.bound)},
+                    {"by", to_json(easing.by)}});
+  }
+  return {{"alone", !is_cured_together(answer) || all.size() < 2}, {"easings", std::move(list)}};
 }
 
 }  // namespace camlaw::cli

@@ -85,11 +85,12 @@ std::string lead(const ReportedDesign& reported, const DesignReview& review) {
                       "The search said: {}. For this report the design was re-checked{}.",
                       said_of(reported.read), chosen ? " with the chosen options kept fixed" : ""));
   }
-  html += paragraph(fmt::format(
-      "These are the file's own values, not the result of a search. {}",
-      design.objectives.empty()
-          ? "The file names no objective."
-          : fmt::format("To search: camlaw {}", search_command(design, reported.file))));
+  html += paragraph(
+      fmt::format("These are the file's own values, not the result of a search. {}",
+                  design.objectives.empty()
+                      ? "The file names no objective."
+                      : fmt::format("To search: camlaw {}",
+                                    search_command(design, reported.file, reported.settings))));
   return html;
 }
 

@@ -52,14 +52,14 @@ class Problem(Searches):
     [program]. variables: (lower, upper), or a table with lower, upper, start, type and values.
     objective: the response to minimize, or {"minimize": ...} or {"maximize": ...}; objectives: a list
     of these, for a front. constraints: a dict of (lower, upper) or tables, or a list of tables.
-    responses: formulas of your own, each a Response. cases: load cases, [{"name": "fast", "speed": "400
-    rpm"}, ...]. ranges: parameters that take any value in a range, {"speed": ("100 rpm", "400 rpm")}.
-    variation: the deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"}, or tables.
-    parts: tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name, each with the
-    keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program": ...}}. free,
-    buildable, profile (errors of the cut profile) and solver: the tables of these names. format: as a
-    problem file states it, so that the tables of one may be given, Problem(**tomllib.loads(text)).
-    Raises InputError.
+    responses: formulas of your own, each a Response. cases: load cases, [{"name": "fast", "speed":
+    "400 rpm"}, ...]. ranges: parameters that take any value in a range, {"speed": ("100 rpm",
+    "400 rpm")}. variation: the deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"},
+    or tables. parts: tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name,
+    each with the keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program":
+    ...}}. free, buildable, profile (errors of the cut profile) and solver: the tables of these names.
+    format: as a problem file states it, so that the tables of one may be given,
+    Problem(**tomllib.loads(text)). Raises InputError.
     """
 
     def __init__(
