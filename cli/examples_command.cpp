@@ -43,7 +43,7 @@ std::string with_copied_paths(std::string text, const fs::path& from, const fs::
                               const std::vector<fs::path>& copied) {
   for (const fs::path& file : copied) {
     const std::string old = ("problems" / from / file).generic_string();
-    const std::string copy = (to / file).lexically_normal().generic_string();
+    const std::string copy = shell_word((to / file).lexically_normal().generic_string());
     for (std::size_t at = text.find(old); at != std::string::npos;
          at = text.find(old, at + copy.size())) {
       text.replace(at, old.size(), copy);

@@ -8,7 +8,8 @@
 #include "optim/problem/problem.h"
 #include "optim/search/optimise.h"
 
-/// What would cure limits that cannot be met: by how much each of them has to be eased.
+/// What would cure limits that cannot be met: by how much each of them has to be eased
+/// (docs/optimisation.md LV5).
 namespace camlaw::optim {
 
 /// A limit, or a bound of a variable, that alone has to be eased so that a design meets all others.

@@ -130,6 +130,28 @@ TEST_CASE("every example has a sentence, and its copy stands alone", "[program][
   }
 }
 
+TEST_CASE("the commands in the copy of an example work where it was copied to", "[program]") {
+  const ProjectFolder folder;
+  fs::remove(folder / "problems");
+  for (const std::string to : {"", "my torque"}) {
+    const std::string option = to.empty() ? "" : " --out '" + to + "'";
+    const Outcome copied = shell(folder, "camlaw examples cams/recorded_torque" + option);
+    CHECK(copied.status == 0);
+    const std::string file = (to.empty() ? "" : to + "/") + "recorded_torque.toml";
+    const std::string text = read(folder / file);
+    CHECK_THAT(text, !Contains("problems/"));
+    const Words commands = lines_after(text, "#   ");
+    REQUIRE_FALSE(commands.empty());
+    CHECK(shell(folder, commands.front()).status == 0);
+    const Words next = lines_after(copied.out, "next: ");
+    REQUIRE_FALSE(next.empty());
+    for (const std::string& command : next) {
+      INFO(command);
+      CHECK(shell(folder, command).status == 0);
+    }
+  }
+}
+
 TEST_CASE("an example is found by its name, brings its tables and replaces nothing", "[program]") {
   const Folder folder;
   const std::string out = folder / "mine";

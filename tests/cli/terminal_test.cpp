@@ -36,7 +36,7 @@ TEST_CASE("an answer ends with what one would do next, unless it is unwanted", "
              Contains("next: camlaw pareto problems/spine_cutter/front.toml"));
   CHECK_THAT(says("camlaw evaluate " + file), !Contains("next:"));
   CHECK_THAT(says("camlaw evaluate " + file + " --set 'base_radius=40 mm'"),
-             Contains("next: camlaw optimize " + file));
+             Contains("next: camlaw optimize " + file + " --set 'base_radius=40 mm'\n"));
   const std::string found = says("camlaw optimize " + file + " --out 'my cam'");
   CHECK(found.ends_with("next: camlaw report 'my cam/result.json'\n"));
   CHECK(shell(folder, found.substr(found.rfind("next: ") + 6)).status == 0);
