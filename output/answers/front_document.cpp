@@ -49,8 +49,8 @@ std::string measures_text(const FrontAnswer& answer) {
       "nadir: {} (the worst of each on the front)\n",
       values_text(answer, front.ideal), values_text(answer, front.nadir));
   text += fmt::format(
-      "hypervolume {} from {} (the part of the space of objectives up to there that designs of the "
-      "front are better than; more is better)\n",
+      "hypervolume {} from {} (the size of the region up to there that the front is better than; "
+      "more is better)\n",
       in_digits(front.hypervolume), values_text(answer, front.reference));
   if (front.hypervolume_of_mixtures) {
     text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",

@@ -125,6 +125,9 @@ std::string shape_legend(const Table& shapes) {
   bool has_proof = false;
   for (const auto& row : shapes.rows) {
     words.insert(row.at(2).text);
+    for (const auto& [variable, word] : row.at(1).value.items()) {
+      words.insert(plain_word(word.get<std::string>()));
+    }
     has_proof |= row.at(3).text.find("proof ") != std::string::npos;
   }
   std::vector<std::string> meanings;

@@ -114,9 +114,9 @@ std::string head_part(const Mechanism& mechanism) {
          fmt::format(
              "# It works as it is. Save it as my.toml, change the numbers above the line of equals "
              "signs, and try\n"
-             "#   camlaw check my.toml        the problem in words\n"
-             "#   camlaw optimize my.toml     the best design within the limits\n"
-             "# Units are any of the kind, in quotes: \"20 mm\", \"2 cm\".\n\n"
+             "#   camlaw check my.toml\n"
+             "#   camlaw optimize my.toml\n"
+             "# Units are in quotes: \"20 mm\", \"2 cm\".\n\n"
              "format = \"{1}\"\ntitle = \"My first {0}\"\nmechanism = \"{0}\"\n",
              mechanism.name, kProblemFormat.text());
 }
@@ -131,12 +131,17 @@ ConstantsPart constants_part(const Mechanism& mechanism, const UsualProblem& usu
   ConstantsPart part;
   for (const MechanismParameter& p : mechanism.parameters) {
     if (varied.contains(p.name)) continue;
-    const bool matters = used.contains(p.name);
-    (matters ? part.fixed : part.optional) +=
-        words_on(p) + assignment(matters ? kFixed : kOptional, p.name, value_of(p, usual), p.unit);
+    const double value = value_of(p, usual);
+    // What is absent by default, such as an offset of 0, may be added later.
+    const bool is_absent = value == 0 && p.default_value == 0;
+    if (used.contains(p.name) && !is_absent) {
+      part.fixed += sentence(p.meaning) + assignment(kFixed, p.name, value, p.unit);
+    } else {
+      part.optional += words_on(p) + assignment(kOptional, p.name, value, p.unit);
+    }
   }
   // What follows the line is of the same table.
-  part.fixed = "\n# The machine. What stays the same while the program searches.\n[constants]\n" +
+  part.fixed = "\n# The machine: what stays the same while the program searches.\n[constants]\n" +
                part.fixed;
   if (!part.optional.empty()) {
     part.optional =
@@ -206,7 +211,7 @@ std::string variables_part(const Mechanism& mechanism, const UsualProblem& usual
   }
   for (const auto& variable : usual.variables) {
     const MechanismParameter& p = parameter_of(mechanism, variable.parameter);
-    text += words_on(p) + fmt::format("[variables.{}]\n", p.name);
+    text += sentence(p.meaning) + fmt::format("[variables.{}]\n", p.name);
     if (p.integer) text += "type = \"integer\"\n";
     text += assignment(kFixed, "lower", variable.lower, p.unit) +
             assignment(kFixed, "upper", variable.upper, p.unit) +
@@ -233,7 +238,8 @@ std::string more_variables(const Mechanism& mechanism, const UsualProblem& usual
 
 std::string objective_part(const Mechanism& mechanism, const UsualProblem& usual) {
   const ResponseName name = find_response(mechanism, usual.objective);
-  return "\n# What is sought.\n" + sentence(words_on(mechanism, name)) +
+  const bool is_variable = name.response == nullptr;  // which has been described
+  return "\n# What is sought.\n" + (is_variable ? "" : sentence(words_on(mechanism, name))) +
          fmt::format("[objective]\n{} = \"{}\"\n",
                      usual.sense == optim::Sense::Minimize ? "minimize" : "maximize",
                      usual.objective);
