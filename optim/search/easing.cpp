@@ -8,6 +8,7 @@
 
 #include "optim/search/discrete.h"
 #include "optim/search/plan.h"
+#include "optim/verdict/limits.h"
 
 namespace camlaw::optim {
 namespace {
@@ -81,6 +82,12 @@ std::optional<EasedProblem> without_bound(const Problem& problem, const std::str
   return {};
 }
 
+/// Whether the problem's own objective, which the search for an easing leaves out, has a value: a
+/// limit that it requires may be a looser one on what is eased.
+bool has_objective(const Problem& problem, Design x) {
+  return std::isfinite(objective_report(problem, sizes(problem, x), x, false).value);
+}
+
 Problem begun_at(Problem problem, const std::vector<double>& x) {
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     Variable& v = problem.variables[i];
@@ -106,7 +113,7 @@ std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
     Problem posed = begun_at(std::move(eased->problem), infeasible.x);
     posed.known.reset();
     const Found found = search(posed);
-    if (!is_feasible(found.assessment)) continue;
+    if (!is_feasible(found.assessment) || !has_objective(problem, found.x)) continue;
     Easing easing = std::move(eased->easing);
     easing.by = (easing.is_upper ? 1 : -1) * (found.assessment.objective.value - easing.bound);
     easing.x = found.x;

@@ -29,9 +29,9 @@ struct Easing {
 using SearchFromStart = std::function<Found(const Problem&)>;
 
 /// Of each limit and each bound that an infeasible answer blames, by how much it has to be eased if
-/// it alone is: the limit's response becomes the objective, the others stay. Where the others
-/// cannot be met without it either, or where the search found no design, that one is left out; so
-/// are equations, and bounds of integers. At most `kMostEased` are looked at.
+/// it alone is: the limit's response becomes the objective, the others stay. Left out are
+/// those for which the search found no design, or one at which the problem's own objective has no
+/// value; equations; and bounds of integers. At most `kMostEased` are looked at.
 std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
                             const SearchFromStart& search);
 

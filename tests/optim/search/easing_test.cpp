@@ -80,6 +80,36 @@ TEST_CASE("a limit without which the others contradict one another as well is no
   CHECK(all.size() <= 1);
 }
 
+TEST_CASE("an easing that leaves the objective without a value is not told of", "[optimise]") {
+  // The objective sqrt(21 - x) has no value beyond x = 21, where the eased low, x >= 22, would be.
+  Problem problem;
+  problem.variables = {variable("x", 0, 30, 10), variable("y", 0, 10, 5)};
+  problem.objectives = {least(function<Interval>(
+      {0},
+      [](const auto& u) {
+        using std::sqrt;
+        return sqrt(21.0 - u[0]);
+      },
+      Shape::General))};
+  problem.constraints = {
+      at_most("sum", linear({0, 1}, [](const auto& u) { return u[0] + u[1]; }), 20),
+      at_least("low", linear({0}, [](const auto& u) { return 1.0 * u[0]; }), 22)};
+  Found infeasible;
+  infeasible.x = {20, 0};
+  infeasible.assessment.verdict = Verdict::Infeasible;
+  infeasible.assessment.blamed = {"sum", "low"};
+  for (const Constraint& c : problem.constraints) {
+    infeasible.assessment.limits.push_back({.name = c.response.name,
+                                            .value = 20,
+                                            .bound = c.upper ? 20.0 : 22.0,
+                                            .is_upper = c.upper.has_value()});
+  }
+  const std::vector<Easing> all = easings(problem, infeasible, OptimiseOptions{});
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].name == "low");  // by 2, at x = 20; sum would grow by 2, at x = 22
+  CHECK(all[0].by == Approx(2));
+}
+
 TEST_CASE("nothing is told of an answer that meets its limits", "[optimise]") {
   Problem problem = two_in_each_others_way();
   problem.constraints.pop_back();
