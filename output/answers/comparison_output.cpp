@@ -112,7 +112,7 @@ Table answers_table(const Designs& designs) {
               row_of(designs, [&](const auto& design) { return objective_cell(design, asked); }));
   }
   line("numbers are", [](const auto& design) {
-    return design.read.verdict ? "the result of a search" : "the file's own, no search's result";
+    return design.read.verdict ? "the result of a search" : "as the file states them, not searched";
   });
   line("limits met", [](const auto& design) {
     return fmt::format("{} of {}", design.review.met(), design.review.limits.size());

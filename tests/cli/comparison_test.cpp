@@ -47,7 +47,7 @@ TEST_CASE("a comparison marks the better objective and the wider margin of each 
   REQUIRE(least.size() == 3);
   CHECK(least[1] == "60");  // the file's own
   const Words whose = row_of(section_of(page, "answers"), "numbers are");
-  CHECK(whose[1] == "the file's own, no search's result");
+  CHECK(whose[1] == "as the file states them, not searched");
   CHECK(whose[2] == "the result of a search");
   CHECK_THAT(least[2], Contains("badge good") && Contains(", best") &&
                            Contains(std::to_string(radius).substr(0, 7)));

@@ -83,7 +83,7 @@ TEST_CASE("a new file has a sentence before every number", "[program]") {
     std::string before;
     bool in_constants = false;
     for (std::string line; std::getline(lines, line); before = line) {
-      if (line.starts_with("[")) in_constants = line == "[constants]";
+      if (line.starts_with("[") || line.starts_with("#[")) in_constants = line == "[constants]";
       if (!in_constants || line.find(" = ") == std::string::npos || line.starts_with("# "))
         continue;
       INFO(name << ": " << line);
