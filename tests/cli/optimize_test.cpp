@@ -129,11 +129,13 @@ TEST_CASE("a limit that no variable changes is cured by easing it, and the start
   CHECK(shown.status == 3);
   CHECK_THAT(shown.out, Contains("the values at the start, which are no answer\n") &&
                             Contains("what would let every limit be met\n  easing the limit on "
-                                     "follower_force by "));
+                                     "follower_force by ") &&
+                            Contains("; then [buildable] still fails: contact\n"));
   Words as_json = asked;
   as_json.push_back("--json");
   const ParsedJson json = ParsedJson::parse(run(as_json).out);
   REQUIRE(json["cures"]["easings"].size() == 1);
+  CHECK(json["cures"]["easings"][0]["still_fails"] == ParsedJson({"contact"}));
   const double by = json["cures"]["easings"][0]["by"];
   const auto status_with = [&](double lower) {
     std::string text = read(file);
