@@ -300,6 +300,15 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
     table.add(std::move(row));
   }
   document.add(table);
+  const bool is_judged = answer.optimum.found.assessment.verdict == optim::Verdict::Certified;
+  const bool has_feasible = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
+    return part.verdict == optim::Verdict::Feasible;
+  });
+  if (is_judged && has_feasible) {
+    document.say(
+        "feasible: this design meets the limits; proofs, and the test for an optimum, are made for "
+        "the best combination alone\n");
+  }
   if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;
 }
