@@ -94,7 +94,7 @@ Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
 <<<<<<< HEAD
   Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
 =======
-  Found found = search_continuous(problem, how, deadline, true, std::move(known));
+  Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
   bool is_whole = false;
 >>>>>>> wVerdict
   try {
