@@ -91,12 +91,8 @@ bool look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
 
 Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
                         const Deadline& deadline, std::vector<FromStart> known) {
-<<<<<<< HEAD
-  Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
-=======
   Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
   bool is_whole = false;
->>>>>>> wVerdict
   try {
     is_whole = look_everywhere(problem, how, deadline, found);
   } catch (const Interrupted&) {  // the answer stands without
