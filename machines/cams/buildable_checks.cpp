@@ -108,6 +108,19 @@ BuildableCheck stress(const char* name, const char* response, const char* after,
   return check;
 }
 
+/// Has the checks of what is pressed together wait for contact, where a mechanism can lose it.
+void await_contact(Checks& checks) {
+  const std::string contact = "contact";
+  const bool has_it = std::any_of(checks.begin(), checks.end(),
+                                  [&](const auto& check) { return check.name == contact; });
+  for (BuildableCheck& check : checks) {
+    const auto& needs = check.needs;
+    const bool is_pressed =
+        std::find(needs.begin(), needs.end(), "allowable_pressure") != needs.end();
+    if (has_it && is_pressed && check.closure != Closure::Form) check.after.push_back(contact);
+  }
+}
+
 /// Drops names that are neither a parameter of the mechanism nor an input.
 void keep_known(std::vector<std::string>& names, const Mechanism& mechanism) {
   std::erase_if(names, [&](const std::string& name) {
@@ -267,6 +280,7 @@ Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", 
 
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks) {
   for (const Checks& some : checks) add(mechanism.checks, some);
+  await_contact(mechanism.checks);
   add_elastic_checks(mechanism);
   for (BuildableCheck& check : mechanism.checks) {
     keep_known(check.needs, mechanism);

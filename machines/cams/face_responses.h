@@ -56,9 +56,7 @@ std::vector<MechanismResponse> face_contact_responses() {
   for (const char* of_contact : {"contact_stress", "contact_half_width", "max_shear", "shear_depth",
                                  "film_thickness", "lambda_ratio"}) {
     set_defined_while(all, {of_contact}, {.response = "profile_radius", .lower = 0});
-  }
-  for (const char* pressed : {"max_shear", "shear_depth", "film_thickness", "lambda_ratio"}) {
-    set_defined_while(all, {pressed}, {.response = "contact_force", .lower = 0});
+    set_defined_while(all, {of_contact}, {.response = "contact_force", .lower = 0});
   }
   return all;
 }

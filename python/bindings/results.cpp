@@ -186,6 +186,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   answer.reached = std::move(reached);
   answer.knots = knots;
   answer.warnings = cli::warnings_of(answer);
+  answer.easings = optim::easings(found->optimum.problem, found->optimum.found, search);
   answer.built = cli::buildability_of(answer);
   cli::Document document = cli::answer_document(answer);
   Json facts = cli::json_of(document);
