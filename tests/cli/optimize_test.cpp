@@ -300,6 +300,25 @@ TEST_CASE("evaluate computes every response at the values that are set", "[progr
   CHECK_THAT(done({"evaluate", shipped("least_force.toml")}), Contains("inertia_force"));
 }
 
+TEST_CASE("evaluate does not take a pole's other side for rounding", "[program]") {
+  const Folder folder;
+  const std::string path = written(
+      folder,
+      "mechanism = 'disc-cam-roller'\n"
+      "[program]\nsegments = [{name = 'rise', angle = 60, law = 'modified-sine'},"
+      "{name = 'back', law = 'cycloidal'}]\n"
+      "[responses]\npole = {formula = 'tan(angle / 2)'}\nrise = {formula = '1 / sin(angle)'}\n");
+  std::istringstream text(done({"evaluate", path}));
+  std::string row, sampled;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("pole ")) row = line;
+    if (line.starts_with("sampled, not proved")) sampled = line;
+  }
+  // Its lowest was told as 0, beside 1e16.
+  CHECK_THAT(row, Contains(" -"));
+  CHECK_THAT(sampled, Contains("pole") && Contains("rise"));
+}
+
 TEST_CASE("evaluate tells limits from the side that was written", "[program]") {
   const std::string text = done({"evaluate", shipped("least_radius.toml")});
   // As high at both of its peaks.
