@@ -2,6 +2,8 @@
 // check, evaluate, optimize and the cam shape, as a user runs them.
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
