@@ -126,7 +126,7 @@ int run_evaluate(const EvaluateOptions& options) {
   if (options.json) return end;
   say_written(files);
   const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
-  if (!met && !read.verdict) say_next(search_command(statement, options.file));
+  if (!met && !read.verdict) say_next(search_command(statement, options.file, options.settings));
   return end;
 }
 

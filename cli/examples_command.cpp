@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "numerics/text/file_text.h"
+#include "output/answers/next_step.h"
 #include "output/document/document.h"
 #include "output/document/printing.h"
 #include "problems/statement/shipped_files.h"
@@ -36,14 +37,34 @@ Document examples_document() {
   return document;
 }
 
+/// A file's words with the commands of the copies in place of those of the originals: "camlaw
+/// optimize problems/cams/roller.toml" as "camlaw optimize mine/roller.toml".
+std::string with_copied_paths(std::string text, const fs::path& from, const fs::path& to,
+                              const std::vector<fs::path>& copied) {
+  for (const fs::path& file : copied) {
+    const std::string old = ("problems" / from / file).generic_string();
+    const std::string copy = shell_word((to / file).lexically_normal().generic_string());
+    for (std::size_t at = text.find(old); at != std::string::npos;
+         at = text.find(old, at + copy.size())) {
+      text.replace(at, old.size(), copy);
+    }
+  }
+  return text;
+}
+
 int copy_example(const ExamplesOptions& options) {
   check_folder(options.out);
   const problems::ShippedFile example = problems::find_shipped(options.name);
   const fs::path folder = options.out.value_or(".");
   std::vector<OutputFile> files;
-  for (const fs::path& file : problems::files_of(example)) {
-    files.push_back({(folder / file).lexically_normal(),
-                     problems::file_text((example.path.parent_path() / file).string(), "example")});
+  const std::vector<fs::path> copied = problems::files_of(example);
+  for (const fs::path& file : copied) {
+    std::string text = problems::file_text((example.path.parent_path() / file).string(), "example");
+    if (file.extension() == ".toml") {
+      text =
+          with_copied_paths(std::move(text), fs::path(example.name).parent_path(), folder, copied);
+    }
+    files.push_back({(folder / file).lexically_normal(), std::move(text)});
   }
   refuse_existing(files);
   write_files(files);
@@ -57,6 +78,9 @@ int copy_example(const ExamplesOptions& options) {
     return kDone;
   }
   say_written(files);
+  const std::string file = files.front().path.string();
+  say_next("check " + shell_word(file));
+  say_next(search_command(problems::read_problem_file(file), file));
   return kDone;
 }
 

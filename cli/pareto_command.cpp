@@ -172,7 +172,9 @@ int run_pareto(const ParetoCommand& options) {
 Command pareto_command() {
   const auto options = std::make_shared<ParetoCommand>();
   return {.name = "pareto",
-          .help = "Find the front of a problem file with two or more objectives",
+          .help =
+              "Find the front of a problem file with two or more objectives, each a table "
+              "[[objectives]]",
           .options = {problem_file(options->file),
                       set_option(options->settings),
                       start_option(options->start),

@@ -76,7 +76,8 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
                          .file = input,
                          .facts = std::move(facts),
                          .review = review,
-                         .checksum = checksum_of(input)}),
+                         .checksum = checksum_of(input),
+                         .settings = settings}),
           status_of(review)};
 }
 

@@ -261,6 +261,7 @@ int give(const SearchRun& run, const SearchEnd& end) {
   const bool late = run.search.time_limit && run.clock.spent() >= *run.search.time_limit;
   if (!late || !is_large(run.bound.statement())) {
     answer.warnings = warnings_of(answer);
+    answer.easings = optim::easings(optimum.problem, optimum.found, rest_of(run.search, optimum));
     answer.built = buildability_of(answer);
   }
   for (std::string& note : begins_with_parts(run.bound.statement(), run.options.settings)) {

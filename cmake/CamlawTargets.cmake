@@ -15,7 +15,8 @@ endfunction()
 
 # Compiles the sources as units of up to CAMLAW_UNITY files: most of a file's time goes into the headers
 # and templates that its neighbours need too (benchmarks/README.md). Sources that follow LONG take longer
-# by themselves: up to four of a folder form a unit, for in a large one the compiler inlines less.
+# by themselves: up to four of a folder form a unit, for in a large one the compiler inlines less;
+# those of no folder are compiled alone.
 function(camlaw_units target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" LONG)
   if(NOT CAMLAW_UNITY)
@@ -30,6 +31,9 @@ function(camlaw_units target)
   set(folders)
   foreach(source IN LISTS arg_LONG)
     get_filename_component(folder ${source} DIRECTORY)
+    if(folder STREQUAL "")
+      continue()
+    endif()
     string(MAKE_C_IDENTIFIER ${folder} folder)
     list(APPEND long_${folder} ${source})
     list(APPEND folders ${folder})
@@ -64,6 +68,18 @@ function(camlaw_inlined target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1 -fstrict-aliasing
     -finline-functions -finline-small-functions -findirect-inlining -fpartial-inlining
     --param=max-inline-insns-auto=30 --param=early-inlining-insns=14>)
+endfunction()
+
+# For code that only checks others, where the libraries are sanitized: half of its compile time would
+# go to the sanitizers.
+function(camlaw_not_sanitized target)
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=address")
+    target_compile_options(${target} PRIVATE -fno-sanitize=all)
+    # What GCC compiles with the sanitizer aligns matrices by its own hand: memory of one must be
+    # freed as the other allocates it.
+    target_compile_definitions(${target} PRIVATE CAMLAW_SANITIZED
+      $<$<CXX_COMPILER_ID:GNU>:EIGEN_MALLOC_ALREADY_ALIGNED=0>)
+  endif()
 endfunction()
 
 function(camlaw_library name)

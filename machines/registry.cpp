@@ -6,59 +6,59 @@
 #include <iterator>
 #include <mutex>
 
-#include "machines/balancing_cam/mechanism.h"
-#include "machines/cams/cams.h"
-#include "machines/die_press/mechanism.h"
-#include "machines/follower_train/mechanism.h"
-#include "machines/geneva/mechanism.h"
-#include "machines/index_drives/index_drives.h"
-#include "machines/normalised_law/normalised_law.h"
-#include "machines/servo_axis/mechanism.h"
-#include "machines/sheet_delivery/mechanism.h"
-#include "machines/signature_feeder/mechanism.h"
-#include "machines/spine_cutter/mechanism.h"
-#include "machines/springs/springs.h"
 #include "numerics/text/names.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// Mechanisms by name, in the order of the listing: cams, what indexes, axes and followers,
-/// springs, published machines. Each is made when it is first asked for, since all of them
-/// take milliseconds.
+/// Mechanisms in the order of their listing, a line for each: the name, the function that makes it,
+/// which the machine's file defines, and its name in earlier programs, which files may have.
+#define CAMLAW_MACHINES(MACHINE)                                                             \
+  MACHINE("disc-cam-roller", roller_cam, "")                                                 \
+  MACHINE("disc-cam-flat", flat_cam, "")                                                     \
+  MACHINE("disc-cam-knife-edge", knife_edge_cam, "disc-cam-knife")                           \
+  MACHINE("disc-cam-conjugate", conjugate_cam, "")                                           \
+  MACHINE("disc-cam-oscillating-roller", oscillating_roller_cam, "disc-cam-swinging-roller") \
+  MACHINE("disc-cam-leading-roller", leading_roller_cam, "")                                 \
+  MACHINE("disc-cam-oscillating-flat", oscillating_flat_cam, "disc-cam-swinging-flat")       \
+  MACHINE("end-cam", end_cam, "")                                                            \
+  MACHINE("end-cam-oscillating", oscillating_end_cam, "end-cam-swinging")                    \
+  MACHINE("linear-cam", linear_cam, "")                                                      \
+  MACHINE("parallel-index-cam", parallel_index_cam, "")                                      \
+  MACHINE("indexing-barrel", barrel_index_cam, "")                                           \
+  MACHINE("globoidal-cam", globoidal_cam, "")                                                \
+  MACHINE("geneva", planar_geneva, "")                                                       \
+  MACHINE("geneva-spherical", spherical_geneva, "")                                          \
+  MACHINE("servo-axis", servo_axis, "")                                                      \
+  MACHINE("linear-servo-axis", linear_servo_axis, "")                                        \
+  MACHINE("follower-train", follower_train, "")                                              \
+  MACHINE("law", normalised_law, "")                                                         \
+  MACHINE("helical-spring", helical_spring, "")                                              \
+  MACHINE("disc-springs", disc_springs, "")                                                  \
+  MACHINE("spine-cutter", spine_cutter, "")                                                  \
+  MACHINE("die-press", die_press, "")                                                        \
+  MACHINE("sheet-delivery", sheet_delivery, "")                                              \
+  MACHINE("signature-feeder", signature_feeder, "")                                          \
+  MACHINE("balancing-cam", planar_balancing_cam, "")                                         \
+  MACHINE("balancing-cam-spherical", spherical_balancing_cam, "")
+
+}  // namespace
+
+#define CAMLAW_DECLARED(name, make, earlier) Mechanism make##_mechanism();
+CAMLAW_MACHINES(CAMLAW_DECLARED)
+#undef CAMLAW_DECLARED
+
+namespace {
+
+/// Each is made when it is first asked for, since all of them take milliseconds.
 struct Listed {
   const char* name;
   Mechanism (*make)();
-  const char* earlier = "";  ///< its name in earlier programs, which files may have
+  const char* earlier;
 };
-constexpr Listed kListed[] = {
-    {"disc-cam-roller", roller_cam_mechanism},
-    {"disc-cam-flat", flat_cam_mechanism},
-    {"disc-cam-knife-edge", knife_edge_cam_mechanism, "disc-cam-knife"},
-    {"disc-cam-conjugate", conjugate_cam_mechanism},
-    {"disc-cam-oscillating-roller", oscillating_roller_cam_mechanism, "disc-cam-swinging-roller"},
-    {"disc-cam-leading-roller", leading_roller_cam_mechanism},
-    {"disc-cam-oscillating-flat", oscillating_flat_cam_mechanism, "disc-cam-swinging-flat"},
-    {"end-cam", end_cam_mechanism},
-    {"end-cam-oscillating", oscillating_end_cam_mechanism, "end-cam-swinging"},
-    {"linear-cam", linear_cam_mechanism},
-    {"parallel-index-cam", parallel_index_cam_mechanism},
-    {"indexing-barrel", barrel_index_cam_mechanism},
-    {"globoidal-cam", globoidal_cam_mechanism},
-    {"geneva", planar_geneva_mechanism},
-    {"geneva-spherical", spherical_geneva_mechanism},
-    {"servo-axis", servo_axis_mechanism},
-    {"linear-servo-axis", linear_servo_axis_mechanism},
-    {"follower-train", follower_train_mechanism},
-    {"law", normalised_law_mechanism},
-    {"helical-spring", helical_spring_mechanism},
-    {"disc-springs", disc_springs_mechanism},
-    {"spine-cutter", spine_cutter_mechanism},
-    {"die-press", die_press_mechanism},
-    {"sheet-delivery", sheet_delivery_mechanism},
-    {"signature-feeder", signature_feeder_mechanism},
-    {"balancing-cam", planar_balancing_cam_mechanism},
-    {"balancing-cam-spherical", spherical_balancing_cam_mechanism}};
+#define CAMLAW_LISTED(name, make, earlier) {name, make##_mechanism, earlier},
+constexpr Listed kListed[] = {CAMLAW_MACHINES(CAMLAW_LISTED)};
+#undef CAMLAW_LISTED
 constexpr std::size_t kMechanisms = std::size(kListed);
 
 std::vector<Mechanism>& storage() {

@@ -18,22 +18,41 @@ template <class T, template <class> class Wheel>
 struct BalancingCam : GenevaDrive<T, Wheel> {
   using Drive = GenevaDrive<T, Wheel>;
 
-  T design_speed = number<T>(6.28318530717959);  ///< rad/s, the speed that the cam is cut for
-  T preload_ratio = number<T>(1);                ///< psi = S_0 / S_sp
-  T springs = number<T>(44);                     ///< i, packets in a row
-  T nested = number<T>(1);                       ///< springs in a packet
-  T outer_diameter = number<T>(0.0315);          ///< D_e, m
-  T inner_diameter = number<T>(0.0163);          ///< D_i, m
-  T thickness = number<T>(0.00175);              ///< t, m
-  T cone_height = number<T>(0.0007);             ///< h_0, m
-  T youngs_modulus = number<T>(2.06e11);         ///< E, Pa, of springs, cam and roller
-  T poisson_ratio = number<T>(0.3);              ///< mu
-  T cams = number<T>(1);                         ///< 1, or 2: equal cams on both ends of the stack
-  T base_radius = number<T>(0.06);               ///< r_b, m, least radius of the cam's profile
-  T roller_radius = number<T>(0.025);            ///< r_r, m
-  T face_width = number<T>(0.025);               ///< b, m, of roller and cam
-  T moved_mass = number<T>(1);                   ///< m, kg, that goes with each roller
-  T lift_off = number<T>(0);                     ///< delta, rad
+  T design_speed = this->given(
+      {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is cut for", 60, 1e-3, 1e6});
+  T preload_ratio = this->given(
+      {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 0.02, 100});
+  T springs = this->given(
+      {"springs", "i", "1", "1", "packets of disc springs in series", 44, 1, 10000, true});
+  T nested =
+      this->given({"nested", "n_s", "1", "1", "springs in a packet, nested", 1, 1, 10, true});
+  T outer_diameter = this->given(
+      {"outer_diameter", "D_e", "mm", "m", "outer diameter of a spring", 31.5, 1, 1000});
+  T inner_diameter = this->given(
+      {"inner_diameter", "D_i", "mm", "m", "inner diameter of a spring", 16.3, 0.5, 1000});
+  T thickness =
+      this->given({"thickness", "t", "mm", "m", "thickness of a spring", 1.75, 0.05, 100});
+  T cone_height = this->given({"cone_height", "h_0", "mm", "m",
+                               "cone height of the free spring, which is its deflection to flat",
+                               0.7, 0.01, 100});
+  T youngs_modulus = this->given({"youngs_modulus", "E", "GPa", "Pa",
+                                  "Young's modulus of springs, cam and roller", 206, 1e-3, 1e4});
+  T poisson_ratio = this->given(
+      {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of springs, cam and roller", 0.3, 0, 0.5});
+  T cams = this->given({"cams", "k", "1", "1",
+                        "number of cams: 1, or 2 equal ones, one at each end of the stack", 1, 1, 2,
+                        true});
+  T base_radius = this->given(
+      {"base_radius", "r_b", "mm", "m", "least radius of the cam's profile", 60, 0.1, 1e5});
+  T roller_radius =
+      this->given({"roller_radius", "r_r", "mm", "m", "radius of the roller", 25, 0.1, 1e5});
+  T face_width = this->given(
+      {"face_width", "b", "mm", "m", "width of roller and cam in contact", 25, 0.1, 1e4});
+  T moved_mass =
+      this->given({"moved_mass", "m", "kg", "kg", "mass that moves with each roller", 1, 0, 1e6});
+  T lift_off = this->given(
+      {"lift_off", "delta", "deg", "rad",
+       "angle, from the engagement of the pin, over which the rollers are off the cam", 0, 0, 60});
 
   static constexpr double kRounding = 1e-9;  ///< rad, of angles that are meant to be equal
 
@@ -58,7 +77,9 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
     return "lift_off must be at most 180 deg";
   }
   /// The drive at the speed that the cam is cut for.
-  Drive designed() const { return {this->slots, design_speed, this->inertia, this->friction}; }
+  Drive designed() const {
+    return {Given<T>::unset(), this->slots, design_speed, this->inertia, this->friction};
+  }
   DiscSpring<T> spring() const {
     return {outer_diameter, inner_diameter, thickness, cone_height, youngs_modulus, poisson_ratio};
   }
@@ -89,7 +110,7 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   }
   /// The cam with its roller, whose follower is one end of the stack.
   RollerCam<T> cam() const {
-    RollerCam<T> result;
+    RollerCam<T> result{Given<T>::unset()};
     result.base_radius = base_radius;
     result.roller_radius = roller_radius;
     result.face_width = face_width;

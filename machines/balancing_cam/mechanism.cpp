@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "machines/balancing_cam/mechanism.h"
 
 #include "machines/balancing_cam/balancing_cam.h"
 #include "machines/cams/buildable_checks.h"
@@ -7,68 +6,10 @@
 #include "machines/model/append.h"
 #include "machines/model/peak_number.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-namespace {
-
-const std::vector<MechanismParameter>& balancing_parameters() {
-  static const std::vector<MechanismParameter> all = [] {
-    auto result = drive_parameters();
-    const std::vector<MechanismParameter> own{
-        {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is cut for", 60, 1e-3, 1e6},
-        {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 0.02,
-         100},
-        {"springs", "i", "1", "1", "packets of disc springs in series", 44, 1, 10000, true},
-        {"nested", "n_s", "1", "1", "springs in a packet, nested", 1, 1, 10, true},
-        {"outer_diameter", "D_e", "mm", "m", "outer diameter of a spring", 31.5, 1, 1000},
-        {"inner_diameter", "D_i", "mm", "m", "inner diameter of a spring", 16.3, 0.5, 1000},
-        {"thickness", "t", "mm", "m", "thickness of a spring", 1.75, 0.05, 100},
-        {"cone_height", "h_0", "mm", "m",
-         "cone height of the free spring, which is its deflection to flat", 0.7, 0.01, 100},
-        {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of springs, cam and roller", 206,
-         1e-3, 1e4},
-        {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of springs, cam and roller", 0.3, 0,
-         0.5},
-        {"cams", "k", "1", "1", "number of cams: 1, or 2 equal ones, one at each end of the stack",
-         1, 1, 2, true},
-        {"base_radius", "r_b", "mm", "m", "least radius of the cam's profile", 60, 0.1, 1e5},
-        {"roller_radius", "r_r", "mm", "m", "radius of the roller", 25, 0.1, 1e5},
-        {"face_width", "b", "mm", "m", "width of roller and cam in contact", 25, 0.1, 1e4},
-        {"moved_mass", "m", "kg", "kg", "mass that moves with each roller", 1, 0, 1e6},
-        {"lift_off", "delta", "deg", "rad",
-         "angle, from the engagement of the pin, over which the rollers are off the cam", 0, 0,
-         60}};
-    result.insert(result.end(), own.begin(), own.end());
-    return result;
-  }();
-  return all;
-}
-
-template <template <class> class M, class T>
-constexpr std::array<T M<T>::*, 20> kBalancingFields{
-    &M<T>::slots,          &M<T>::angular_speed,  &M<T>::inertia,    &M<T>::friction,
-    &M<T>::design_speed,   &M<T>::preload_ratio,  &M<T>::springs,    &M<T>::nested,
-    &M<T>::outer_diameter, &M<T>::inner_diameter, &M<T>::thickness,  &M<T>::cone_height,
-    &M<T>::youngs_modulus, &M<T>::poisson_ratio,  &M<T>::cams,       &M<T>::base_radius,
-    &M<T>::roller_radius,  &M<T>::face_width,     &M<T>::moved_mass, &M<T>::lift_off};
-
-}  // namespace
-
-template <>
-struct MachineTraits<PlanarBalancingCam> {
-  static const std::vector<MechanismParameter>& parameters() { return balancing_parameters(); }
-  template <class T>
-  static constexpr auto fields = kBalancingFields<PlanarBalancingCam, T>;
-};
-
-template <>
-struct MachineTraits<SphericalBalancingCam> {
-  static const std::vector<MechanismParameter>& parameters() { return balancing_parameters(); }
-  template <class T>
-  static constexpr auto fields = kBalancingFields<SphericalBalancingCam, T>;
-};
-
 namespace {
 
 using optim::Part;
@@ -258,7 +199,7 @@ MechanismResponse balance(const char* name, const char* meaning, const Mechanism
 }
 
 template <template <class> class M>
-Mechanism balancing_cam(const char* name, const char* title) {
+Mechanism balancing_cam(const char* name, const char* title, UsualProblem usual) {
   std::vector<MechanismResponse> responses = balancing_numbers<M>();
   responses.push_back(
       balance<M>("balancing_coefficient",
@@ -275,7 +216,7 @@ Mechanism balancing_cam(const char* name, const char* title) {
            "K. V. Tir, A. S. Glavatskii, A. I. Petruk, The balancing of the surplus forces of "
            "the main conveyors' drive of the book-processing units, Polihrafiia i vydavnycha "
            "sprava, UDC 621.835",
-       .parameters = MachineTraits<M>::parameters(),
+       .parameters = parameters_of<M>(),
        .responses = std::move(responses),
        .peaks = {{"peak_residual_torque", "residual_torque", Part::Magnitude,
                   "greatest torque after balancing"},
@@ -289,7 +230,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
        .moved_by = MovedBy::Nothing,
        .validity = {{"flattening", 1}},
        .form = Form::BalancingCam,
-       .why_impossible = why_impossible_as<M>},
+       .why_impossible = why_impossible_as<M>,
+       .usual = usual_problem(std::move(usual))},
       {undercut_checks(), stress_checks()});
 }
 
@@ -297,13 +239,25 @@ Mechanism balancing_cam(const char* name, const char* title) {
 
 Mechanism planar_balancing_cam_mechanism() {
   return balancing_cam<PlanarBalancingCam>(
-      "balancing-cam", "spring-loaded cam that balances a conveyor with a planar Geneva");
+      "balancing-cam", "spring-loaded cam that balances a conveyor with a planar Geneva",
+      {.objective = "spring_tension",
+       .variables = {{"preload_ratio", 0.6, 2, 1}, {"cone_height", 0.65, 1, 0.75}},
+       .limits = {{"flattening", kNone, 0.75}, {"balancing_coefficient", 9.1, kNone}},
+       .others = {"peak_residual_torque", "peak_stress", "peak_pressure_angle",
+                  "least_roller_force", "spring_stress", "undercut"},
+       .constants = {{"springs", 48}}});
 }
 
 Mechanism spherical_balancing_cam_mechanism() {
   return balancing_cam<SphericalBalancingCam>(
       "balancing-cam-spherical",
-      "spring-loaded cam that balances a conveyor with a spherical Geneva");
+      "spring-loaded cam that balances a conveyor with a spherical Geneva",
+      {.objective = "spring_tension",
+       .variables = {{"preload_ratio", 0.6, 2, 1}, {"cone_height", 0.65, 1, 0.75}},
+       .limits = {{"flattening", kNone, 0.75}, {"balancing_coefficient", 3.7, kNone}},
+       .others = {"peak_residual_torque", "peak_stress", "peak_pressure_angle",
+                  "least_roller_force", "spring_stress", "undercut"},
+       .constants = {{"springs", 48}}});
 }
 
 }  // namespace camlaw::problems

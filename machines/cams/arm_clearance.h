@@ -21,29 +21,22 @@ MechanismResponse arm_clearance(MechanismResponse response, ArmAndProfile of);
 /// Of a machine M with pitch_curve() and a pivot_distance.
 template <template <class> class M>
 MechanismResponse arm_clearance_response() {
-  enum class Seen { ContactX, ContactY, CentreX, CentreY };
-  const auto seen = [](Seen which, const char* name) {
-    return listed_curve<M>({name, "mm", "m", ""}, turn_of_the_cam(), which,
-                           [](const auto& cam, Seen wanted, const auto& motion) {
-                             const auto f = cam.over_angle(motion);
-                             if (wanted == Seen::ContactX) return profile_of(cam, f).x;
-                             if (wanted == Seen::ContactY) return profile_of(cam, f).y;
-                             const auto w = cam.pitch_curve(f);
-                             return wanted == Seen::CentreX ? w.x : w.y;
-                           });
+  const auto seen = [](const char* name, auto formula) {
+    return cam_curve<M>({name, "mm", "m", ""}, formula);
   };
   constexpr bool turns_back = requires(const M<double>& cam, const CamPoint<double>& p) {
     cam.placed(p, 0.0);
   };
-  const auto& all = MachineTraits<M>::parameters();
+  const auto& all = parameters_of<M>();
   const auto pivot = std::find_if(all.begin(), all.end(),
                                   [](const auto& p) { return p.name == "pivot_distance"; });
-  ArmAndProfile of{seen(Seen::ContactX, "contact_x"),
-                   seen(Seen::ContactY, "contact_y"),
-                   seen(Seen::CentreX, "centre_x"),
-                   seen(Seen::CentreY, "centre_y"),
-                   static_cast<std::size_t>(pivot - all.begin()),
-                   turns_back ? -1.0 : 1.0};
+  ArmAndProfile of{
+      seen("contact_x", [](const auto& cam, const auto& f) { return profile_of(cam, f).x; }),
+      seen("contact_y", [](const auto& cam, const auto& f) { return profile_of(cam, f).y; }),
+      seen("centre_x", [](const auto& cam, const auto& f) { return cam.pitch_curve(f).x; }),
+      seen("centre_y", [](const auto& cam, const auto& f) { return cam.pitch_curve(f).y; }),
+      static_cast<std::size_t>(pivot - all.begin()),
+      turns_back ? -1.0 : 1.0};
   return arm_clearance(
       detail::described<M>({"arm_clearance", "mm", "mm",
                             "least distance of the profile from the arm's centre line, between "

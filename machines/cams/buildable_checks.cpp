@@ -12,15 +12,17 @@ namespace {
 /// Every input that a check of a cam has.
 const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
-      {"wheel_radius", "mm", "radius of the grinding wheel"},
-      {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius"},
+      {"wheel_radius", "mm", "radius of the grinding wheel", 50},
+      {"wall", "mm", "required wall between profile and bore; by default a quarter of bore_radius",
+       5},
       {"keyway_depth", "mm",
-       "how far the corner of the hub's keyway lies beyond bore_radius; the wall begins there"},
-      {"arm_width", "mm", "width of the arm, and of its eye around the pivot"},
-      {"free_length", "mm", "free length of the spring"},
-      {"solid_length", "mm", "solid length of the spring, with all its coils closed"},
-      {"solid_angle", "deg", "deflection at which the spring of the arm is solid"},
-      {"allowable_pressure", "MPa", "permissible Hertz pressure of the material"}};
+       "how far the corner of the hub's keyway lies beyond bore_radius; the wall begins there",
+       3.3},
+      {"arm_width", "mm", "width of the arm, and of its eye around the pivot", 16},
+      {"free_length", "mm", "free length of the spring", 100},
+      {"solid_length", "mm", "solid length of the spring, with all its coils closed", 30},
+      {"solid_angle", "deg", "deflection at which the spring of the arm is solid", 60},
+      {"allowable_pressure", "MPa", "permissible Hertz pressure of the material", 1200}};
   return all;
 }
 
@@ -104,6 +106,19 @@ BuildableCheck stress(const char* name, const char* response, const char* after,
                        .after = {after}};
   check.needs.insert(check.needs.begin(), {"allowable_pressure", "face_width"});
   return check;
+}
+
+/// Has the checks of what is pressed together wait for contact, where a mechanism can lose it.
+void await_contact(Checks& checks) {
+  const std::string contact = "contact";
+  const bool has_it = std::any_of(checks.begin(), checks.end(),
+                                  [&](const auto& check) { return check.name == contact; });
+  for (BuildableCheck& check : checks) {
+    const auto& needs = check.needs;
+    const bool is_pressed =
+        std::find(needs.begin(), needs.end(), "allowable_pressure") != needs.end();
+    if (has_it && is_pressed && check.closure != Closure::Form) check.after.push_back(contact);
+  }
 }
 
 /// Drops names that are neither a parameter of the mechanism nor an input.
@@ -265,6 +280,7 @@ Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", 
 
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks) {
   for (const Checks& some : checks) add(mechanism.checks, some);
+  await_contact(mechanism.checks);
   add_elastic_checks(mechanism);
   for (BuildableCheck& check : mechanism.checks) {
     keep_known(check.needs, mechanism);

@@ -3,72 +3,16 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/pair_duty_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
-template <>
-struct MachineTraits<ConjugateCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&ConjugateCam<T>::stroke,
-                                     &ConjugateCam<T>::base_radius,
-                                     &ConjugateCam<T>::roller_radius,
-                                     &ConjugateCam<T>::offset,
-                                     &ConjugateCam<T>::roller_distance,
-                                     &ConjugateCam<T>::angular_speed,
-                                     &ConjugateCam<T>::mass,
-                                     &ConjugateCam<T>::spring_rate,
-                                     &ConjugateCam<T>::spring_preload,
-                                     &ConjugateCam<T>::load,
-                                     &ConjugateCam<T>::face_width,
-                                     &ConjugateCam<T>::youngs_modulus,
-                                     &ConjugateCam<T>::poisson_ratio,
-                                     &ConjugateCam<T>::cutter_radius,
-                                     &ConjugateCam<T>::bore_radius,
-                                     &ConjugateCam<T>::guide_friction,
-                                     &ConjugateCam<T>::guide_length,
-                                     &ConjugateCam<T>::overhang,
-                                     &ConjugateCam<T>::train_stiffness,
-                                     &ConjugateCam<T>::train_damping,
-                                     &ConjugateCam<T>::end_share,
-                                     &ConjugateCam<T>::dynamic_rating,
-                                     &ConjugateCam<T>::static_rating,
-                                     &ConjugateCam<T>::speed_limit,
-                                     &ConjugateCam<T>::crown_radius,
-                                     &ConjugateCam<T>::viscosity,
-                                     &ConjugateCam<T>::pressure_viscosity,
-                                     &ConjugateCam<T>::roughness};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(),
-              base_parameter(),
-              roller_parameter(),
-              offset_parameter(),
-              {{"roller_distance", "D", "mm", "m",
-                "distance between the two rollers, along the carriage's path", 140, 1e-3, 1e5}},
-              speed_parameter(),
-              sliding_load(0, 0),
-              contact_parameters(),
-              cutter_parameter(),
-              bore_parameter(),
-              guide_parameters(),
-              sliding_train(),
-              bearing_parameters(),
-              crown_parameter(),
-              lubricant_parameters()});
-  return all;
-}
-
 namespace {
 
 constexpr const char *kMain = "main cam", *kSecond = "second cam";
@@ -78,10 +22,9 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
-  append(all, film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
-                                           [](const auto& cam, FilmCurve which, const auto& f) {
-                                             return cam.film(which, f);
-                                           }));
+  append(all,
+         film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
+                                      [](const auto& cam, const auto& f) { return cam.film(f); }));
   all.push_back(guide_response<ConjugateCam>());
   all.push_back(overhang_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));
@@ -103,7 +46,7 @@ Mechanism conjugate_cam_mechanism() {
       {.name = "disc-cam-conjugate",
        .title = "pair of conjugate disc cams that move a carriage with two rollers",
        .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<ConjugateCam>::parameters(),
+       .parameters = parameters_of<ConjugateCam>(),
        .responses = conjugate_responses(),
        .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle(), kSecond), peak_undercut(),
                  of_second(peak_undercut(), kSecond), peak_force(), peak_torque(), peak_stress(),
@@ -112,7 +55,16 @@ Mechanism conjugate_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscConjugate,
-       .why_impossible = why_impossible_as<ConjugateCam>},
+       .why_impossible = why_impossible_as<ConjugateCam>,
+       .usual = usual_problem(
+           {.objective = "roller_distance",
+            .variables = {{"base_radius", 20, 120, 50}, {"roller_distance", 60, 300, 180}},
+            .limits = {{"pressure_angle", -35, 35},
+                       {"second_pressure_angle", -35, 35},
+                       {"second_base_radius", 25, kNone}},
+            .others = {"peak_stress", "peak_torque", "undercut", "life", "outer_radius",
+                       "second_outer_radius"},
+            .segments = rise_and_return()})},
       {conjugate_checks(), guide_checks()});
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/bearing_side.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/guided_follower.h"
 #include "machines/cams/roller_cam.h"
 #include "machines/contact/crowned_roller.h"
@@ -21,34 +22,37 @@ namespace camlaw {
 /// that roller must stay outside, stroke at most overhang.
 template <class T>
 struct ConjugateCam {
-  T stroke = number<T>(0.020);                    ///< h, m
-  T base_radius = number<T>(0.040);               ///< r_b, m, of the main cam
-  T roller_radius = number<T>(0.010);             ///< r_r, m, of either roller
-  T offset = number<T>(0);                        ///< e, m
-  T roller_distance = number<T>(0.140);           ///< D, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T mass = number<T>(1);                          ///< m, kg, of the carriage
-  T spring_rate = number<T>(0);                   ///< c, N/m
-  T spring_preload = number<T>(0);                ///< F_0, N
-  T load = number<T>(0);                          ///< F_L, N
-  T face_width = number<T>(0.015);                ///< b, m, of either contact
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T cutter_radius = number<T>(0.010);             ///< r_c, m
-  T bore_radius = number<T>(0.010);               ///< r_0, m, of either cam
-  T guide_friction = number<T>(0);                ///< mu, between carriage and guide
-  T guide_length = number<T>(0.060);              ///< l_g, m
-  T overhang = number<T>(0.040);                  ///< a, m, of the main roller from it at s = 0
-  T train_stiffness = number<T>(0);               ///< c_t, N/m
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  T dynamic_rating = number<T>(1e4);              ///< C, N, of either roller
-  T static_rating = number<T>(1e4);               ///< C_0, N
-  T speed_limit = number<T>(628.3185307179587);   ///< n_G, rad/s, of a roller on its pin
-  T crown_radius = number<T>(0.5);                ///< R_c, m, of either roller along its axis
-  T viscosity = number<T>(0.05);                  ///< eta, Pa s
-  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
-  T roughness = number<T>(4e-7);                  ///< R_q, m, of a roller and its cam
+  Given<T> given = {};
+  T stroke = given(cams::kStroke);               ///< h, m
+  T base_radius = given(cams::kBaseRadius);      ///< r_b, m, of the main cam
+  T roller_radius = given(cams::kRollerRadius);  ///< r_r, m, of either roller
+  T offset = given(cams::kOffset);               ///< e, m
+  T roller_distance =
+      given({"roller_distance", "D", "mm", "m",
+             "distance between the two rollers, along the carriage's path", 140, 1e-3, 1e5});
+  T angular_speed = given(cams::kSpeed);                         ///< omega, rad/s
+  T mass = given(cams::kMass);                                   ///< m, kg, of the carriage
+  T spring_rate = given(cams::kSpringRate.by_default(0));        ///< c, N/m
+  T spring_preload = given(cams::kSpringPreload.by_default(0));  ///< F_0, N
+  T load = given(cams::kLoad);                                   ///< F_L, N
+  T face_width = given(cams::kFaceWidth);                        ///< b, m, of either contact
+  T youngs_modulus = given(cams::kYoungsModulus);                ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);                  ///< nu
+  T cutter_radius = given(cams::kCutterRadius);                  ///< r_c, m
+  T bore_radius = given(cams::kBoreRadius);                      ///< r_0, m, of either cam
+  T guide_friction = given(cams::kGuideFriction);                ///< mu, between carriage and guide
+  T guide_length = given(cams::kGuideLength);                    ///< l_g, m
+  T overhang = given(cams::kOverhang);               ///< a, m, of the main roller from it at s = 0
+  T train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
+  T train_damping = given(cams::kTrainDamping);      ///< zeta
+  T end_share = given(cams::kEndShare);              ///< kappa, of what moves
+  T dynamic_rating = given(cams::kDynamicRating);    ///< C, N, of either roller
+  T static_rating = given(cams::kStaticRating);      ///< C_0, N
+  T speed_limit = given(cams::kSpeedLimit);          ///< n_G, rad/s, of a roller on its pin
+  T crown_radius = given(cams::kCrownRadius);        ///< R_c, m, of either roller along its axis
+  T viscosity = given(cams::kViscosity);             ///< eta, Pa s
+  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
+  T roughness = given(cams::kRoughness);                   ///< R_q, m, of a roller and its cam
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
@@ -146,18 +150,18 @@ struct ConjugateCam {
     const X force = contact_force(f);
     return unless_zero(force, roller().stress(absolute(force), loaded_curvature(f)));
   }
-  /// Of the roller on the cam that bears, crowned or not.
-  template <class X>
-  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
-    return unless_zero(contact_force(f), crown_curve(which, loaded_roller(f)));
+  /// formula(PressedRoller) of the roller on the cam that bears, crowned or not.
+  template <class X, class F>
+  X of_pressed(const FollowerMotion<X>& f, F formula) const {
+    return unless_zero(contact_force(f), X(formula(loaded_roller(f))));
   }
-  /// (RB7), (RB18) Film between that roller and its cam.
+  /// Between that roller and its cam.
   template <class X>
-  X film(FilmCurve which, const FollowerMotion<X>& f) const {
+  RollerFilm<T, T, X> film(const FollowerMotion<X>& f) const {
     const X of_main = rolled_way(main().pitch_curve(f), roller_radius);
     const X of_second = rolled_way(second().pitch_curve(second_motion(f)), roller_radius);
-    return film_curve(which, duty().lubricant(), loaded_roller(f),
-                      X(angular_speed * by_side(follower().force(f), of_main, of_second)));
+    return {duty().lubricant(), loaded_roller(f),
+            X(angular_speed * by_side(follower().force(f), of_main, of_second))};
   }
 
  private:
@@ -196,9 +200,9 @@ struct ConjugateCam {
     return is_number(offset, 0) ? X(f.ds / w.y) : along(f.ds, X(w.y1 / w.y));
   }
   RollerCam<T> cam(const T& base, const T& side) const {
-    return {stroke,         base,          roller_radius,  side, angular_speed,
-            mass,           spring_rate,   spring_preload, load, face_width,
-            youngs_modulus, poisson_ratio, cutter_radius};
+    return {Given<T>::unset(), stroke,         base,          roller_radius,  side,
+            angular_speed,     mass,           spring_rate,   spring_preload, load,
+            face_width,        youngs_modulus, poisson_ratio, cutter_radius};
   }
   /// 1 / cos alpha.
   template <class X>

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_curve.h"
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/model/listed_responses.h"
+#include "machines/model/append.h"
 #include "machines/model/mean_number.h"
 
 /// What is drawn of a cam, and cut: its curves in its own coordinates, mass and inertia.
 namespace camlaw::problems {
-
-enum class DrawnCurve { ProfileX, ProfileY, PitchX, PitchY, CutterX, CutterY, SecondX, SecondY };
 
 /// The profile under a roller is its pitch curve less the roller; other cams say themselves.
 template <class Cam, class X>
@@ -41,51 +40,46 @@ std::pair<X, X> on_cam(const Cam& cam, const CamPoint<X>& p, const X& phi) {
   }
 }
 
+/// The follower's trace point on the pitch curve.
 template <class Cam, class X>
-CamPoint<X> drawn_point(const Cam& cam, DrawnCurve which, const FollowerMotion<X>& f) {
-  using D = DrawnCurve;
-  if constexpr (requires { cam.second_profile(f); }) {
-    if (which == D::SecondX || which == D::SecondY) return cam.second_profile(f);
-  }
-  if constexpr (requires { cam.pitch_curve(f); }) {
-    if (which == D::CutterX || which == D::CutterY) return cutter_of(cam, f);
-    if (which == D::PitchX || which == D::PitchY) {
-      const auto w = cam.pitch_curve(f);
-      return {w.x, w.y, w.x1, w.y1};
-    }
-  }
-  return profile_of(cam, f);
+CamPoint<X> trace_point(const Cam& cam, const FollowerMotion<X>& f) {
+  const auto w = cam.pitch_curve(f);
+  return {w.x, w.y, w.x1, w.y1};
 }
 
-template <template <class> class M>
-MechanismResponse drawn_response(DrawnCurve which, const char* name, const char* meaning) {
-  return listed_curve<M>({name, "mm", "m", meaning}, turn_of_the_cam(), which,
-                         [](const auto& cam, DrawnCurve curve, const auto& motion, const auto& x) {
-                           using X = std::decay_t<decltype(x)>;
-                           const X phi = number<X>(2) * pi<X>() * x;
-                           const auto place =
-                               on_cam(cam, drawn_point(cam, curve, cam.over_angle(motion)), phi);
-                           using D = DrawnCurve;
-                           const bool across = curve == D::ProfileY || curve == D::PitchY ||
-                                               curve == D::CutterY || curve == D::SecondY;
-                           return across ? place.second : place.first;
-                         });
+/// NAME_x and NAME_y of point(cam, f) as it lies on the cam.
+template <template <class> class M, class Point>
+std::vector<MechanismResponse> drawn_curve(const std::string& name, const char* meaning,
+                                           Point point) {
+  const auto on_drawing = [point](const auto& cam, const auto& f, const auto& x) {
+    using X = std::decay_t<decltype(x)>;
+    return on_cam(cam, point(cam, f), X(number<X>(2) * pi<X>() * x));
+  };
+  return {cam_curve<M>({name + "_x", "mm", "m", meaning},
+                       [on_drawing](const auto& cam, const auto& f, const auto& x) {
+                         return on_drawing(cam, f, x).first;
+                       }),
+          cam_curve<M>({name + "_y", "mm", "m", meaning},
+                       [on_drawing](const auto& cam, const auto& f, const auto& x) {
+                         return on_drawing(cam, f, x).second;
+                       })};
 }
 
 /// Profile, and of a roller or an edge the pitch curve and the path of the tool.
 template <template <class> class M>
 std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
-  using D = DrawnCurve;
-  std::vector<MechanismResponse> all{
-      drawn_response<M>(D::ProfileX, "profile_x", "profile, in the cam's own coordinates"),
-      drawn_response<M>(D::ProfileY, "profile_y", "profile, in the cam's own coordinates")};
-  if (!with_pitch_curve) return all;
-  all.push_back(
-      drawn_response<M>(D::PitchX, "pitch_x", "pitch curve: path of the follower's trace point"));
-  all.push_back(
-      drawn_response<M>(D::PitchY, "pitch_y", "pitch curve: path of the follower's trace point"));
-  all.push_back(drawn_response<M>(D::CutterX, "cutter_x", "cutter-centre path"));
-  all.push_back(drawn_response<M>(D::CutterY, "cutter_y", "cutter-centre path"));
+  std::vector<MechanismResponse> all =
+      drawn_curve<M>("profile", "profile, in the cam's own coordinates",
+                     [](const auto& cam, const auto& f) { return profile_of(cam, f); });
+  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
+                  cam.pitch_curve(f);
+                }) {
+    if (!with_pitch_curve) return all;
+    append(all, drawn_curve<M>("pitch", "pitch curve: path of the follower's trace point",
+                               [](const auto& cam, const auto& f) { return trace_point(cam, f); }));
+    append(all, drawn_curve<M>("cutter", "cutter-centre path",
+                               [](const auto& cam, const auto& f) { return cutter_of(cam, f); }));
+  }
   return all;
 }
 

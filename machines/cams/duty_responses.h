@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_curve.h"
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/crown_responses.h"
 #include "machines/cams/roller_duty.h"
 #include "machines/model/append.h"
-#include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
 
 /// What a roller bears, for a machine with pitch_curve(), contact_force(), roller(), turning() and
 /// duty: the life of its bearing, the shear below the surface, the film that carries it.
 namespace camlaw::problems {
-
-enum class DutyCurve { RollerSpeed, SpeedFraction, StaticFraction };
 
 /// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
 /// cam's own.
@@ -35,30 +33,6 @@ auto own_flank_roller(const Cam& cam, const FollowerMotion<X>& f) {
   return pressed_roller(X(cam.contact_force(f)),
                         X(roller.curvature_sum(cam.pitch_curve(f).curvature())),
                         cam.duty.crown_curvature(), roller.face_width, roller.material);
-}
-
-template <class Cam, class X>
-X own_flank_crown(const Cam& cam, CrownCurve which, const FollowerMotion<X>& f) {
-  return crown_curve(which, own_flank_roller(cam, f));
-}
-
-template <class Cam, class X>
-X own_flank_film(const Cam& cam, FilmCurve which, const FollowerMotion<X>& f) {
-  return film_curve(which, cam.duty.lubricant(), own_flank_roller(cam, f),
-                    X(cam.angular_speed * rolled_way(cam.pitch_curve(f), cam.roller_radius)));
-}
-
-template <class Cam, class X>
-X duty_curve(const Cam& cam, DutyCurve which, const FollowerMotion<X>& f) {
-  switch (which) {
-    case DutyCurve::RollerSpeed:
-      return cam.angular_speed * own_flank_turns(cam, f);
-    case DutyCurve::SpeedFraction:
-      return cam.angular_speed / cam.duty.speed_limit * own_flank_turns(cam, f);
-    case DutyCurve::StaticFraction:
-      break;
-  }
-  return absolute(cam.contact_force(f)) / cam.duty.static_rating;
 }
 
 /// Numbers that the whole cycle makes.
@@ -95,27 +69,29 @@ std::vector<MechanismResponse> life_responses() {
 template <template <class> class M>
 std::vector<MechanismResponse> duty_responses() {
   std::vector<MechanismResponse> all =
-      crown_responses<M>({"undercut"}, [](const auto& cam, CrownCurve which, const auto& f) {
-        return own_flank_crown(cam, which, f);
+      crown_responses<M>({"undercut"}, [](const auto& cam, const auto& f, const auto& formula) {
+        return formula(own_flank_roller(cam, f));
       });
-  const auto add = [&](DutyCurve which, ResponseAbout about) {
-    all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
-                                  [](const auto& cam, DutyCurve curve, const auto& motion) {
-                                    return duty_curve(cam, curve, cam.over_angle(motion));
-                                  }));
-  };
-  using C = DutyCurve;
-  add(C::RollerSpeed,
-      {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
-  add(C::SpeedFraction, {"speed_fraction", "1", "1",
-                         "speed of the roller over its permissible speed; above 1 it is too fast"});
-  add(C::StaticFraction,
+  all.push_back(cam_curve<M>(
+      {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"},
+      [](const auto& cam, const auto& f) { return cam.angular_speed * own_flank_turns(cam, f); }));
+  all.push_back(cam_curve<M>({"speed_fraction", "1", "1",
+                              "speed of the roller over its permissible speed; above 1 it is too "
+                              "fast"},
+                             [](const auto& cam, const auto& f) {
+                               return cam.angular_speed / cam.duty.speed_limit *
+                                      own_flank_turns(cam, f);
+                             }));
+  all.push_back(cam_curve<M>(
       {"static_fraction", "1", "1",
-       "force on the roller over its static load rating: the inverse of the static safety factor"});
-  append(all, film_responses<M>({"undercut"}, "cam",
-                                [](const auto& cam, FilmCurve which, const auto& f) {
-                                  return own_flank_film(cam, which, f);
-                                }));
+       "force on the roller over its static load rating: the inverse of the static safety factor"},
+      [](const auto& cam, const auto& f) {
+        return absolute(cam.contact_force(f)) / cam.duty.static_rating;
+      }));
+  append(all, film_responses<M>({"undercut"}, "cam", [](const auto& cam, const auto& f) {
+           return RollerFilm{cam.duty.lubricant(), own_flank_roller(cam, f),
+                             cam.angular_speed * rolled_way(cam.pitch_curve(f), cam.roller_radius)};
+         }));
   for (const char* of_contact :
        {"max_shear", "shear_depth", "crown_stress", "crown_shear", "crown_shear_depth",
         "crown_half_length", "crown_fraction", "crown_elongation", "film_thickness", "lambda_ratio",

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "machines/model/listed_responses.h"
+#include "machines/cams/cam_curve.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/shaft_curve.h"
 #include "numerics/formula/expression.h"
@@ -110,8 +110,6 @@ void add_elastic_checks(Mechanism& mechanism) {
   const MechanismResponse* found = elastic_load(mechanism);
   if (found == nullptr) return;
   const MechanismResponse elastic = *found;
-  const bool has_contact = std::any_of(mechanism.checks.begin(), mechanism.checks.end(),
-                                       [](const auto& check) { return check.name == "contact"; });
   std::vector<BuildableCheck> all;
   for (const BuildableCheck& rigid : mechanism.checks) {
     all.push_back(rigid);
@@ -123,7 +121,6 @@ void add_elastic_checks(Mechanism& mechanism) {
     const bool is_force = rigid.response.starts_with("follower_");
     own.response = is_force ? elastic.name : "elastic_" + rigid.response;
     if (!is_force) {
-      if (has_contact && rigid.closure != Closure::Form) own.after.emplace_back("contact");
       const MechanismResponse stress = *named(mechanism.responses, rigid.response);
       mechanism.responses.push_back(with_train(stress, elastic, mechanism.parameters));
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/guided_follower.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
@@ -15,25 +16,26 @@ namespace camlaw {
 /// Valid, with friction in the guide, while the roller stays outside it, stroke at most overhang.
 template <class T>
 struct EndCam {
-  T stroke = number<T>(0.020);                    ///< h, m
-  T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
-  T roller_radius = number<T>(0.010);             ///< r_r, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T mass = number<T>(1);                          ///< m, kg
-  T spring_rate = number<T>(0);                   ///< c, N/m
-  T spring_preload = number<T>(0);                ///< F_0, N
-  T load = number<T>(0);                          ///< F_L, N
-  T face_width = number<T>(0.015);                ///< b, m, of the contact
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the track
-  T guide_friction = number<T>(0);                ///< mu, between follower and guide
-  T guide_length = number<T>(0.060);              ///< l_g, m
-  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
-  T train_stiffness = number<T>(0);               ///< c_t, N/m
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  RollerDuty<T> duty{};
+  Given<T> given = {};
+  T stroke = given(cams::kStroke);               ///< h, m
+  T radius = given(cams::kTrackRadius);          ///< R, m, of the middle of the roller's track
+  T roller_radius = given(cams::kRollerRadius);  ///< r_r, m
+  T angular_speed = given(cams::kSpeed);         ///< omega, rad/s
+  T mass = given(cams::kMass);                   ///< m, kg
+  T spring_rate = given(cams::kSpringRate.by_default(0));        ///< c, N/m
+  T spring_preload = given(cams::kSpringPreload.by_default(0));  ///< F_0, N
+  T load = given(cams::kLoad);                                   ///< F_L, N
+  T face_width = given(cams::kFaceWidth);                        ///< b, m, of the contact
+  T youngs_modulus = given(cams::kYoungsModulus);                ///< E, Pa, of cam and roller
+  T poisson_ratio = given(cams::kPoissonRatio);                  ///< nu
+  T cutter_radius = given(cams::kCutterRadius);    ///< r_c, m, of the tool that cuts the track
+  T guide_friction = given(cams::kGuideFriction);  ///< mu, between follower and guide
+  T guide_length = given(cams::kGuideLength);      ///< l_g, m
+  T overhang = given(cams::kOverhang);             ///< a, m, of the roller from its guide at s = 0
+  T train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
+  T train_damping = given(cams::kTrainDamping);      ///< zeta
+  T end_share = given(cams::kEndShare);              ///< kappa, of what moves
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given);
 
   auto conditions() const {
     return std::to_array<Condition<T>>({{radius, "radius must be above 0"}});

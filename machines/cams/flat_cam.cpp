@@ -3,76 +3,28 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<FlatCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&FlatCam<T>::stroke,
-                                     &FlatCam<T>::base_radius,
-                                     &FlatCam<T>::angular_speed,
-                                     &FlatCam<T>::mass,
-                                     &FlatCam<T>::spring_rate,
-                                     &FlatCam<T>::spring_preload,
-                                     &FlatCam<T>::load,
-                                     &FlatCam<T>::face_width,
-                                     &FlatCam<T>::youngs_modulus,
-                                     &FlatCam<T>::poisson_ratio,
-                                     &FlatCam<T>::density,
-                                     &FlatCam<T>::bore_radius,
-                                     &FlatCam<T>::wear_coefficient,
-                                     &FlatCam<T>::guide_friction,
-                                     &FlatCam<T>::guide_length,
-                                     &FlatCam<T>::train_stiffness,
-                                     &FlatCam<T>::train_damping,
-                                     &FlatCam<T>::end_share,
-                                     &FlatCam<T>::viscosity,
-                                     &FlatCam<T>::pressure_viscosity,
-                                     &FlatCam<T>::roughness};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters(), wear_parameter(), friction_parameters(),
-              sliding_train(), lubricant_parameters()});
-  return all;
-}
-
-namespace {
-
 using optim::Part;
-
-enum class FlatCurve { ContactOffset, ContactForce };
-
-MechanismResponse flat_curve(FlatCurve which, ResponseAbout about) {
-  return listed_curve<FlatCam>(std::move(about), turn_of_the_cam(), which,
-                               [](const auto& cam, FlatCurve wanted, const auto& motion) {
-                                 const auto f = cam.over_angle(motion);
-                                 return wanted == FlatCurve::ContactOffset ? cam.contact_offset(f)
-                                                                           : cam.contact_force(f);
-                               });
-}
-
-}  // namespace
 
 Mechanism flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
-  responses.push_back(flat_curve(
-      FlatCurve::ContactOffset, {"contact_offset", "mm", "m",
-                                 "position of the contact on the face, from the follower's axis"}));
-  responses.push_back(flat_curve(FlatCurve::ContactForce,
-                                 {"contact_force", "N", "N", "force between face and cam"}));
+  responses.push_back(
+      cam_curve<FlatCam>({"contact_offset", "mm", "m",
+                          "position of the contact on the face, from the follower's axis"},
+                         [](const auto& cam, const auto& f) { return cam.contact_offset(f); }));
+  responses.push_back(
+      cam_curve<FlatCam>({"contact_force", "N", "N", "force between face and cam"},
+                         [](const auto& cam, const auto& f) { return cam.contact_force(f); }));
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));
@@ -83,7 +35,7 @@ Mechanism flat_cam_mechanism() {
   return checked({.name = "disc-cam-flat",
                   .title = "disc cam with a translating flat-faced follower",
                   .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<FlatCam>::parameters(),
+                  .parameters = parameters_of<FlatCam>(),
                   .responses = std::move(responses),
                   .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                              "least radius of curvature of the profile"},
@@ -99,7 +51,14 @@ Mechanism flat_cam_mechanism() {
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlat,
-                  .why_impossible = why_impossible_as<FlatCam>},
+                  .why_impossible = why_impossible_as<FlatCam>,
+                  .usual = usual_problem(
+                      {.objective = "base_radius",
+                       .variables = {{"base_radius", 10, 200, 80}},
+                       .limits = {{"profile_radius", 5, kNone}, {"follower_force", 0, kNone}},
+                       .others = {"peak_stress", "peak_torque", "contact_loss_speed",
+                                  "face_half_width", "outer_radius", "cam_mass"},
+                       .segments = rise_and_return()})},
                  {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks(),
                   guide_checks()});
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/guided_follower.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
@@ -14,27 +15,28 @@ namespace camlaw {
 /// everywhere.
 template <class T>
 struct FlatCam {
-  T stroke = number<T>(0.020);                    ///< h, m
-  T base_radius = number<T>(0.040);               ///< r_b, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T mass = number<T>(1);                          ///< m, kg
-  T spring_rate = number<T>(5000);                ///< c, N/m
-  T spring_preload = number<T>(50);               ///< F_0, N
-  T load = number<T>(0);                          ///< F_L, N
-  T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
-  T bore_radius = number<T>(0.010);               ///< r_0, m
-  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
-  T guide_friction = number<T>(0);                ///< mu, between follower and guide
-  T guide_length = number<T>(0.060);              ///< l_g, m
-  T train_stiffness = number<T>(0);               ///< c_t, N/m
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  T viscosity = number<T>(0.05);                  ///< eta, Pa s
-  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
-  T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
+  Given<T> given = {};
+  T stroke = given(cams::kStroke);                     ///< h, m
+  T base_radius = given(cams::kBaseRadius);            ///< r_b, m
+  T angular_speed = given(cams::kSpeed);               ///< omega, rad/s
+  T mass = given(cams::kMass);                         ///< m, kg
+  T spring_rate = given(cams::kSpringRate);            ///< c, N/m
+  T spring_preload = given(cams::kSpringPreload);      ///< F_0, N
+  T load = given(cams::kLoad);                         ///< F_L, N
+  T face_width = given(cams::kFaceWidth);              ///< b, m, along the cam's axis
+  T youngs_modulus = given(cams::kYoungsModulus);      ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);        ///< nu
+  T density = given(cams::kDensity);                   ///< rho, kg/m^3, of the cam
+  T bore_radius = given(cams::kBoreRadius);            ///< r_0, m
+  T wear_coefficient = given(cams::kWearCoefficient);  ///< k, m^2/N: volume by force and sliding
+  T guide_friction = given(cams::kGuideFriction);      ///< mu, between follower and guide
+  T guide_length = given(cams::kGuideLength);          ///< l_g, m
+  T train_stiffness = given(cams::kTrainStiffness);    ///< c_t, N/m
+  T train_damping = given(cams::kTrainDamping);        ///< zeta
+  T end_share = given(cams::kEndShare);                ///< kappa, of what moves
+  T viscosity = given(cams::kViscosity);               ///< eta, Pa s
+  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
+  T roughness = given(cams::kRoughness);                   ///< R_q, m, of both surfaces
 
   auto conditions() const {
     return std::to_array<Condition<T>>({{base_radius, "base_radius must be above 0"}});

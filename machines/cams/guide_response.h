@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_curve.h"
 #include "machines/cams/guided_follower.h"
-#include "machines/model/listed_responses.h"
 
 namespace camlaw::problems {
 
@@ -10,26 +10,22 @@ namespace camlaw::problems {
 /// guide_shares().
 template <template <class> class M>
 MechanismResponse guide_response() {
-  return curve_response<M>(
+  return cam_curve<M>(
       {"guide_fraction", "1", "1",
        "fraction of the cam's force along the follower's path that friction in the guide takes; at "
        "1 the follower jams"},
-      turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) { return guide_fraction(cam, cam.over_angle(motion)); };
-      });
+      [](const auto& cam, const auto& f) { return guide_fraction(cam, f); });
 }
 
 /// (M37) How far the contact of a translating follower is before its guide, for a machine with
 /// overhang.
 template <template <class> class M>
 MechanismResponse overhang_response() {
-  return curve_response<M>(
+  return cam_curve<M>(
       {"guide_overhang", "mm", "m",
        "distance of the contact from its guide, overhang less displacement; below 0 the contact "
        "would enter the guide"},
-      turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) { return guide_overhang(cam, cam.over_angle(motion)); };
-      });
+      [](const auto& cam, const auto& f) { return guide_overhang(cam, f); });
 }
 
 /// With friction in a guide, its contact stays outside it.

@@ -3,99 +3,36 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<KnifeEdgeCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&KnifeEdgeCam<T>::stroke,
-                                     &KnifeEdgeCam<T>::base_radius,
-                                     &KnifeEdgeCam<T>::offset,
-                                     &KnifeEdgeCam<T>::angular_speed,
-                                     &KnifeEdgeCam<T>::mass,
-                                     &KnifeEdgeCam<T>::spring_rate,
-                                     &KnifeEdgeCam<T>::spring_preload,
-                                     &KnifeEdgeCam<T>::load,
-                                     &KnifeEdgeCam<T>::cutter_radius,
-                                     &KnifeEdgeCam<T>::face_width,
-                                     &KnifeEdgeCam<T>::density,
-                                     &KnifeEdgeCam<T>::bore_radius,
-                                     &KnifeEdgeCam<T>::wear_coefficient,
-                                     &KnifeEdgeCam<T>::guide_friction,
-                                     &KnifeEdgeCam<T>::guide_length,
-                                     &KnifeEdgeCam<T>::overhang,
-                                     &KnifeEdgeCam<T>::train_stiffness,
-                                     &KnifeEdgeCam<T>::train_damping,
-                                     &KnifeEdgeCam<T>::end_share};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(),
-              base_parameter(),
-              offset_parameter(),
-              speed_parameter(),
-              sliding_load(5, 50),
-              cutter_parameter(),
-              {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
-              blank_parameters(),
-              wear_parameter(),
-              guide_parameters(),
-              sliding_train()});
-  return all;
-}
-
-namespace {
-
 using optim::Part;
-
-enum class KnifeEdgeCurve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
-
-MechanismResponse knife_edge_curve(KnifeEdgeCurve which, ResponseAbout about) {
-  return listed_curve<KnifeEdgeCam>(std::move(about), turn_of_the_cam(), which,
-                                    [](const auto& cam, KnifeEdgeCurve wanted, const auto& motion) {
-                                      const auto f = cam.over_angle(motion);
-                                      switch (wanted) {
-                                        case KnifeEdgeCurve::PressureAngle:
-                                          return cam.pressure_angle(f);
-                                        case KnifeEdgeCurve::ProfileCurvature:
-                                          return cam.profile_curvature(f);
-                                        case KnifeEdgeCurve::ToolFit:
-                                          return cam.tool_fit(f);
-                                        case KnifeEdgeCurve::ContactForce:
-                                          break;
-                                      }
-                                      return cam.contact_force(f);
-                                    });
-}
-
-}  // namespace
 
 Mechanism knife_edge_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
-  responses.push_back(knife_edge_curve(
-      KnifeEdgeCurve::PressureAngle, {"pressure_angle", "deg", "rad",
-                                      "angle between the normal of the profile and the follower's "
-                                      "path, with the sign of the slope"}));
-  responses.push_back(
-      knife_edge_curve(KnifeEdgeCurve::ProfileCurvature,
-                       {"profile_curvature", "1/mm", "1/m",
-                        "curvature of the profile, positive where convex, negative where hollow"}));
-  responses.push_back(
-      knife_edge_curve(KnifeEdgeCurve::ToolFit,
-                       {"tool_fit", "1", "1",
-                        "tool radius over the radius of a hollow; above 1 the tool does not fit"}));
-  responses.push_back(knife_edge_curve(KnifeEdgeCurve::ContactForce,
-                                       {"contact_force", "N", "N", "force between edge and cam"}));
+  append(responses, {cam_curve<KnifeEdgeCam>(
+                         {"pressure_angle", "deg", "rad",
+                          "angle between the normal of the profile and the follower's "
+                          "path, with the sign of the slope"},
+                         [](const auto& cam, const auto& f) { return cam.pressure_angle(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"profile_curvature", "1/mm", "1/m",
+                          "curvature of the profile, positive where convex, negative where hollow"},
+                         [](const auto& cam, const auto& f) { return cam.profile_curvature(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"tool_fit", "1", "1",
+                          "tool radius over the radius of a hollow; above 1 the tool does not fit"},
+                         [](const auto& cam, const auto& f) { return cam.tool_fit(f); }),
+                     cam_curve<KnifeEdgeCam>(
+                         {"contact_force", "N", "N", "force between edge and cam"},
+                         [](const auto& cam, const auto& f) { return cam.contact_force(f); })});
   append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
   responses.push_back(guide_response<KnifeEdgeCam>());
   responses.push_back(overhang_response<KnifeEdgeCam>());
@@ -106,7 +43,7 @@ Mechanism knife_edge_cam_mechanism() {
       {.name = "disc-cam-knife-edge",
        .title = "disc cam with a translating knife-edged follower",
        .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
+       .parameters = parameters_of<KnifeEdgeCam>(),
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(),
                  {"sharpest_curvature", "profile_curvature", Part::Highest,
@@ -123,7 +60,14 @@ Mechanism knife_edge_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::DiscKnifeEdge,
-       .why_impossible = why_impossible_as<KnifeEdgeCam>},
+       .why_impossible = why_impossible_as<KnifeEdgeCam>,
+       .usual =
+           usual_problem({.objective = "base_radius",
+                          .variables = {{"base_radius", 5, 120, 60}},
+                          .limits = {{"pressure_angle", -40, 35}, {"profile_curvature", 0, kNone}},
+                          .others = {"peak_pressure_angle", "peak_force", "peak_torque",
+                                     "contact_loss_speed", "outer_radius", "cam_mass"},
+                          .segments = rise_and_return()})},
       {hollow_checks(), force_closure_checks(kSliding), wall_checks(), guide_checks()});
 }
 

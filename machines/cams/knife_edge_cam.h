@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/roller_cam.h"
 #include "machines/model/possibility.h"
 
@@ -13,29 +14,31 @@ namespace camlaw {
 /// Valid while |offset| is less than the base radius.
 template <class T>
 struct KnifeEdgeCam {
-  T stroke = number<T>(0.020);                    ///< h, m
-  T base_radius = number<T>(0.040);               ///< r_b, m
-  T offset = number<T>(0);                        ///< e, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T mass = number<T>(1);                          ///< m, kg
-  T spring_rate = number<T>(5000);                ///< c, N/m
-  T spring_preload = number<T>(50);               ///< F_0, N
-  T load = number<T>(0);                          ///< F_L, N
-  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
-  T face_width = number<T>(0.015);                ///< b, m, of the cam
-  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
-  T bore_radius = number<T>(0.010);               ///< r_0, m
-  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
-  T guide_friction = number<T>(0);                ///< mu, between follower and guide
-  T guide_length = number<T>(0.060);              ///< l_g, m
-  T overhang = number<T>(0.040);                  ///< a, m, of the edge from its guide at s = 0
-  T train_stiffness = number<T>(0);               ///< c_t, N/m
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
+  Given<T> given = {};
+  T stroke = given(cams::kStroke);                 ///< h, m
+  T base_radius = given(cams::kBaseRadius);        ///< r_b, m
+  T offset = given(cams::kOffset);                 ///< e, m
+  T angular_speed = given(cams::kSpeed);           ///< omega, rad/s
+  T mass = given(cams::kMass);                     ///< m, kg
+  T spring_rate = given(cams::kSpringRate);        ///< c, N/m
+  T spring_preload = given(cams::kSpringPreload);  ///< F_0, N
+  T load = given(cams::kLoad);                     ///< F_L, N
+  T cutter_radius = given(cams::kCutterRadius);    ///< r_c, m, of the tool that cuts the profile
+  T face_width = given(cams::kFaceWidth.meaning_that("width of the cam"));  ///< b, m, of the cam
+  T density = given(cams::kDensity);                   ///< rho, kg/m^3, of the cam
+  T bore_radius = given(cams::kBoreRadius);            ///< r_0, m
+  T wear_coefficient = given(cams::kWearCoefficient);  ///< k, m^2/N: volume by force and sliding
+  T guide_friction = given(cams::kGuideFriction);      ///< mu, between follower and guide
+  T guide_length = given(cams::kGuideLength);          ///< l_g, m
+  T overhang = given(cams::kOverhang);               ///< a, m, of the edge from its guide at s = 0
+  T train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
+  T train_damping = given(cams::kTrainDamping);      ///< zeta
+  T end_share = given(cams::kEndShare);              ///< kappa, of what moves
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {
-    return {.stroke = stroke,
+    return {.given = Given<T>::unset(),
+            .stroke = stroke,
             .base_radius = base_radius,
             .roller_radius = number<T>(0),
             .offset = offset,

@@ -3,47 +3,16 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
 #include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/guide_response.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
-template <>
-struct MachineTraits<LinearCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &LinearCam<T>::stroke,          &LinearCam<T>::travel,        &LinearCam<T>::roller_radius,
-      &LinearCam<T>::angular_speed,   &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
-      &LinearCam<T>::spring_preload,  &LinearCam<T>::load,          &LinearCam<T>::face_width,
-      &LinearCam<T>::youngs_modulus,  &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius,
-      &LinearCam<T>::guide_friction,  &LinearCam<T>::guide_length,  &LinearCam<T>::overhang,
-      &LinearCam<T>::train_stiffness, &LinearCam<T>::train_damping, &LinearCam<T>::end_share};
-  template <class T>
-  static constexpr auto part = &LinearCam<T>::duty;
-};
-
-const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
-  static const Parameters all =
-      joined({stroke_parameter(),
-              {{"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6}},
-              roller_parameter(),
-              {{"speed", "n", "rpm", "rad/s", "cycles of the plate per minute", 300, 1e-3, 1e6}},
-              sliding_load(5, 50),
-              contact_parameters(),
-              cutter_parameter(),
-              guide_parameters(),
-              sliding_train(),
-              duty_parameters()});
-  return all;
-}
-
 namespace {
 
 /// A plate has no shaft: its force stands for the torque.
@@ -52,11 +21,9 @@ std::vector<MechanismResponse> plate_responses() {
   std::erase_if(responses, [](const auto& response) {
     return response.name.find("torque") != std::string::npos;
   });
-  responses.push_back(curve_response<LinearCam>(
-      {"plate_force", "N", "N", "force that moves the plate"}, turn_of_the_cam(),
-      [](const auto& cam) {
-        return [cam](const auto& motion) { return cam.plate_force(cam.over_angle(motion)); };
-      }));
+  responses.push_back(
+      cam_curve<LinearCam>({"plate_force", "N", "N", "force that moves the plate"},
+                           [](const auto& cam, const auto& f) { return cam.plate_force(f); }));
   return responses;
 }
 
@@ -73,7 +40,7 @@ Mechanism linear_cam_mechanism() {
       {.name = "linear-cam",
        .title = "cam plate that slides under a translating roller follower",
        .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<LinearCam>::parameters(),
+       .parameters = parameters_of<LinearCam>(),
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(),
                  peak_undercut(),
@@ -89,7 +56,13 @@ Mechanism linear_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .validity = {outside_guide()},
        .form = Form::Plate,
-       .why_impossible = why_impossible_as<LinearCam>},
+       .why_impossible = why_impossible_as<LinearCam>,
+       .usual = usual_problem({.objective = "travel",
+                               .variables = {{"travel", 50, 1000, 400}},
+                               .limits = {{"pressure_angle", -35, 35}, {"undercut", kNone, 0.5}},
+                               .others = {"follower_force", "peak_plate_force", "peak_stress",
+                                          "contact_loss_speed", "life"},
+                               .segments = rise_and_return()})},
       {roller_checks(), force_closure_checks(kSliding), roller_stress_checks(), guide_checks()});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/end_cam.h"
 #include "machines/cams/roller_duty.h"
 #include "machines/model/possibility.h"
@@ -15,25 +16,27 @@ namespace camlaw {
 /// back is another cycle. With friction in the guide, while the roller stays outside it.
 template <class T>
 struct LinearCam {
-  T stroke = number<T>(0.020);                    ///< h, m
-  T travel = number<T>(0.300);                    ///< L, m, of the plate in a cycle
-  T roller_radius = number<T>(0.010);             ///< r_r, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s, 2 pi by cycle
-  T mass = number<T>(1);                          ///< m, kg
-  T spring_rate = number<T>(5000);                ///< c, N/m
-  T spring_preload = number<T>(50);               ///< F_0, N
-  T load = number<T>(0);                          ///< F_L, N
-  T face_width = number<T>(0.015);                ///< b, m, of the contact
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of plate and roller
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
-  T guide_friction = number<T>(0);                ///< mu, between follower and guide
-  T guide_length = number<T>(0.060);              ///< l_g, m
-  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
-  T train_stiffness = number<T>(0);               ///< c_t, N/m
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  RollerDuty<T> duty{};
+  Given<T> given = {};
+  T stroke = given(cams::kStroke);  ///< h, m
+  T travel = given({"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6});
+  T roller_radius = given(cams::kRollerRadius);  ///< r_r, m
+  T angular_speed = given(cams::kSpeed.meaning_that(
+      "cycles of the plate per minute"));          ///< omega, rad/s, 2 pi by cycle
+  T mass = given(cams::kMass);                     ///< m, kg
+  T spring_rate = given(cams::kSpringRate);        ///< c, N/m
+  T spring_preload = given(cams::kSpringPreload);  ///< F_0, N
+  T load = given(cams::kLoad);                     ///< F_L, N
+  T face_width = given(cams::kFaceWidth);          ///< b, m, of the contact
+  T youngs_modulus = given(cams::kYoungsModulus);  ///< E, Pa, of plate and roller
+  T poisson_ratio = given(cams::kPoissonRatio);    ///< nu
+  T cutter_radius = given(cams::kCutterRadius);    ///< r_c, m, of the tool that cuts the profile
+  T guide_friction = given(cams::kGuideFriction);  ///< mu, between follower and guide
+  T guide_length = given(cams::kGuideLength);      ///< l_g, m
+  T overhang = given(cams::kOverhang);             ///< a, m, of the roller from its guide at s = 0
+  T train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
+  T train_damping = given(cams::kTrainDamping);      ///< zeta
+  T end_share = given(cams::kEndShare);              ///< kappa, of what moves
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given);
 
   auto conditions() const {
     return std::to_array<Condition<T>>({{travel, "travel must be above 0"}});
@@ -41,9 +44,12 @@ struct LinearCam {
   /// Way of the plate by radian.
   T radius() const { return travel / (number<T>(2) * pi<T>()); }
   EndCam<T> developed() const {
-    return {stroke,        radius(),       roller_radius,  angular_speed, mass,
-            spring_rate,   spring_preload, load,           face_width,    youngs_modulus,
-            poisson_ratio, cutter_radius,  guide_friction, guide_length,  overhang};
+    return {Given<T>::unset(), stroke,         radius(),
+            roller_radius,     angular_speed,  mass,
+            spring_rate,       spring_preload, load,
+            face_width,        youngs_modulus, poisson_ratio,
+            cutter_radius,     guide_friction, guide_length,
+            overhang};
   }
   FollowerLoad<T> follower() const { return developed().follower(); }
   RollerContact<T> roller() const { return developed().roller(); }

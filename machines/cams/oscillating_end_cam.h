@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
 #include "machines/model/possibility.h"
@@ -22,24 +23,28 @@ namespace camlaw {
 /// plane through the axis square to the arm's, and asks of the roller the depth x^2 / (2 R).
 template <class T>
 struct OscillatingEndCam {
-  T swing = number<T>(0.35);                      ///< Psi, rad
-  T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
-  T arm_length = number<T>(0.080);                ///< l, m
-  T tilt = number<T>(0);                          ///< beta, rad, of the arm at mid-swing
-  T roller_radius = number<T>(0.010);             ///< r_r, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
-  T spring_rate = number<T>(0);                   ///< c, N m/rad
-  T spring_preload = number<T>(0);                ///< M_0, N m
-  T load = number<T>(0);                          ///< M_L, N m
-  T face_width = number<T>(0.015);                ///< b, m
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T cutter_radius = number<T>(0.010);             ///< r_c, m
-  T train_stiffness = number<T>(0);               ///< c_t, N m/rad
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  RollerDuty<T> duty{};
+  Given<T> given = {};
+  T swing = given(cams::kSwing);           ///< Psi, rad
+  T radius = given(cams::kTrackRadius);    ///< R, m, of the middle of the roller's track
+  T arm_length = given(cams::kArmLength);  ///< l, m
+  T tilt = given({"tilt", "beta", "deg", "rad",
+                  "angle between the arm at mid-swing and the circumferential direction; at 0 the "
+                  "arm is square to the cam's axis",
+                  0, -89, 89});
+  T roller_radius = given(cams::kRollerRadius);               ///< r_r, m
+  T angular_speed = given(cams::kSpeed);                      ///< omega, rad/s
+  T inertia = given(cams::kInertia);                          ///< J, kg m^2, of all that swings
+  T spring_rate = given(cams::kArmSpringRate.by_default(0));  ///< c, N m/rad
+  T spring_preload = given(cams::kArmSpringPreload.by_default(0));  ///< M_0, N m
+  T load = given(cams::kArmLoad);                                   ///< M_L, N m
+  T face_width = given(cams::kFaceWidth);                           ///< b, m
+  T youngs_modulus = given(cams::kYoungsModulus);                   ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);                     ///< nu
+  T cutter_radius = given(cams::kCutterRadius);                     ///< r_c, m
+  T train_stiffness = given(cams::kArmTrainStiffness);              ///< c_t, N m/rad
+  T train_damping = given(cams::kTrainDamping);                     ///< zeta
+  T end_share = given(cams::kArmEndShare);                          ///< kappa, of what moves
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given);
 
   auto conditions() const {
     const T half = swing / number<T>(2), right = pi<T>() / number<T>(2);

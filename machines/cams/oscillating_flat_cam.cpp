@@ -3,87 +3,28 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
 
-template <>
-struct MachineTraits<OscillatingFlatCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{&OscillatingFlatCam<T>::swing,
-                                     &OscillatingFlatCam<T>::base_radius,
-                                     &OscillatingFlatCam<T>::face_offset,
-                                     &OscillatingFlatCam<T>::pivot_distance,
-                                     &OscillatingFlatCam<T>::angular_speed,
-                                     &OscillatingFlatCam<T>::inertia,
-                                     &OscillatingFlatCam<T>::spring_rate,
-                                     &OscillatingFlatCam<T>::spring_preload,
-                                     &OscillatingFlatCam<T>::load,
-                                     &OscillatingFlatCam<T>::face_width,
-                                     &OscillatingFlatCam<T>::youngs_modulus,
-                                     &OscillatingFlatCam<T>::poisson_ratio,
-                                     &OscillatingFlatCam<T>::density,
-                                     &OscillatingFlatCam<T>::bore_radius,
-                                     &OscillatingFlatCam<T>::train_stiffness,
-                                     &OscillatingFlatCam<T>::train_damping,
-                                     &OscillatingFlatCam<T>::end_share,
-                                     &OscillatingFlatCam<T>::wear_coefficient,
-                                     &OscillatingFlatCam<T>::viscosity,
-                                     &OscillatingFlatCam<T>::pressure_viscosity,
-                                     &OscillatingFlatCam<T>::roughness};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parameters() {
-  static const Parameters all =
-      joined({swing_parameter(),
-              base_parameter(),
-              {{"face_offset", "f", "mm", "m",
-                "distance of the face from the pivot, positive towards the cam", 0, -1e5, 1e5},
-               {"pivot_distance", "d", "mm", "m",
-                "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
-              speed_parameter(),
-              oscillating_load(0.2, 3),
-              contact_parameters(),
-              blank_parameters(),
-              oscillating_train(),
-              wear_parameter(),
-              lubricant_parameters()});
-  return all;
-}
-
-namespace {
-
 using optim::Part;
-
-enum class LeverCurve { ContactLever, ContactForce };
-
-MechanismResponse lever_curve(LeverCurve which, ResponseAbout about) {
-  return listed_curve<OscillatingFlatCam>(
-      std::move(about), turn_of_the_cam(), which,
-      [](const auto& cam, LeverCurve wanted, const auto& motion) {
-        const auto f = cam.over_angle(motion);
-        return wanted == LeverCurve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
-      });
-}
-
-}  // namespace
 
 Mechanism oscillating_flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<OscillatingFlatCam>(kOscillating);
-  responses.push_back(
-      lever_curve(LeverCurve::ContactLever, {"contact_lever", "mm", "m",
-                                             "position of the contact along the face, from "
-                                             "the foot of the perpendicular from the pivot"}));
+  responses.push_back(cam_curve<OscillatingFlatCam>(
+      {"contact_lever", "mm", "m",
+       "position of the contact along the face, from the foot of the perpendicular from the pivot"},
+      [](const auto& cam, const auto& f) { return cam.contact_lever(f); }));
   responses.push_back(profile_radius_response<OscillatingFlatCam>());
-  responses.push_back(lever_curve(LeverCurve::ContactForce,
-                                  {"contact_force", "N", "N", "force between face and cam"}));
+  responses.push_back(cam_curve<OscillatingFlatCam>(
+      {"contact_force", "N", "N", "force between face and cam"},
+      [](const auto& cam, const auto& f) { return cam.contact_force(f); }));
   append(responses, face_contact_responses<OscillatingFlatCam>());
   append(responses, sliding_responses<OscillatingFlatCam>({"contact_force", "profile_radius"}));
   append(responses, drawn_responses<OscillatingFlatCam>(false));
@@ -92,7 +33,7 @@ Mechanism oscillating_flat_cam_mechanism() {
   return checked({.name = "disc-cam-oscillating-flat",
                   .title = "disc cam with an oscillating flat-faced follower",
                   .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
+                  .parameters = parameters_of<OscillatingFlatCam>(),
                   .responses = std::move(responses),
                   .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                              "least radius of curvature of the profile"},
@@ -110,7 +51,15 @@ Mechanism oscillating_flat_cam_mechanism() {
                             least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlatArm,
-                  .why_impossible = why_impossible_as<OscillatingFlatCam>},
+                  .why_impossible = why_impossible_as<OscillatingFlatCam>,
+                  .usual = usual_problem(
+                      {.objective = "base_radius",
+                       .variables = {{"base_radius", 10, 70, 50}},
+                       .limits = {{"profile_radius", 8, kNone}, {"contact_lever", 30, 180}},
+                       .others = {"follower_torque", "peak_stress", "peak_torque",
+                                  "contact_loss_speed", "outer_radius", "cam_mass"},
+                       .constants = {{"swing", 15}, {"face_offset", 4}, {"pivot_distance", 110}},
+                       .segments = rise_and_return()})},
                  {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
                   stress_checks()});
 }

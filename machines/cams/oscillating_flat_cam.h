@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
 #include "machines/model/possibility.h"
@@ -21,27 +22,30 @@ namespace camlaw {
 /// Valid while r_b + f is less than d and psi stays below a right angle.
 template <class T>
 struct OscillatingFlatCam {
-  T swing = number<T>(0.35);                      ///< Psi, rad
-  T base_radius = number<T>(0.040);               ///< r_b, m
-  T face_offset = number<T>(0);                   ///< f, m
-  T pivot_distance = number<T>(0.120);            ///< d, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
-  T spring_rate = number<T>(10);                  ///< c, N m/rad
-  T spring_preload = number<T>(3);                ///< M_0, N m
-  T load = number<T>(0);                          ///< M_L, N m
-  T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
-  T bore_radius = number<T>(0.010);               ///< r_0, m
-  T train_stiffness = number<T>(0);               ///< c_t, N m/rad
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
-  T viscosity = number<T>(0.05);                  ///< eta, Pa s
-  T pressure_viscosity = number<T>(2e-8);         ///< alpha, 1/Pa
-  T roughness = number<T>(4e-7);                  ///< R_q, m, of both surfaces
+  Given<T> given = {};
+  T swing = given(cams::kSwing);             ///< Psi, rad
+  T base_radius = given(cams::kBaseRadius);  ///< r_b, m
+  T face_offset =
+      given({"face_offset", "f", "mm", "m",
+             "distance of the face from the pivot, positive towards the cam", 0, -1e5, 1e5});
+  T pivot_distance = given(cams::kPivotDistance.by_default(120));  ///< d, m
+  T angular_speed = given(cams::kSpeed);                           ///< omega, rad/s
+  T inertia = given(cams::kInertia);                    ///< J, kg m^2, of all that swings
+  T spring_rate = given(cams::kArmSpringRate);          ///< c, N m/rad
+  T spring_preload = given(cams::kArmSpringPreload);    ///< M_0, N m
+  T load = given(cams::kArmLoad);                       ///< M_L, N m
+  T face_width = given(cams::kFaceWidth);               ///< b, m, along the cam's axis
+  T youngs_modulus = given(cams::kYoungsModulus);       ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);         ///< nu
+  T density = given(cams::kDensity);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = given(cams::kBoreRadius);             ///< r_0, m
+  T train_stiffness = given(cams::kArmTrainStiffness);  ///< c_t, N m/rad
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of what moves
+  T wear_coefficient = given(cams::kWearCoefficient);   ///< k, m^2/N: volume by force and sliding
+  T viscosity = given(cams::kViscosity);                ///< eta, Pa s
+  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
+  T roughness = given(cams::kRoughness);                   ///< R_q, m, of both surfaces
 
   /// (M19) sin psi_0 = (r_b + f) / d.
   T sin_lowest() const { return (base_radius + face_offset) / pivot_distance; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/roller_arm.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/cams/roller_duty.h"
@@ -17,26 +18,27 @@ namespace camlaw {
 /// Valid while arm, distance and prime radius make a triangle.
 template <class T>
 struct OscillatingRollerCam {
-  T swing = number<T>(0.35);                      ///< Psi, rad
-  T base_radius = number<T>(0.040);               ///< r_b, m
-  T roller_radius = number<T>(0.010);             ///< r_r, m
-  T arm_length = number<T>(0.080);                ///< l, m
-  T pivot_distance = number<T>(0.100);            ///< d, m
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
-  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
-  T spring_rate = number<T>(10);                  ///< c, N m/rad
-  T spring_preload = number<T>(3);                ///< M_0, N m
-  T load = number<T>(0);                          ///< M_L, N m
-  T face_width = number<T>(0.015);                ///< b, m
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T cutter_radius = number<T>(0.010);             ///< r_c, m
-  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
-  T bore_radius = number<T>(0.010);               ///< r_0, m
-  T train_stiffness = number<T>(0);               ///< c_t, N m/rad
-  T train_damping = number<T>(0.05);              ///< zeta
-  T end_share = number<T>(1);                     ///< kappa, of what moves
-  RollerDuty<T> duty{};
+  Given<T> given = {};
+  T swing = given(cams::kSwing);                        ///< Psi, rad
+  T base_radius = given(cams::kBaseRadius);             ///< r_b, m
+  T roller_radius = given(cams::kRollerRadius);         ///< r_r, m
+  T arm_length = given(cams::kArmLength);               ///< l, m
+  T pivot_distance = given(cams::kPivotDistance);       ///< d, m
+  T angular_speed = given(cams::kSpeed);                ///< omega, rad/s
+  T inertia = given(cams::kInertia);                    ///< J, kg m^2, of all that swings
+  T spring_rate = given(cams::kArmSpringRate);          ///< c, N m/rad
+  T spring_preload = given(cams::kArmSpringPreload);    ///< M_0, N m
+  T load = given(cams::kArmLoad);                       ///< M_L, N m
+  T face_width = given(cams::kFaceWidth);               ///< b, m
+  T youngs_modulus = given(cams::kYoungsModulus);       ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);         ///< nu
+  T cutter_radius = given(cams::kCutterRadius);         ///< r_c, m
+  T density = given(cams::kDensity);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = given(cams::kBoreRadius);             ///< r_0, m
+  T train_stiffness = given(cams::kArmTrainStiffness);  ///< c_t, N m/rad
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of what moves
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given);
 
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).

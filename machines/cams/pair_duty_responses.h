@@ -12,8 +12,6 @@
 /// second(), second_motion(), main_force(), second_force() and duty().
 namespace camlaw::problems {
 
-enum class PairDutyCurve { RollerSpeed, SpeedFraction };
-
 template <class Cam, class X>
 X force_of_pair(const Cam& cam, OfPair which, const FollowerMotion<X>& f) {
   return which == OfPair::Main ? cam.main_force(f) : cam.second_force(f);
@@ -30,20 +28,17 @@ template <template <class> class M>
 void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std::string& name) {
   const std::string prefix = which == OfPair::Main ? "" : "second_";
   const std::string roller = "the " + name + "'s roller", bearing = "the bearing of " + roller;
-  const auto curve = [&](PairDutyCurve of, ResponseAbout about) {
-    all.push_back(listed_curve<M>(
-        std::move(about), turn_of_the_cam(), std::pair(which, of),
-        [](const auto& cam, std::pair<OfPair, PairDutyCurve> wanted, const auto& motion) {
-          const auto turns = turns_of_pair(cam, wanted.first, cam.over_angle(motion));
-          if (wanted.second == PairDutyCurve::RollerSpeed) return cam.angular_speed * turns;
-          return cam.angular_speed / cam.duty().speed_limit * turns;
-        }));
-  };
-  curve(PairDutyCurve::RollerSpeed,
-        {prefix + "roller_speed", "rpm", "rad/s", "speed of " + roller + " on its pin"});
-  curve(PairDutyCurve::SpeedFraction,
-        {prefix + "speed_fraction", "1", "1",
-         "speed of " + roller + " over its permissible speed; above 1 it is too fast"});
+  all.push_back(
+      cam_curve<M>({prefix + "roller_speed", "rpm", "rad/s", "speed of " + roller + " on its pin"},
+                   [which](const auto& cam, const auto& f) {
+                     return cam.angular_speed * turns_of_pair(cam, which, f);
+                   }));
+  all.push_back(cam_curve<M>(
+      {prefix + "speed_fraction", "1", "1",
+       "speed of " + roller + " over its permissible speed; above 1 it is too fast"},
+      [which](const auto& cam, const auto& f) {
+        return cam.angular_speed / cam.duty().speed_limit * turns_of_pair(cam, which, f);
+      }));
   const auto damage = [which](const auto& cam, const auto& motion) {
     const auto f = cam.over_angle(motion);
     return cam.duty().to_life_exponent(force_of_pair(cam, which, f)) * turns_of_pair(cam, which, f);
@@ -77,14 +72,12 @@ std::vector<MechanismResponse> pair_duty_responses(const std::string& main,
   std::vector<MechanismResponse> all;
   add_pair_duty<M>(all, OfPair::Main, main);
   add_pair_duty<M>(all, OfPair::Second, second);
-  all.push_back(curve_response<M>(
+  all.push_back(cam_curve<M>(
       {"static_fraction", "1", "1",
        "force on the loaded roller over its static load rating: the inverse of the static safety "
        "factor"},
-      turn_of_the_cam(), [](const auto& cam) {
-        return [cam](const auto& motion) {
-          return absolute(cam.contact_force(cam.over_angle(motion))) / cam.duty().static_rating;
-        };
+      [](const auto& cam, const auto& f) {
+        return absolute(cam.contact_force(f)) / cam.duty().static_rating;
       }));
   return all;
 }

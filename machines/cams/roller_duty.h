@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/cam_parameters.h"
 #include "machines/cams/roller_contact.h"
 #include "machines/contact/lubricant.h"
 #include "numerics/scalar/absolute.h"
@@ -16,18 +15,20 @@ namespace camlaw {
 /// "Rollers as bearings"). Fields in SI units.
 template <class T>
 struct RollerDuty {
-  T crown_radius = number<T>(0.5);               ///< R_c, m, of the roller's face along its axis
-  T dynamic_rating = number<T>(1e4);             ///< C, N
-  T static_rating = number<T>(1e4);              ///< C_0, N
-  T speed_limit = number<T>(628.3185307179587);  ///< n_G, rad/s, of the roller on its pin
-  T viscosity = number<T>(0.05);                 ///< eta, Pa s
-  T pressure_viscosity = number<T>(2e-8);        ///< alpha, 1/Pa
-  T roughness = number<T>(4e-7);                 ///< R_q, m, of both surfaces
+  T crown_radius;        ///< R_c, m, of the roller's face along its axis
+  T dynamic_rating;      ///< C, N
+  T static_rating;       ///< C_0, N
+  T speed_limit;         ///< n_G, rad/s, of the roller on its pin
+  T viscosity;           ///< eta, Pa s
+  T pressure_viscosity;  ///< alpha, 1/Pa
+  T roughness;           ///< R_q, m, of both surfaces
 
-  static constexpr std::array fields{&RollerDuty::crown_radius,  &RollerDuty::dynamic_rating,
-                                     &RollerDuty::static_rating, &RollerDuty::speed_limit,
-                                     &RollerDuty::viscosity,     &RollerDuty::pressure_viscosity,
-                                     &RollerDuty::roughness};
+  static RollerDuty given_by(Given<T>& given) {
+    using namespace cams;
+    return {given(kCrownRadius), given(kDynamicRating), given(kStaticRating),
+            given(kSpeedLimit),  given(kViscosity),     given(kPressureViscosity),
+            given(kRoughness)};
+  }
 
   /// Of the roller's face along its axis, 1/m.
   T crown_curvature() const { return number<T>(1) / crown_radius; }

@@ -24,6 +24,21 @@ struct PressedRoller {
   ContactEllipse<X> ellipse() const {
     return contact_ellipse(force, greater, smaller, material.plane_modulus());
   }
+  X line_load() const { return force / face_width; }
+  /// (K5), (K6) of the line contact: greatest shear, Pa, and its depth, m.
+  X line_shear() const { return max_shear(X(material.pressure(line_load(), across))); }
+  X line_shear_depth() const { return shear_depth(X(material.half_width(line_load(), across))); }
+  /// (RB16), (RB17) of the crowned roller.
+  X shear() const {
+    const ContactEllipse<X> own = ellipse();
+    return crown_shear(own.pressure, own.elongation, material.poisson_ratio);
+  }
+  X depth_of_shear() const {
+    const ContactEllipse<X> own = ellipse();
+    return crown_shear_depth(own.half_width, own.elongation, material.poisson_ratio);
+  }
+  /// Length of the ellipse over the width of the face.
+  X crown_fraction() const { return ellipse().half_length / (number<X>(0.5) * face_width); }
 };
 
 /// One whose crown, 1/m, lies along the line of contact.
@@ -49,73 +64,24 @@ PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& t
 /// The greatest length by width of an ellipse at which the error of (RB9) is told: alpha = 500.
 inline constexpr double kKnownElongation = 46.63;
 
-enum class CrownCurve {
-  MaxShear,
-  ShearDepth,
-  Stress,
-  Shear,
-  DepthOfShear,
-  HalfLength,
-  Fraction,
-  Elongation
-};
-
-/// (K5), (K6) of the line contact, (RB10), (RB16), (RB17) of the crowned roller.
+/// What a roller is pressed on with oil between, and the mean speed of the surfaces towards the
+/// contact, m/s.
 template <class T, class K, class X>
-X crown_curve(CrownCurve which, const PressedRoller<T, K, X>& roller) {
-  const X line_load = roller.force / roller.face_width;
-  const T& ratio = roller.material.poisson_ratio;
-  switch (which) {
-    case CrownCurve::MaxShear:
-      return max_shear(X(roller.material.pressure(line_load, roller.across)));
-    case CrownCurve::ShearDepth:
-      return shear_depth(X(roller.material.half_width(line_load, roller.across)));
-    case CrownCurve::Stress:
-      return roller.ellipse().pressure;
-    case CrownCurve::Shear: {
-      const ContactEllipse<X> ellipse = roller.ellipse();
-      return crown_shear(ellipse.pressure, ellipse.elongation, ratio);
-    }
-    case CrownCurve::DepthOfShear: {
-      const ContactEllipse<X> ellipse = roller.ellipse();
-      return crown_shear_depth(ellipse.half_width, ellipse.elongation, ratio);
-    }
-    case CrownCurve::HalfLength:
-      return roller.ellipse().half_length;
-    case CrownCurve::Elongation:
-      return roller.ellipse().elongation;
-    case CrownCurve::Fraction:
-      break;
+struct RollerFilm {
+  Lubricant<T> oil;
+  PressedRoller<T, K, X> roller;
+  X speed;
+
+  /// (RB7) Film of the line contact, m.
+  X of_line() const {
+    return oil.film(X(roller.force / roller.face_width), roller.across, speed,
+                    roller.material.plane_modulus());
   }
-  return roller.ellipse().half_length / (number<X>(0.5) * roller.face_width);
-}
-
-enum class FilmCurve { Thickness, Lambda, CrownThickness, CrownLambda };
-
-/// (RB7) Film of the line contact, (RB18) of the crowned roller, m, or over the roughness of both
-/// surfaces, from the mean speed of the surfaces towards the contact, m/s.
-template <class T, class K, class X>
-X film_curve(FilmCurve which, const Lubricant<T>& oil, const PressedRoller<T, K, X>& roller,
-             const X& speed) {
-  const T modulus = roller.material.plane_modulus();
-  const auto of_line = [&] {
-    return oil.film(X(roller.force / roller.face_width), roller.across, speed, modulus);
-  };
-  const auto of_crown = [&] {
+  /// (RB18) Film of the crowned roller, m.
+  X of_crown() const {
     return oil.point_film(roller.force, roller.greater, roller.ellipse().elongation, speed,
-                          modulus);
-  };
-  switch (which) {
-    case FilmCurve::Thickness:
-      return of_line();
-    case FilmCurve::Lambda:
-      return of_line() / oil.roughness;
-    case FilmCurve::CrownThickness:
-      return of_crown();
-    case FilmCurve::CrownLambda:
-      break;
+                          roller.material.plane_modulus());
   }
-  return of_crown() / oil.roughness;
-}
+};
 
 }  // namespace camlaw

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "machines/follower_train/follower_train.h"
+#include "machines/model/given.h"
 #include "machines/model/possibility.h"
 
 namespace camlaw {
@@ -12,14 +13,20 @@ namespace camlaw {
 /// damper, over one rise (docs/theory.md, "Elastic follower train"). Fields in SI units.
 template <class T>
 struct ElasticFollower {
-  T mass = number<T>(2);                          ///< m, kg
-  T stiffness = number<T>(200000);                ///< c, N/m
-  T damping_ratio = number<T>(0.05);              ///< zeta
-  T stroke = number<T>(0.020);                    ///< h, m
-  T rise_angle = number<T>(1.5707963267949);      ///< beta, rad, of the cam
-  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s, of the cam
-  T slowest_speed = number<T>(25.1327412287183);  ///< rad/s, where a range of speeds begins
-  T fastest_speed = number<T>(37.6991118430775);  ///< rad/s, where it ends
+  Given<T> given = {};
+  T mass = given({"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6});
+  T stiffness =
+      given({"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9});
+  T damping_ratio =
+      given({"damping_ratio", "zeta", "1", "1", "damping over critical damping", 0.05, 0, 0.99});
+  T stroke = given({"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5});
+  T rise_angle =
+      given({"rise_angle", "beta", "deg", "rad", "cam angle of the rise", 90, 1e-3, 360});
+  T angular_speed = given({"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6});
+  T slowest_speed = given({"slowest_speed", "n_1", "rpm", "rad/s",
+                           "speed at which a range of speeds begins", 240, 1e-3, 1e6});
+  T fastest_speed = given(
+      {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which that range ends", 360, 1e-3, 1e6});
 
   auto conditions() const {
     return std::to_array<Condition<T>>(

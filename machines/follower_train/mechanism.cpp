@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "machines/follower_train/mechanism.h"
 
-#include "machines/follower_train/machine.h"
+#include "machines/follower_train/elastic_follower.h"
 #include "machines/follower_train/speed_curve.h"
 #include "machines/follower_train/train_curve.h"
 #include "machines/model/law_formula.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
-const std::vector<MechanismParameter>& MachineTraits<ElasticFollower>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6},
-      {"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9},
-      {"damping_ratio", "zeta", "1", "1", "damping over critical damping", 0.05, 0, 0.99},
-      {"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5},
-      {"rise_angle", "beta", "deg", "rad", "cam angle of the rise", 90, 1e-3, 360},
-      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6},
-      {"slowest_speed", "n_1", "rpm", "rad/s", "speed at which a range of speeds begins", 240, 1e-3,
-       1e6},
-      {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which that range ends", 360, 1e-3, 1e6}};
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -131,20 +116,27 @@ Mechanism follower_train_mechanism() {
       curve(Q::Amplification, {"amplified_acceleration", "1", "1",
                                "acceleration of the mass over the cam's greatest acceleration"}));
   responses.push_back(over_speeds());
-  return {.name = "follower-train",
-          .title = "elastic follower train with one mass, over a rise from rest",
-          .source = "docs/theory.md, Elastic follower train",
-          .parameters = MachineTraits<ElasticFollower>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {{"peak_deviation", "deviation", Part::Magnitude,
-                     "greatest deviation during the rise"},
-                    {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
-                     "greatest acceleration of the mass during the rise"},
-                    {"amplification", "amplified_acceleration", Part::Magnitude,
-                     "greatest acceleration of the mass over that of the cam"},
-                    {"worst_residual", "residual_over_speed", Part::Highest,
-                     "greatest residual amplitude at any speed of the range"}},
-          .why_impossible = why_impossible_as<ElasticFollower>};
+  return {
+      .name = "follower-train",
+      .title = "elastic follower train with one mass, over a rise from rest",
+      .source = "docs/theory.md, Elastic follower train",
+      .parameters = parameters_of<ElasticFollower>(),
+      .responses = std::move(responses),
+      .peaks = {{"peak_deviation", "deviation", Part::Magnitude,
+                 "greatest deviation during the rise"},
+                {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
+                 "greatest acceleration of the mass during the rise"},
+                {"amplification", "amplified_acceleration", Part::Magnitude,
+                 "greatest acceleration of the mass over that of the cam"},
+                {"worst_residual", "residual_over_speed", Part::Highest,
+                 "greatest residual amplitude at any speed of the range"}},
+      .why_impossible = why_impossible_as<ElasticFollower>,
+      .usual = usual_problem({.objective = "peak_mass_acceleration",
+                              .variables = {{"rise_angle", 60, 150, 90}},
+                              .limits = {{"residual_displacement", -0.05, 0.05}},
+                              .others = {"worst_residual", "residual_amplitude", "peak_deviation",
+                                         "amplification", "natural_frequency"},
+                              .law = "modified-sine"})};
 }
 
 }  // namespace camlaw::problems

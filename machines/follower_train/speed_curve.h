@@ -40,7 +40,7 @@ MechanismResponse speed_curve(ResponseAbout about, Parts parts) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   const std::vector<Write> writes = machine_parts<M>(parts);
-  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  response.uses = used_by_any(writes, parameters_of<M>().size());
   response.along = "rpm";
   response.sees_law = true;
   response.curve = [=, is_possible = response.is_possible](const Binding& binding,

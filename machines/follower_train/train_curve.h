@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "machines/cams/cam_curve.h"
 #include "machines/follower_train/follower_train.h"
 #include "machines/model/box_traces.h"
 #include "machines/model/law_number.h"
-#include "machines/model/listed_responses.h"
 
 /// Curves of an elastic follower train over its rise, or over the turn of a cam: what has happened
 /// before decides them, so that the law is needed as a whole.
@@ -117,7 +117,7 @@ MechanismResponse train_curve(TrainQuantity which, TrainRun run, ResponseAbout a
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   const std::vector<Write> writes = machine_parts<M>(parts);
-  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  response.uses = used_by_any(writes, parameters_of<M>().size());
   if (run == TrainRun::Turn) response.cycle = std::make_shared<Cycle>(turn_of_the_cam());
   response.along = response.cycle ? response.cycle->unit : std::string(1, '1');
   response.sees_law = true;

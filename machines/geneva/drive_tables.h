@@ -9,9 +9,6 @@
 /// What every mechanism with a Geneva has in common.
 namespace camlaw::problems {
 
-/// Slots, speed, inertia and friction: the fields of GenevaDrive, in that order.
-std::vector<MechanismParameter> drive_parameters();
-
 /// The curves of a machine M with the members of GenevaDrive.
 template <template <class> class M>
 std::vector<MechanismResponse> drive_curves() {

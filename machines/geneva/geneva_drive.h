@@ -4,6 +4,7 @@
 #include <array>
 
 #include "machines/geneva/geneva.h"
+#include "machines/model/given.h"
 #include "numerics/scalar/series.h"
 
 namespace camlaw {
@@ -15,10 +16,14 @@ namespace camlaw {
 /// cam".
 template <class T, template <class> class Wheel>
 struct GenevaDrive {
-  T slots = number<T>(6);                         ///< n
-  T angular_speed = number<T>(6.28318530717959);  ///< omega, rad/s, of the driver
-  T inertia = number<T>(0.8);                     ///< J, kg m^2, of all that moves, at the wheel
-  T friction = number<T>(40);                     ///< M_f, N m, at the wheel while it moves
+  Given<T> given = {};
+  T slots = given({"slots", "n", "1", "1", "slots of the wheel", 6, 3, 60, true});
+  T angular_speed = given({"speed", "n_d", "rpm", "rad/s", "speed of the driver", 60, 1e-3, 1e6});
+  T inertia =
+      given({"inertia", "J", "kg m2", "kg m2",
+             "moment of inertia of everything that moves, referred to the wheel", 0.8, 0, 1e6});
+  T friction = given({"friction", "M_f", "N m", "N m",
+                      "friction torque at the wheel while it moves", 40, 1e-6, 1e9});
 
   /// The wheel moves, the wheel is locked.
   enum Section : std::size_t { Moving, Locked };
@@ -75,8 +80,10 @@ struct GenevaDrive {
 /// A conveyor with a planar Geneva, and what room its parts have. Fields in SI units.
 template <class T>
 struct PlanarGenevaDrive : GenevaDrive<T, PlanarGeneva> {
-  T centre_distance = number<T>(0.2);  ///< a, m
-  T pin_radius = number<T>(0.01);      ///< r_p, m
+  T centre_distance = this->given(
+      {"centre_distance", "a", "mm", "m", "centre distance of driver and wheel", 200, 1e-3, 1e5});
+  T pin_radius =
+      this->given({"pin_radius", "r_p", "mm", "m", "radius of the driver's pin", 10, 0, 1e5});
 
   /// (V3) Radius of the pin's circle, m: a sin(pi / n).
   T crank_radius() const { return centre_distance * this->geneva().crank(); }

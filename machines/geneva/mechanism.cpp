@@ -1,44 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/geneva/mechanism.h"
 
 #include "machines/geneva/drive_tables.h"
 #include "machines/geneva/surplus.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
-template <>
-struct MachineTraits<PlanarGenevaDrive> {
-  static const std::vector<MechanismParameter>& parameters() {
-    static const std::vector<MechanismParameter> all = [] {
-      auto result = drive_parameters();
-      result.push_back({"centre_distance", "a", "mm", "m", "centre distance of driver and wheel",
-                        200, 1e-3, 1e5});
-      result.push_back({"pin_radius", "r_p", "mm", "m", "radius of the driver's pin", 10, 0, 1e5});
-      return result;
-    }();
-    return all;
-  }
-  template <class T>
-  static constexpr std::array<T PlanarGenevaDrive<T>::*, 6> fields{
-      &PlanarGenevaDrive<T>::slots,           &PlanarGenevaDrive<T>::angular_speed,
-      &PlanarGenevaDrive<T>::inertia,         &PlanarGenevaDrive<T>::friction,
-      &PlanarGenevaDrive<T>::centre_distance, &PlanarGenevaDrive<T>::pin_radius};
-};
-
-template <>
-struct MachineTraits<SphericalGenevaDrive> {
-  static const std::vector<MechanismParameter>& parameters() {
-    static const std::vector<MechanismParameter> all = drive_parameters();
-    return all;
-  }
-  template <class T>
-  static constexpr std::array fields{
-      &SphericalGenevaDrive<T>::slots, &SphericalGenevaDrive<T>::angular_speed,
-      &SphericalGenevaDrive<T>::inertia, &SphericalGenevaDrive<T>::friction};
-};
-
 namespace {
 
 using optim::Part;
@@ -95,27 +63,43 @@ std::vector<NamedPeak> peaks() {
 Mechanism planar_geneva_mechanism() {
   std::vector<MechanismResponse> responses = rooms();
   append(responses, drive_responses<PlanarGenevaDrive>());
-  return {.name = "geneva",
-          .title = "planar Geneva that drives a conveyor",
-          .source = "docs/theory.md, Geneva mechanisms",
-          .parameters = MachineTraits<PlanarGenevaDrive>::parameters(),
-          .responses = std::move(responses),
-          .peaks = peaks(),
-          .moved_by = MovedBy::Nothing,
-          .form = Form::Geneva,
-          .why_impossible = why_impossible_as<PlanarGenevaDrive>};
+  return {
+      .name = "geneva",
+      .title = "planar Geneva that drives a conveyor",
+      .source = "docs/theory.md, Geneva mechanisms",
+      .parameters = parameters_of<PlanarGenevaDrive>(),
+      .responses = std::move(responses),
+      .peaks = peaks(),
+      .moved_by = MovedBy::Nothing,
+      .form = Form::Geneva,
+      .why_impossible = why_impossible_as<PlanarGenevaDrive>,
+      .usual = usual_problem({.objective = "speed",
+                              .sense = optim::Sense::Maximize,
+                              .variables = {{"slots", 4, 8, 6}, {"speed", 10, 200, 50}},
+                              .limits = {{"peak_acceleration", kNone, 60},
+                                         {"driver_shaft_room", 45, kNone},
+                                         {"wheel_shaft_room", 60, kNone}},
+                              .others = {"peak_velocity", "peak_torque", "greatest_drive_torque",
+                                         "crank_radius", "wheel_radius"}})};
 }
 
 Mechanism spherical_geneva_mechanism() {
   return {.name = "geneva-spherical",
           .title = "spherical Geneva, its axes at right angles, that drives a conveyor",
           .source = "docs/theory.md, Geneva mechanisms",
-          .parameters = MachineTraits<SphericalGenevaDrive>::parameters(),
+          .parameters = parameters_of<SphericalGenevaDrive>(),
           .responses = drive_responses<SphericalGenevaDrive>(),
           .peaks = peaks(),
           .moved_by = MovedBy::Nothing,
           .form = Form::SphericalGeneva,
-          .why_impossible = why_impossible_as<SphericalGenevaDrive>};
+          .why_impossible = why_impossible_as<SphericalGenevaDrive>,
+          .usual = usual_problem({.objective = "speed",
+                                  .sense = optim::Sense::Maximize,
+                                  .variables = {{"slots", 4, 8, 6}, {"speed", 10, 200, 40}},
+                                  .limits = {{"peak_torque", kNone, 150}},
+                                  .others = {"peak_velocity", "peak_acceleration",
+                                             "greatest_drive_torque", "mean_torque", "engagement"},
+                                  .constants = {{"inertia", 4}}})};
 }
 
 }  // namespace camlaw::problems

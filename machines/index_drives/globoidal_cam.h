@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/index_drives/rib_turret.h"
+#include "machines/cams/bearing_side.h"
+#include "machines/index_drives/index_load.h"
+#include "machines/index_drives/index_parameters.h"
 #include "machines/index_drives/ruled_contact.h"
 #include "numerics/scalar/extremes.h"
 
@@ -12,18 +14,46 @@ namespace camlaw {
 /// and holds from half a pitch before the line of centres to half a pitch beyond it. Fields in SI
 /// units. Valid while the roller's end does not reach the cam's axis.
 template <class T>
-struct GloboidalCam : RibTurret<T> {
-  using RibTurret<T>::face_width, RibTurret<T>::step;
-
-  T axis_distance = number<T>(0.120);  ///< a, m
-  T turret_radius = number<T>(0.070);  ///< R_t, m, to the middle of a roller
-  T roller_radius = number<T>(0.011);  ///< r_r, m
+struct GloboidalCam {
+  Given<T> given = {};
+  T stations = given(turrets::kStations);                           ///< S, 3 or more
+  T rollers = given(turrets::kRollers);                             ///< N
+  T axis_distance = given(turrets::kAxisDistance.by_default(120));  ///< a, m
+  T turret_radius =
+      given(turrets::kTurretRadius.by_default(70));  ///< R_t, m, to the middle of a roller
+  T roller_radius = given(turrets::kRollerRadius.by_default(11));  ///< r_r, m
+  T angular_speed = given(turrets::kSpeed);                        ///< omega, rad/s, of the cam
+  T inertia = given(turrets::kInertia);                            ///< J, kg m^2
+  T friction = given(turrets::kFriction);                          ///< M_C, N m
+  T load = given(turrets::kLoad);                                  ///< M_L, N m
+  T face_width = given(turrets::kRollerLength);                    ///< b, m, along a roller
+  T youngs_modulus = given(cams::kYoungsModulus);                  ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);                    ///< nu
+  T bore_radius = given(cams::kBoreRadius);                        ///< r_0, m, of the cam
+  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
+  T crown_radius = given(turrets::kCrownRadius);        ///< R_k, m, of a roller along its axis
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
         {{throat_radius(),
           "axis_distance must be above sqrt((turret_radius + face_width / 2)^2 + roller_radius^2)"},
          {distance_at(RollerPlace::Root), "turret_radius must be above face_width / 2"}});
+  }
+  /// delta, rad: what the turret turns by while a roller drives.
+  T step() const { return number<T>(2) * pi<T>() / rollers; }
+  IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(station_angle(stations), motion);
+  }
+  /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
+  /// since it took over.
+  template <class X>
+  X angle(const X& gain) const {
+    return gain - step() / number<T>(2);
   }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }

@@ -11,55 +11,6 @@ namespace camlaw::problems {
 
 using optim::Part;
 
-Parameters stations_parameter(double stations) {
-  return {{"stations", "S", "1", "1", "stops of the turret per revolution", stations, 3, 60, true}};
-}
-
-Parameters index_sizes(double axis_distance, double turret_radius) {
-  return {{"axis_distance", "a", "mm", "m", "centre distance of cam and turret", axis_distance,
-           1e-3, 1e5},
-          {"turret_radius", "R_t", "mm", "m",
-           "radius of the circle on which the rollers' centres lie", turret_radius, 1e-3, 1e5}};
-}
-
-Parameters turret_rollers(double rollers) {
-  return {{"rollers", "N", "1", "1", "rollers of the turret", rollers, 3, 60, true}};
-}
-
-Parameters roller_radius_parameter(double radius) {
-  return {{"roller_radius", "r_r", "mm", "m", "radius of a roller", radius, 1e-3, 1e5}};
-}
-
-Parameters roller_contact() {
-  Parameters all = contact_parameters();
-  all.front().meaning = "length of the contact along a roller";
-  return all;
-}
-
-Parameters index_load() {
-  return {{"speed", "n", "rpm", "rad/s", "speed of the cam", 100, 1e-3, 1e6},
-          {"inertia", "J", "kg m2", "kg m2",
-           "moment of inertia of everything that turns with the turret", 0.1, 0, 1e6},
-          {"friction_torque", "M_C", "N m", "N m",
-           "friction torque on the turret, which opposes its motion at any speed", 0, 0, 1e9},
-          {"load_torque", "M_L", "N m", "N m",
-           "constant torque on the turret that opposes its motion", 0, -1e9, 1e9}};
-}
-
-Parameters turret_crown() {
-  Parameters all = crown_parameter();
-  all.front().symbol = "R_k";  // R_c is a barrel's radius
-  return all;
-}
-
-Parameters table_train() {
-  Parameters all = oscillating_train();
-  all.front().meaning =
-      "stiffness of the train between turret and table; 0 stands for a rigid train, without the "
-      "responses of its end";
-  return all;
-}
-
 NamedPeak peak_turret_torque() {
   return {"peak_turret_torque", "turret_torque", Part::Magnitude,
           "greatest torque that turret, table and load require"};

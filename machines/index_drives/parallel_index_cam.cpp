@@ -5,108 +5,74 @@
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/pair_responses.h"
-#include "machines/index_drives/index_drives.h"
 #include "machines/index_drives/index_tables.h"
 #include "machines/index_drives/turret_responses.h"
 #include "machines/model/append.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
 namespace camlaw::problems {
-
-template <>
-struct MachineTraits<ParallelIndexCam> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 20> fields{
-      &ParallelIndexCam<T>::stations,        &ParallelIndexCam<T>::rollers,
-      &ParallelIndexCam<T>::plates,          &ParallelIndexCam<T>::axis_distance,
-      &ParallelIndexCam<T>::turret_radius,   &ParallelIndexCam<T>::roller_radius,
-      &ParallelIndexCam<T>::angular_speed,   &ParallelIndexCam<T>::inertia,
-      &ParallelIndexCam<T>::friction,        &ParallelIndexCam<T>::load,
-      &ParallelIndexCam<T>::face_width,      &ParallelIndexCam<T>::youngs_modulus,
-      &ParallelIndexCam<T>::poisson_ratio,   &ParallelIndexCam<T>::cutter_radius,
-      &ParallelIndexCam<T>::bore_radius,     &ParallelIndexCam<T>::shaft_radius,
-      &ParallelIndexCam<T>::train_stiffness, &ParallelIndexCam<T>::train_damping,
-      &ParallelIndexCam<T>::end_share,       &ParallelIndexCam<T>::crown_radius};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
-  static const Parameters all =
-      joined({stations_parameter(4),
-              {{"rollers", "N", "1", "1", "rollers of the turret for each cam", 4, 2, 60, true},
-               {"plates", "P", "1", "1", "disc cams on the shaft", 2, 2, 4, true}},
-              index_sizes(90, 60),
-              roller_radius_parameter(8),
-              index_load(),
-              contact_parameters(),
-              cutter_parameter(),
-              bore_parameter(),
-              {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
-                10, 0, 1e5}},
-              table_train(),
-              turret_crown()});
-  return all;
-}
-
 namespace {
 
 constexpr const char *kDriving = "driving flank", *kHolding = "holding flank";
 
-MechanismResponse shaft_gap(bool second) {
-  return listed_curve<ParallelIndexCam>(
-      {second ? "second_shaft_gap" : "shaft_gap", "mm", "m",
-       std::string("clearance between the ") + (second ? kHolding : kDriving) +
-           " of the turning cam and the turret's shaft"},
-      turn_of_the_cam(), second ? Extent::SecondCentreDistance : Extent::CentreDistance,
-      [](const auto& cam, Extent wanted, const auto& motion) {
-        return -extent(cam, wanted, cam.over_angle(motion)) +
-               (cam.axis_distance - cam.shaft_radius);
-      });
+/// Of the profile at a distance from the cam's centre.
+constexpr auto kGap = [](const auto& cam, const auto& distance) {
+  return -distance + (cam.axis_distance - cam.shaft_radius);
+};
+
+std::vector<MechanismResponse> shaft_gaps() {
+  const auto clearance = [](const char* flank) {
+    return std::string("clearance between the ") + flank +
+           " of the turning cam and the turret's shaft";
+  };
+  return {cam_curve<ParallelIndexCam>(
+              {"shaft_gap", "mm", "m", clearance(kDriving)},
+              [](const auto& cam, const auto& f) { return kGap(cam, profile_distance(cam, f)); }),
+          cam_curve<ParallelIndexCam>({"second_shaft_gap", "mm", "m", clearance(kHolding)},
+                                      [](const auto& cam, const auto& f) {
+                                        return kGap(cam, second_profile_distance(cam, f));
+                                      })};
 }
 
-MechanismResponse roller_angle(OfPair which) {
-  const bool second = which == OfPair::Second;
-  return listed_curve<ParallelIndexCam>(
-      {second ? "second_roller_angle" : "roller_angle", "deg", "rad",
-       second ? "angle between the line of centres and the roller on the holding flank"
-              : "angle between the line of centres and the roller on the driving flank"},
-      turn_of_the_cam(), which, [](const auto& cam, OfPair wanted, const auto& motion) {
-        const auto f = cam.over_angle(motion);
-        return (wanted == OfPair::Main ? cam.main() : cam.second()).serving(f).angle;
-      });
+std::vector<MechanismResponse> roller_angles() {
+  return {cam_curve<ParallelIndexCam>(
+              {"roller_angle", "deg", "rad",
+               "angle between the line of centres and the roller on the driving flank"},
+              [](const auto& cam, const auto& f) { return cam.main().serving(f).angle; }),
+          cam_curve<ParallelIndexCam>(
+              {"second_roller_angle", "deg", "rad",
+               "angle between the line of centres and the roller on the holding flank"},
+              [](const auto& cam, const auto& f) { return cam.second().serving(f).angle; })};
 }
 
 /// Drawn, but not exported as a profile: they are parts of several cams.
 std::vector<MechanismResponse> flanks() {
-  using D = DrawnCurve;
-  const char* const driving = "driving flanks of all cams, in their own coordinates";
-  const char* const holding = "holding flanks of all cams, in the same coordinates";
-  const char* const path = "path of the driving rollers' centres over the cams";
-  return {drawn_response<ParallelIndexCam>(D::ProfileX, "flank_x", driving),
-          drawn_response<ParallelIndexCam>(D::ProfileY, "flank_y", driving),
-          drawn_response<ParallelIndexCam>(D::SecondX, "second_flank_x", holding),
-          drawn_response<ParallelIndexCam>(D::SecondY, "second_flank_y", holding),
-          drawn_response<ParallelIndexCam>(D::PitchX, "roller_path_x", path),
-          drawn_response<ParallelIndexCam>(D::PitchY, "roller_path_y", path)};
+  std::vector<MechanismResponse> all = drawn_curve<ParallelIndexCam>(
+      "flank", "driving flanks of all cams, in their own coordinates",
+      [](const auto& cam, const auto& f) { return profile_of(cam, f); });
+  append(all, drawn_curve<ParallelIndexCam>(
+                  "second_flank", "holding flanks of all cams, in the same coordinates",
+                  [](const auto& cam, const auto& f) { return cam.second_profile(f); }));
+  append(all, drawn_curve<ParallelIndexCam>(
+                  "roller_path", "path of the driving rollers' centres over the cams",
+                  [](const auto& cam, const auto& f) { return trace_point(cam, f); }));
+  return all;
 }
 
 std::vector<MechanismResponse> parallel_responses() {
   std::vector<MechanismResponse> all = turret_responses<ParallelIndexCam>();
-  all.push_back(roller_angle(OfPair::Main));
-  all.push_back(roller_angle(OfPair::Second));
+  append(all, roller_angles());
   append(all, pair_responses<ParallelIndexCam>(kDriving, kHolding));
   append(all, pair_crown_responses<ParallelIndexCam>());
   append(all, flanks());
   append(all, extent_responses<ParallelIndexCam>(kHolding));
-  all.push_back(listed_curve<ParallelIndexCam>(
+  all.push_back(cam_curve<ParallelIndexCam>(
       {"crossing_ratio", "1", "1",
        "speed of a roller on the line of centres over that of the cam's surface; well above 1 it "
        "cuts into the next flank"},
-      turn_of_the_cam(), 0, [](const auto& cam, int, const auto& motion) {
-        return cam.crossing_ratio(cam.over_angle(motion));
-      }));
-  all.push_back(shaft_gap(false));
-  all.push_back(shaft_gap(true));
+      [](const auto& cam, const auto& f) { return cam.crossing_ratio(f); }));
+  append(all, shaft_gaps());
   all.push_back(number_response<ParallelIndexCam>(
       {"roller_gap", "mm", "m", "gap between neighbouring rollers of a ring"},
       [](const auto& cam) { return cam.roller_gap(); }));
@@ -126,7 +92,7 @@ Mechanism parallel_index_cam_mechanism() {
       {.name = "parallel-index-cam",
        .title = "parallel index drive: conjugate disc cams that turn a turret with rollers",
        .source = "docs/theory.md, Index drives",
-       .parameters = MachineTraits<ParallelIndexCam>::parameters(),
+       .parameters = parameters_of<ParallelIndexCam>(),
        .responses = parallel_responses(),
        .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle(), kHolding), peak_undercut(),
                  of_second(peak_undercut(), kHolding), peak_turret_torque(), peak_torque(),
@@ -137,7 +103,27 @@ Mechanism parallel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,
-       .why_impossible = why_impossible_as<ParallelIndexCam>},
+       .why_impossible = why_impossible_as<ParallelIndexCam>,
+       .usual = usual_problem(
+           {.objective = "axis_distance",
+            .variables = {{"axis_distance", 60, 400, 170}, {"turret_radius", 40, 300, 120}},
+            .limits = {{"pressure_angle", -40, 40},
+                       {"second_pressure_angle", -40, 40},
+                       {"crossing_ratio", kNone, 1.05},
+                       {"contact_stress", kNone, 900}},
+            .others = {"peak_stress", "peak_torque", "torque_rms", "undercut", "second_undercut",
+                       "outer_radius"},
+            .constants = {{"stations", 8},
+                          {"rollers", 8},
+                          {"plates", 3},
+                          {"speed", 120},
+                          {"inertia", 4},
+                          {"friction_torque", 4},
+                          {"face_width", 14},
+                          {"bore_radius", 30},
+                          {"shaft_radius", 20},
+                          {"cutter_radius", 8}},
+            .segments = index_once(80, 200)})},
       {conjugate_checks(), shaft_checks(), ring_checks()});
 }
 

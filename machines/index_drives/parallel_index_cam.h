@@ -5,6 +5,7 @@
 #include "machines/cams/roller_arm.h"
 #include "machines/contact/crowned_roller.h"
 #include "machines/index_drives/index_load.h"
+#include "machines/index_drives/index_parameters.h"
 
 namespace camlaw {
 
@@ -63,26 +64,30 @@ inline constexpr double kTakeover = 0.1;
 /// Valid for a > R_t, for programs that only gain. The drive runs without play and without bracing.
 template <class T>
 struct ParallelIndexCam {
-  T stations = number<T>(4);                     ///< S, 3 or more
-  T rollers = number<T>(4);                      ///< N, of each cam
-  T plates = number<T>(2);                       ///< P, cams
-  T axis_distance = number<T>(0.090);            ///< a, m
-  T turret_radius = number<T>(0.060);            ///< R_t, m, of the circle of the rollers' centres
-  T roller_radius = number<T>(0.008);            ///< r_r, m
-  T angular_speed = number<T>(10.471975511966);  ///< omega, rad/s, of the cam
-  T inertia = number<T>(0.1);                    ///< J, kg m^2
-  T friction = number<T>(0);                     ///< M_C, N m
-  T load = number<T>(0);                         ///< M_L, N m
-  T face_width = number<T>(0.012);               ///< b, m, of a roller's contact
-  T youngs_modulus = number<T>(2.1e11);          ///< E, Pa
-  T poisson_ratio = number<T>(0.3);              ///< nu
-  T cutter_radius = number<T>(0.008);            ///< r_c, m
-  T bore_radius = number<T>(0.012);              ///< r_0, m, of the cams
-  T shaft_radius = number<T>(0.010);             ///< r_S, m, of the turret's shaft beside them
-  T train_stiffness = number<T>(0);              ///< c_t, N m/rad, from turret to table
-  T train_damping = number<T>(0.05);             ///< zeta
-  T end_share = number<T>(1);                    ///< kappa, of the inertia
-  T crown_radius = number<T>(0.5);               ///< R_k, m, of a roller along its axis
+  Given<T> given = {};
+  T stations = given(turrets::kStations);  ///< S, 3 or more
+  T rollers =
+      given({"rollers", "N", "1", "1", "rollers of the turret for each cam", 4, 2, 60, true});
+  T plates = given({"plates", "P", "1", "1", "disc cams on the shaft", 2, 2, 4, true});
+  T axis_distance = given(turrets::kAxisDistance.by_default(90));  ///< a, m
+  T turret_radius = given(
+      turrets::kTurretRadius.by_default(60));  ///< R_t, m, of the circle of the rollers' centres
+  T roller_radius = given(turrets::kRollerRadius.by_default(8));  ///< r_r, m
+  T angular_speed = given(turrets::kSpeed);                       ///< omega, rad/s, of the cam
+  T inertia = given(turrets::kInertia);                           ///< J, kg m^2
+  T friction = given(turrets::kFriction);                         ///< M_C, N m
+  T load = given(turrets::kLoad);                                 ///< M_L, N m
+  T face_width = given(cams::kFaceWidth);                         ///< b, m, of a roller's contact
+  T youngs_modulus = given(cams::kYoungsModulus);                 ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);                   ///< nu
+  T cutter_radius = given(cams::kCutterRadius);                   ///< r_c, m
+  T bore_radius = given(cams::kBoreRadius);                       ///< r_0, m, of the cams
+  T shaft_radius = given({"shaft_radius", "r_S", "mm", "m",
+                          "radius of the turret's shaft beside the cams", 10, 0, 1e5});
+  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
+  T crown_radius = given(turrets::kCrownRadius);        ///< R_k, m, of a roller along its axis
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
@@ -142,13 +147,13 @@ struct ParallelIndexCam {
       return contact.stress(force, curvature);
     });
   }
-  /// Of the roller on the flank that bears, crowned or not.
-  template <class X>
-  X crown(CrownCurve which, const FollowerMotion<X>& f) const {
+  /// formula(PressedRoller) of the roller on the flank that bears, crowned or not.
+  template <class X, class F>
+  X of_pressed(const FollowerMotion<X>& f, F formula) const {
     const T crown_curvature = number<T>(1) / crown_radius;
     return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
-      return crown_curve(which, pressed_roller(force, contact.curvature_sum(curvature),
-                                               crown_curvature, face_width, contact.material));
+      return X(formula(pressed_roller(force, X(contact.curvature_sum(curvature)), crown_curvature,
+                                      face_width, contact.material)));
     });
   }
   /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the

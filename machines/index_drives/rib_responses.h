@@ -10,17 +10,6 @@
 /// What index drives have alike whose rollers run between the ribs of a cam with its axis across.
 namespace camlaw::problems {
 
-enum class RibCurve {
-  RollerAngle,
-  PressureAngle,
-  Undercut,
-  SecondUndercut,
-  CurvatureSum,
-  SecondCurvatureSum,
-  ContactForce,
-  ContactStress
-};
-
 /// Sides of the roller: on that behind it the rib drives, on that before it the next one holds.
 inline constexpr double kDrives = -1, kHolds = 1;
 
@@ -48,51 +37,51 @@ inline const char* short_place(RollerPlace place) {
                                       : "the roller's tip";
 }
 
-/// Of a driving roller at the angle psi.
+/// Sum of the curvatures of the roller and of the flank that bears.
 template <class Drive, class X>
-X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
-            const FollowerMotion<X>& f) {
-  const RuledContact<X> contact = drive.contact(place, psi, f);
-  const auto& radius = drive.roller_radius;
-  switch (which) {
-    case RibCurve::PressureAngle:
-      return contact.pressure_angle();
-    case RibCurve::Undercut:
-      return contact.undercut(radius, kDrives);
-    case RibCurve::SecondUndercut:
-      return contact.undercut(radius, kHolds);
-    case RibCurve::CurvatureSum:
-      return contact.curvature_sum(radius, kDrives);
-    case RibCurve::SecondCurvatureSum:
-      return contact.curvature_sum(radius, kHolds);
-    default:
-      break;
-  }
-  const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
-  const X force = rib_force(drive, middle, f);
-  if (which == RibCurve::ContactForce) return force;
-  using T = std::decay_t<decltype(drive.face_width)>;
-  const LineContact<T> material{drive.youngs_modulus, drive.poisson_ratio};
-  const X sum =
-      by_side(force, contact.curvature_sum(radius, kDrives), contact.curvature_sum(radius, kHolds));
-  return unless_zero(force, material.pressure(X(absolute(force) / drive.face_width), sum));
+X loaded_curvature(const Drive& drive, const RuledContact<X>& contact, const X& force) {
+  return by_side(force, contact.curvature_sum(drive.roller_radius, kDrives),
+                 contact.curvature_sum(drive.roller_radius, kHolds));
 }
 
-/// (RB15) Of a driving roller at the angle psi, crowned about its middle or not.
+template <class Drive>
+auto rib_material(const Drive& drive) {
+  using T = std::decay_t<decltype(drive.face_width)>;
+  return LineContact<T>{drive.youngs_modulus, drive.poisson_ratio};
+}
+
+/// Greatest pressure in a plane across a driving roller at the angle psi, Pa.
 template <class Drive, class X>
-X rib_crown(const Drive& drive, CrownCurve which, const X& psi, const FollowerMotion<X>& f) {
+X rib_stress(const Drive& drive, RollerPlace place, const X& psi, const FollowerMotion<X>& f) {
+  const RuledContact<X> contact = drive.contact(place, psi, f);
+  const X force = rib_force(drive, drive.contact(RollerPlace::Middle, psi, f), f);
+  const X sum = loaded_curvature(drive, contact, force);
+  return unless_zero(force,
+                     rib_material(drive).pressure(X(absolute(force) / drive.face_width), sum));
+}
+
+/// (RB15) formula(PressedRoller) of a driving roller at the angle psi, crowned about its middle or
+/// not.
+template <class Drive, class X, class F>
+X of_pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f, F formula) {
   const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
   const X force = rib_force(drive, middle, f);
   using T = std::decay_t<decltype(drive.face_width)>;
-  const T& radius = drive.roller_radius;
   const T crown = number<T>(1) / drive.crown_radius;
-  const X sum =
-      by_side(force, middle.curvature_sum(radius, kDrives), middle.curvature_sum(radius, kHolds));
+  const X sum = loaded_curvature(drive, middle, force);
   return unless_zero(
-      force,
-      crown_curve(which, pressed_askew(X(absolute(force)), sum, middle.slant(radius), crown,
-                                       drive.face_width,
-                                       LineContact<T>{drive.youngs_modulus, drive.poisson_ratio})));
+      force, X(formula(pressed_askew(X(absolute(force)), sum, middle.slant(drive.roller_radius),
+                                     crown, drive.face_width, rib_material(drive)))));
+}
+
+/// Of the driving roller at each place of the turn: formula(drive, psi, f) with its angle psi.
+template <template <class> class M, class F>
+MechanismResponse rib_curve(ResponseAbout about, F formula) {
+  return cam_curve<M>(std::move(about), [formula](const auto& drive, const auto& f) {
+    using X = std::decay_t<decltype(f.s)>;
+    return handed_over(f.s, drive.step(),
+                       [&](const X& gain) { return X(formula(drive, X(drive.angle(gain)), f)); });
+  });
 }
 
 /// A coordinate of a line of contact: 0 for x, 1 for y, 2 for z.
@@ -124,18 +113,50 @@ std::vector<MechanismResponse> contact_lines() {
             std::string(side == kDrives ? "driving" : "holding") + " flank contact at " +
             short_place(place) +
             ", in cam coordinates; in a dwell at a hand-over, of the roller that takes over";
-        all.push_back(listed_curve<M>(
-            {name, "mm", "m", meaning}, turn_of_the_cam(), ContactPlace{coordinate, place, side},
-            [](const auto& drive, const ContactPlace& which, const auto& motion, const auto& x) {
-              using X = std::decay_t<decltype(x)>;
-              const auto f = drive.over_angle(motion);
-              return handed_over(f.s, drive.step(), [&](const X& gain) {
-                return contact_coordinate(drive, which, X(drive.angle(gain)), f,
-                                          X(number<X>(2) * pi<X>() * x));
-              });
-            }));
+        const ContactPlace which{coordinate, place, side};
+        all.push_back(cam_curve<M>({name, "mm", "m", meaning},
+                                   [which](const auto& drive, const auto& f, const auto& x) {
+                                     using X = std::decay_t<decltype(x)>;
+                                     return handed_over(f.s, drive.step(), [&](const X& gain) {
+                                       return contact_coordinate(drive, which, X(drive.angle(gain)),
+                                                                 f, X(number<X>(2) * pi<X>() * x));
+                                     });
+                                   }));
       }
     }
+  }
+  return all;
+}
+
+/// In a plane across the roller.
+template <template <class> class M>
+std::vector<MechanismResponse> rib_place_responses(RollerPlace place) {
+  const std::string prefix = place_prefix(place), at = place_words(place);
+  const auto undercut = [place](double side) {
+    return [place, side](const auto& drive, const auto& psi, const auto& f) {
+      return drive.contact(place, psi, f).undercut(drive.roller_radius, side);
+    };
+  };
+  std::vector<MechanismResponse> all{
+      rib_curve<M>(
+          {prefix + "pressure_angle", "deg", "rad",
+           "angle between the flank normal and the roller's path" + at + ", with the slope's sign"},
+          [place](const auto& drive, const auto& psi, const auto& f) {
+            return drive.contact(place, psi, f).pressure_angle();
+          }),
+      rib_curve<M>({prefix + "undercut", "1", "1",
+                    "undercut ratio of the driving flank" + at + "; at 1 it is undercut"},
+                   undercut(kDrives)),
+      rib_curve<M>({"second_" + prefix + "undercut", "1", "1",
+                    "undercut ratio of the holding flank" + at + "; at 1 it is undercut"},
+                   undercut(kHolds)),
+      rib_curve<M>({prefix + "contact_stress", "MPa", "Pa",
+                    "greatest Hertz pressure on the loaded flank" + at},
+                   [place](const auto& drive, const auto& psi, const auto& f) {
+                     return rib_stress(drive, place, psi, f);
+                   })};
+  for (const std::string& limit : {prefix + "undercut", "second_" + prefix + "undercut"}) {
+    set_defined_while(all, {prefix + "contact_stress"}, {.response = limit, .upper = 1});
   }
   return all;
 }
@@ -143,56 +164,40 @@ std::vector<MechanismResponse> contact_lines() {
 template <template <class> class M>
 std::vector<MechanismResponse> rib_responses() {
   std::vector<MechanismResponse> all = turret_responses<M>();
-  const auto add = [&](RibCurve which, RollerPlace place, ResponseAbout about) {
-    all.push_back(listed_curve<M>(
-        std::move(about), turn_of_the_cam(), std::pair(which, place),
-        [](const auto& drive, std::pair<RibCurve, RollerPlace> wanted, const auto& motion) {
-          const auto f = drive.over_angle(motion);
-          using X = std::decay_t<decltype(f.s)>;
-          const auto step = drive.step();
-          if (wanted.first == RibCurve::RollerAngle) return drive.angle(since_handover(f.s, step));
-          return handed_over(f.s, step, [&](const X& gain) {
-            return rib_curve(drive, wanted.first, wanted.second, drive.angle(gain), f);
-          });
-        }));
-  };
-  using C = RibCurve;
-  const auto middle = RollerPlace::Middle;
-  add(C::RollerAngle, middle,
+  all.push_back(cam_curve<M>(
       {"roller_angle", "deg", "rad",
        "angle between the line of centres and the driving roller, in a dwell at a hand-over the "
-       "one that takes over"});
-  for (const RollerPlace place : {middle, RollerPlace::Root, RollerPlace::Tip}) {
-    const std::string prefix = place_prefix(place), at = place_words(place);
-    add(C::PressureAngle, place,
-        {prefix + "pressure_angle", "deg", "rad",
-         "angle between the flank normal and the roller's path" + at + ", with the slope's sign"});
-    add(C::Undercut, place,
-        {prefix + "undercut", "1", "1",
-         "undercut ratio of the driving flank" + at + "; at 1 it is undercut"});
-    add(C::SecondUndercut, place,
-        {"second_" + prefix + "undercut", "1", "1",
-         "undercut ratio of the holding flank" + at + "; at 1 it is undercut"});
-    add(C::ContactStress, place,
-        {prefix + "contact_stress", "MPa", "Pa",
-         "greatest Hertz pressure on the loaded flank" + at});
-    for (const std::string& undercut : {prefix + "undercut", "second_" + prefix + "undercut"}) {
-      set_defined_while(all, {prefix + "contact_stress"}, {.response = undercut, .upper = 1});
-    }
+       "one that takes over"},
+      [](const auto& drive, const auto& f) {
+        return drive.angle(since_handover(f.s, drive.step()));
+      }));
+  for (const RollerPlace place : {RollerPlace::Middle, RollerPlace::Root, RollerPlace::Tip}) {
+    append(all, rib_place_responses<M>(place));
   }
-  add(C::CurvatureSum, middle,
-      {"curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and driving flank"});
-  add(C::SecondCurvatureSum, middle,
-      {"second_curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and holding flank"});
-  add(C::ContactForce, middle,
-      {"contact_force", "N", "N",
-       "force between the loaded flank and its roller, positive where that is the "
-       "driving one"});
+  all.push_back(rib_curve<M>(
+      {"curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and driving flank"},
+      [](const auto& drive, const auto& psi, const auto& f) {
+        return drive.contact(RollerPlace::Middle, psi, f)
+            .curvature_sum(drive.roller_radius, kDrives);
+      }));
+  all.push_back(rib_curve<M>(
+      {"second_curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and holding flank"},
+      [](const auto& drive, const auto& psi, const auto& f) {
+        return drive.contact(RollerPlace::Middle, psi, f)
+            .curvature_sum(drive.roller_radius, kHolds);
+      }));
+  all.push_back(rib_curve<M>({"contact_force", "N", "N",
+                              "force between the loaded flank and its roller, positive where that "
+                              "is the driving one"},
+                             [](const auto& drive, const auto& psi, const auto& f) {
+                               return rib_force(drive, drive.contact(RollerPlace::Middle, psi, f),
+                                                f);
+                             }));
   append(all, crown_responses<M>({"undercut", "second_undercut"},
-                                 [](const auto& drive, CrownCurve which, const auto& f) {
+                                 [](const auto& drive, const auto& f, const auto& formula) {
                                    using X = std::decay_t<decltype(f.s)>;
                                    return handed_over(f.s, drive.step(), [&](const X& gain) {
-                                     return rib_crown(drive, which, drive.angle(gain), f);
+                                     return of_pressed_rib(drive, X(drive.angle(gain)), f, formula);
                                    });
                                  }));
   append(all, contact_lines<M>());

@@ -29,16 +29,6 @@ struct PlaceRows {
   std::vector<double> s, v, a, j, x;
 };
 
-/// formula(motion, x), or formula(motion) where the place itself does not matter.
-template <class F, class X>
-X applied(const F& formula, const PlaceOf<X>& place) {
-  if constexpr (std::is_invocable_v<const F&, const Motion<X>&, const X&>) {
-    return formula(place.motion, place.x);
-  } else {
-    return formula(place.motion);
-  }
-}
-
 /// A curve's formula with the machine of one design worked in: from the follower's motion to the
 /// response, in every scalar that a trace needs.
 class CurveFormula {

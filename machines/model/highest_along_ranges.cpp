@@ -12,7 +12,7 @@ Point highest_along_ranges(const Box& box, const std::vector<Point>& places,
   double highest = value(best);
   const auto look = [&](const Point& p) {
     const double here = value(p);
-    if (!(here > highest)) return;
+    if (std::isnan(highest) || !(here > highest || std::isnan(here))) return;
     highest = here;
     best = p;
   };
@@ -20,7 +20,7 @@ Point highest_along_ranges(const Box& box, const std::vector<Point>& places,
   for (std::size_t range = 0; range < box.size(); ++range) {
     const double lower = box[range].lower, upper = box[range].upper;
     Point p = best;
-    for (int i = 0; i <= kSteps && lower < upper; ++i) {
+    for (int i = 0; i <= kSteps && lower < upper && !std::isnan(highest); ++i) {
       p[range] = std::lerp(lower, upper, static_cast<double>(i) / kSteps);
       look(p);
     }

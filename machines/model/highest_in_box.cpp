@@ -99,6 +99,10 @@ class Halving {
 
   void see(const Point& point, const Bounds& here) {
     found_.value.upper = std::max(found_.value.upper, here.upper);
+    const bool is_bounded = std::isfinite(here.lower) || std::isfinite(here.upper);
+    if (!is_bounded && found_.left.empty()) {
+      for (const double at : point) found_.left.push_back({at, at});
+    }
     if (!(here.lower > found_.value.lower)) return;
     found_.value.lower = here.lower;
     found_.place = point;

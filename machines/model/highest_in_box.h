@@ -58,8 +58,8 @@ struct Division {
 struct Highest {
   optim::Bounds value;  ///< numbers between which it is proved to lie
   Point place;          ///< where it is the lower of them, at least; empty where nothing bounds it
-  /// Of the parts that were not divided further the one that the upper of them comes from; empty
-  /// where it is reached at a place.
+  /// Of the parts that were not divided further the one that the upper of them comes from, or the
+  /// place that nothing bounds; empty where it is reached at a place that is bounded.
   Box left;
 };
 

@@ -7,6 +7,7 @@
 #include "machines/model/highest_along_ranges.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/not_a_number.h"
+#include "machines/model/suspect.h"
 #include "optim/cycle/proof_time.h"
 
 namespace camlaw::problems {
@@ -235,9 +236,11 @@ Point HighestKernel::worst(std::span<const double> u) const {
   if (!asks_proof_ || std::isnan(height(found))) return found;
   Box here;
   for (const double value : u) here.push_back({value, value});
-  const Point place = highest_over(here).place;
-  if (place.empty() || !(height(place) > height(found))) return found;
-  return climb(place, u);
+  const Highest bounded = highest_over(here);
+  const Point suspect = suspect_of(bounded);
+  if (!suspect.empty() && std::isnan(height(suspect))) return suspect;
+  if (bounded.place.empty() || !(height(bounded.place) > height(found))) return found;
+  return climb(bounded.place, u);
 }
 
 Box HighestKernel::left(std::span<const double> u) const {

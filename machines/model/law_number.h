@@ -55,7 +55,7 @@ MechanismResponse law_number(ResponseAbout about, Parts parts, LawKernel kernel)
   MechanismResponse response = detail::described<M>(std::move(about));
   response.sees_law = true;
   const std::vector<Write> writes = machine_parts<M>(parts);
-  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  response.uses = used_by_any(writes, parameters_of<M>().size());
   response.number = [=, is_possible = response.is_possible](const Binding& binding,
                                                             optim::Shape shape) {
     return function_of(detail::law_number_variables(binding),

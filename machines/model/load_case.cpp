@@ -166,6 +166,20 @@ std::vector<optim::Response> made(const Mechanism& mechanism,
   return responses;
 }
 
+/// Whether a check is another in one load case than in another: its response differs, or whether it
+/// is made at all.
+bool differs(const Mechanism& mechanism, const BuildableCheck& check,
+             const std::vector<LoadCase>& cases) {
+  if (differs(*looked_at(mechanism, check.response), cases)) return true;
+  const auto decides = [&](const auto& set) {
+    const std::string& name = mechanism.parameters[set.first].name;
+    return name == check.only_with || name == check.only_without;
+  };
+  return std::any_of(cases.begin(), cases.end(), [&](const LoadCase& load) {
+    return std::any_of(load.parameters.begin(), load.parameters.end(), decides);
+  });
+}
+
 WorstCase named(MechanismResponse response, const std::string& name, optim::Part part) {
   WorstCase result;
   result.response = std::make_shared<const MechanismResponse>(std::move(response));
@@ -236,7 +250,7 @@ Mechanism with_cases(const Mechanism& mechanism, const std::vector<LoadCase>& ca
   }
   result.checks.clear();
   for (const BuildableCheck& check : mechanism.checks) {
-    if (!differs(*looked_at(mechanism, check.response), cases)) {
+    if (!differs(mechanism, check, cases)) {
       result.checks.push_back(check);
       continue;
     }
@@ -248,7 +262,7 @@ Mechanism with_cases(const Mechanism& mechanism, const std::vector<LoadCase>& ca
       for (std::string& after : own.after) {
         const bool in_cases = std::any_of(
             mechanism.checks.begin(), mechanism.checks.end(), [&](const BuildableCheck& other) {
-              return other.name == after && differs(*looked_at(mechanism, other.response), cases);
+              return other.name == after && differs(mechanism, other, cases);
             });
         if (in_cases) after += " in " + load.name;
       }

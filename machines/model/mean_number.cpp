@@ -5,11 +5,11 @@
 #include <array>
 #include <type_traits>
 
+#include "machines/cams/cam_curve.h"
 #include "machines/model/arguments.h"
 #include "machines/model/cycle_mean.h"
 #include "machines/model/decisions.h"
 #include "machines/model/law_formula.h"
-#include "machines/model/listed_responses.h"
 #include "machines/model/pulse.h"
 
 namespace camlaw::problems {

@@ -21,7 +21,8 @@ namespace detail {
 template <template <class> class M, class Integrand>
 Write written_integrand(Integrand integrand) {
   return [integrand](std::span<const Expression> parameters, std::span<const Expression> motion) {
-    return integrand(machine_of<M>(parameters), as_place(motion).motion);
+    return integrand(machine_of<M>(parameters),
+                     Motion<Expression>{motion[0], motion[1], motion[2], motion[3]});
   };
 }
 
@@ -32,12 +33,12 @@ template <template <class> class M, class Integrand, class F>
 MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
   using Numbers = std::span<const Expression>;
   const UnitFactor factor(about.stored, about.unit);
-  return recorded_mean(
-      detail::described<M>(std::move(about)), MachineTraits<M>::parameters().size(),
-      detail::written_integrand<M>(integrand), [formula, factor](Numbers parameters, Numbers mean) {
-        return factor.template as<Expression>() *
-               formula(detail::machine_of<M>(parameters), mean[0]);
-      });
+  return recorded_mean(detail::described<M>(std::move(about)), parameters_of<M>().size(),
+                       detail::written_integrand<M>(integrand),
+                       [formula, factor](Numbers parameters, Numbers mean) {
+                         return factor.template as<Expression>() *
+                                formula(detail::machine_of<M>(parameters), mean[0]);
+                       });
 }
 
 /// The same of the means of two integrands: formula(machine, first, second) -> T.
@@ -45,8 +46,7 @@ template <template <class> class M, class First, class Second, class F>
 MechanismResponse mean_number(ResponseAbout about, First first, Second second, F formula) {
   using Numbers = std::span<const Expression>;
   const UnitFactor factor(about.stored, about.unit);
-  return recorded_means(detail::described<M>(std::move(about)),
-                        MachineTraits<M>::parameters().size(),
+  return recorded_means(detail::described<M>(std::move(about)), parameters_of<M>().size(),
                         {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},
                         [formula, factor](Numbers parameters, Numbers means) {
                           return factor.template as<Expression>() *

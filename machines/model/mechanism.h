@@ -26,6 +26,7 @@ class Lazy;
 namespace camlaw::problems {
 
 class LawBinding;
+struct UsualProblem;
 
 /// A number that describes the machine.
 struct MechanismParameter {
@@ -276,6 +277,7 @@ void set_defined_while(std::vector<MechanismResponse>& responses,
 /// does not state it, what needs it is not checked.
 struct BuildableInput {
   std::string name, unit, meaning;
+  double usual;  ///< of the right size, to be changed, in a file to begin with
 };
 
 /// How a follower is kept on its cam.
@@ -346,6 +348,8 @@ struct Mechanism {
   /// The condition that a machine of these values, in their listed units, does not meet, in the
   /// names of its parameters; empty where it meets all. None of a machine that names no conditions.
   std::function<std::string(std::span<const double>)> why_impossible = {};
+  std::shared_ptr<const UsualProblem> usual =
+      {};                           ///< what is usually asked of it (usual_problem.h)
   std::vector<ShaftCam> cams = {};  ///< of several on one shaft (machines/model/shaft.h)
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.

@@ -2,9 +2,14 @@
 #include "machines/model/over_ranges.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "machines/model/arguments.h"
+#include "machines/model/composed_number.h"
 #include "machines/model/kept_parameters.h"
 #include "machines/model/range_curve.h"
+#include "machines/model/recorded_kernel.h"
+#include "machines/model/recorded_response.h"
 #include "optim/cycle/peak_function.h"
 
 namespace camlaw::problems {
@@ -27,6 +32,70 @@ std::shared_ptr<const Widened> widened_by(const std::vector<TakenRange>& ranges,
                                           const PossibleBy& possible_by, const Binding& binding) {
   return std::make_shared<const Widened>(
       widened(without_ranges(binding, ranges), ranges, possible_by));
+}
+
+/// A number that has a value where another one of the same inputs is 0 or above. Its bounds over a
+/// box hold wherever it has one (Kernel::range); here nothing bounds it where it may have none.
+class WithinDomain final : public optim::Kernel {
+ public:
+  WithinDomain(optim::Function f, optim::Function domain)
+      : f_(std::move(f)), domain_(std::move(domain)) {}
+
+  double value(std::span<const double> u) const override { return f_.value(u); }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    return f_.gradient(u, g);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    return f_.hessian(u, g, h);
+  }
+  optim::Bounds enclose(std::span<const double> u) const override {
+    return is_inside(domain_.enclose(u)) ? f_.enclose(u) : optim::Bounds{};
+  }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    optim::BoxRange all = f_.range(box);
+    if (is_inside(domain_.range(box).value)) return all;
+    all.value = {};
+    std::fill(all.slopes.begin(), all.slopes.end(), optim::Bounds{});
+    return all;
+  }
+  bool is_searched() const override { return f_.is_searched(); }
+  std::shared_ptr<const optim::Kernel> proved() const override {
+    if (!f_.is_searched()) return nullptr;
+    return std::make_shared<WithinDomain>(f_.proved(), domain_);
+  }
+  bool is_enclosed() const override { return f_.is_enclosed(); }
+  std::string why_undefined(std::span<const double> u) const override {
+    return f_.why_undefined(u);
+  }
+
+ private:
+  static bool is_inside(const optim::Bounds& condition) {
+    constexpr double kRounding = 1e-12;
+    const double size = std::max(std::abs(condition.lower), std::abs(condition.upper));
+    return std::isfinite(size) && condition.lower >= -kRounding * size;
+  }
+
+  optim::Function f_, domain_;  ///< of the inputs alone
+};
+
+/// A number of a mechanism for a binding, which knows where it may have no value.
+optim::Function number_within_domain(const MechanismResponse& response, const Binding& binding) {
+  const optim::Function f = response.number(binding, optim::Shape::General);
+  if (!response.domain || !f.is_enclosed()) return f;
+  Recorded domain = recorded_for(binding, response.domain, response.inner.size(), {});
+  const optim::Function condition =
+      response.inner.empty()
+          ? function_of(binding.variables, recorded_kernel(std::move(domain)),
+                        optim::Shape::General)
+          : composed_number(std::move(domain), binding, response.inner, optim::Shape::General);
+  const auto& inputs = f.inputs();
+  if (!std::includes(inputs.begin(), inputs.end(), condition.inputs().begin(),
+                     condition.inputs().end())) {
+    return f;
+  }
+  return {inputs, std::make_shared<WithinDomain>(f.within(inputs), condition.within(inputs)),
+          f.shape()};
 }
 
 }  // namespace
@@ -81,7 +150,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   } else {
     const auto kernel = [response, ranges](const Binding& binding) {
       const auto wide = widened_by(ranges, response.possible_by, binding);
-      return std::pair(response.number(wide->binding, optim::Shape::General), wide);
+      return std::pair(number_within_domain(response, wide->binding), wide);
     };
     result->number = [kernel, sign](const Binding& binding, optim::Shape) {
       const auto [f, wide] = kernel(binding);

@@ -20,7 +20,7 @@ MechanismResponse peak_number(ResponseAbout about, const MechanismResponse& curv
                                      std::span<const Expression> peak) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters), peak[0]);
   };
-  return recorded_number(std::move(response), MachineTraits<M>::parameters());
+  return recorded_number(std::move(response), parameters_of<M>());
 }
 
 }  // namespace camlaw::problems

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "machines/model/box_traces.h"
+#include "machines/model/suspect.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/proof_time.h"
 #include "optim/problem/deadline.h"
@@ -65,7 +66,7 @@ class RangeTrace final : public optim::Trace {
   Bounds enclose(double from, double to) const override {
     if (!over_) return {};
     const Highest found = highest(from, to);
-    told_ = found.place;
+    told_ = {found.place, suspect_of(found)};
     return times(parts_->sign, found.value);
   }
 
@@ -90,7 +91,9 @@ class RangeTrace final : public optim::Trace {
   }
   Point worst(Place place, const Row& row) const {
     std::vector<Point> places = places_;
-    if (!told_.empty()) places.push_back(told_);
+    for (const Point& p : told_) {
+      if (!p.empty()) places.push_back(p);
+    }
     return row.highest.climbed_highest(
         places, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; }, row.u);
   }
@@ -135,8 +138,9 @@ class RangeTrace final : public optim::Trace {
   std::vector<double> breaks_;
   mutable std::map<Point, std::unique_ptr<optim::Trace>> traces_;
   std::unique_ptr<OverBoxes> over_;  ///< none: nothing is proved
-  /// Where in the ranges the latest bounds were highest: a top may be too narrow for places_.
-  mutable Point told_;
+  /// Where in the ranges the latest bounds were highest, and where nothing bounded the value: a
+  /// top, or what has no value, may be too narrow for places_.
+  mutable std::array<Point, 2> told_;
 };
 
 }  // namespace

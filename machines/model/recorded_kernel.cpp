@@ -96,7 +96,9 @@ RecordedCurveFormula::RecordedCurveFormula(const Formula& formula, std::span<con
                                            bool is_possible)
     : record_(formula),
       machine_(machine.begin(), machine.end()),
-      formula_(formula, intervals(machine)),
+      formula_([formula, machine = machine_] {
+        return FormulaAlong<Interval>(formula, intervals(machine));
+      }),
       is_possible_(is_possible) {}
 
 std::vector<double> RecordedCurveFormula::values(const PlaceRows& places) const {
@@ -116,7 +118,7 @@ Series<Interval, N> RecordedCurveFormula::at(const PlaceSeries<Interval, N>& pla
   }
   const auto& m = place.motion;
   const std::array<Series<Interval, N>, 5> inputs{m.s, m.v, m.a, m.j, place.x};
-  return formula_(std::span<const Series<Interval, N>>(inputs));
+  return (*formula_)(std::span<const Series<Interval, N>>(inputs));
 }
 
 Series<Interval, 1> RecordedCurveFormula::enclosed(const PlaceSeries<Interval, 1>& place) const {

@@ -7,6 +7,7 @@
 #include "machines/model/curve_formula.h"
 #include "machines/model/mechanism.h"
 #include "numerics/formula/formula.h"
+#include "numerics/lazy.h"
 #include "optim/problem/function.h"
 
 /// Formulas of machines as recorded data (numerics/formula). Values, derivatives by the design,
@@ -58,7 +59,7 @@ class RecordedCurveFormula : public CurveFormula {
 
   Formula record_;
   std::vector<double> machine_;
-  FormulaAlong<Interval> formula_;
+  Lazy<FormulaAlong<Interval>> formula_;  ///< a search asks for numbers alone
   bool is_possible_;
 };
 

@@ -42,15 +42,18 @@ std::vector<RuledInput> ruled_arguments(const Binding& binding, const Parameters
   return inputs;
 }
 
-/// A curve of which the record alone is known, and where it has a value. Where it may have none
-/// nothing is known of it: a design must have it everywhere.
+/// A curve as its record, and where it has a value. Where it may have none nothing is known of it:
+/// a design must have it everywhere.
 class InterpretedCurve final : public RecordedCurveFormula {
  public:
   InterpretedCurve(const Formula& record, const std::optional<Formula>& domain,
-                   std::span<const double> arguments, bool is_possible)
+                   std::span<const double> arguments, bool is_possible, AtPulse at_pulse)
       : RecordedCurveFormula(record, arguments, is_possible),
-        formula_(record, arguments),
-        is_possible_(is_possible) {
+        formula_([record, own = std::vector<double>(arguments.begin(), arguments.end())] {
+          return FormulaAlong<double>(record, own);
+        }),
+        is_possible_(is_possible),
+        at_pulse_(at_pulse) {
     if (!domain) return;
     const std::vector<Interval> exact(arguments.begin(), arguments.end());
     domain_.emplace(*domain, std::span<const Interval>(exact));
@@ -60,7 +63,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
     if (!is_possible_) return Series<double, 3>(std::numeric_limits<double>::quiet_NaN());
     const auto& m = place.motion;
     const std::array<Series<double, 3>, kOfPlace> inputs{m.s, m.v, m.a, m.j, place.x};
-    return formula_(std::span<const Series<double, 3>>(inputs));
+    return (*formula_)(std::span<const Series<double, 3>>(inputs));
   }
   Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override {
     return where_known(place, RecordedCurveFormula::enclosed(place));
@@ -71,7 +74,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
   Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const override {
     return where_known(place, RecordedCurveFormula::enclosed(place));
   }
-  bool follows_pulse() const override { return false; }
+  bool follows_pulse() const override { return at_pulse_ == AtPulse::Infinite; }
 
  private:
   template <std::size_t N>
@@ -84,9 +87,10 @@ class InterpretedCurve final : public RecordedCurveFormula {
     return known_where((*domain_)(std::span<const Interval>(inputs)), value);
   }
 
-  FormulaAlong<double> formula_;
+  Lazy<FormulaAlong<double>> formula_;
   std::optional<FormulaAlong<Interval>> domain_;
   bool is_possible_;
+  AtPulse at_pulse_;
 };
 
 }  // namespace
@@ -196,7 +200,7 @@ RuledShape ruled_shape(const MechanismResponse& response, const Binding& binding
 }
 
 MechanismResponse recorded_curve(MechanismResponse response, const Parameters& parameters,
-                                 const Cycle& cycle, MakeCurveFormula make) {
+                                 const Cycle& cycle, AtPulse at_pulse) {
   response.along = cycle.unit;
   response.cycle = std::make_shared<Cycle>(cycle);
   response.sees_law = true;
@@ -206,7 +210,7 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
   response.uses = ParameterSet([whole] { return used_arguments({*whole}); });
   response.curve = [write = response.write, write_domain = response.domain,
                     is_possible = response.is_possible, cycle, whole,
-                    make = std::move(make)](const Binding& binding, optim::Shape shape) {
+                    at_pulse](const Binding& binding, optim::Shape shape) {
     std::array<bool, kOfPlace> uses{};
     for (std::size_t i = 0; i < kOfPlace; ++i)
       uses[i] = whole->formula.depends_on(whole->arguments + i);
@@ -216,13 +220,11 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
       const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
       const Formula own =
           has_zero ? recorded_for(bound, write, kOfPlace, {}, u).formula : record.formula;
-      const std::vector<double> all = all_values(bound, u);
-      const bool possible = !is_possible || is_possible(all);
-      if (make) return make(all, own, u, possible);
+      const bool possible = !is_possible || is_possible(all_values(bound, u));
       std::optional<Formula> domain;
       if (write_domain) domain = recorded_for(bound, write_domain, kOfPlace, {}, u).formula;
       return std::unique_ptr<const CurveFormula>(
-          std::make_unique<InterpretedCurve>(own, domain, u, possible));
+          std::make_unique<InterpretedCurve>(own, domain, u, possible, at_pulse));
     };
     return std::make_shared<MechanismCurve>(CurveParts{cycle,
                                                        {uses[0], uses[1], uses[2], uses[3]},

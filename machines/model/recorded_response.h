@@ -50,15 +50,13 @@ RuledShape ruled_shape(const MechanismResponse& response, const Binding& binding
 MechanismResponse recorded_number(MechanismResponse response,
                                   const std::vector<MechanismParameter>& parameters);
 
-/// The formula of a curve for a machine of these parameters. The record is that of its `arguments`,
-/// those that vary.
-using MakeCurveFormula = std::function<std::unique_ptr<const CurveFormula>(
-    std::span<const double> parameters, const Formula& record, std::span<const double> arguments,
-    bool is_possible)>;
+/// Whether a curve goes to infinity with a pulse of the acceleration or the jerk; of a formula that
+/// a file states nothing is known.
+enum class AtPulse : char { Unknown, Infinite };
 
-/// Completes a curve, which has write. Without `make` its record is evaluated.
+/// Completes a curve, which has write: its record is evaluated.
 MechanismResponse recorded_curve(MechanismResponse response,
                                  const std::vector<MechanismParameter>& parameters,
-                                 const Cycle& cycle, MakeCurveFormula make = {});
+                                 const Cycle& cycle, AtPulse at_pulse = AtPulse::Unknown);
 
 }  // namespace camlaw::problems

@@ -31,46 +31,20 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. The first call, with
-/// an M<T>, works out what the machine contributes; it returns a callable that takes the follower's
-/// motion along x, a Motion<X>, where X is T or a Taylor series over T, and, if it wants, x itself.
-/// For example
-///   [](const auto& machine) {
-///     return [scale = machine.force_scale()](const auto& motion) { return scale * motion.a; };
-///   }
+/// A curve: formula(machine, motion) or formula(machine, motion, x), of an M<Expression>, the
+/// follower's motion along x, a Motion<Expression>, and, if the formula wants it, x itself.
 template <template <class> class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula);
+
+/// A whole turn of the cam as one stretch: what motion programs run over.
+inline const Cycle& turn_of_the_cam() {
+  static const Cycle turn{"deg", {{0, 360}}};
+  return turn;
+}
 
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// From s, v, a, j, and x if it is there.
-template <class T>
-PlaceOf<T> as_place(std::span<const T> u) {
-  return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
-}
-
-/// The curve for one machine: compiled over the angle, enclosed by its record.
-template <template <class> class M, class F>
-class CurveFormulaOf final : public RecordedCurveFormula {
-  using OfMotion = std::invoke_result_t<const F&, const M<double>&>;
-
- public:
-  CurveFormulaOf(const M<double>& machine, const UnitFactor& factor, const F& formula,
-                 const Formula& record, std::span<const double> arguments, bool is_possible)
-      : RecordedCurveFormula(record, arguments, is_possible),
-        scale_(is_possible ? factor.template as<double>() : kNaN),
-        of_motion_(formula(machine)) {}
-
-  Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
-    return scale_ * applied(of_motion_, place);
-  }
-
- private:
-  double scale_;
-  OfMotion of_motion_;
-};
 
 /// The margins of a machine's conditions.
 template <template <class> class M>
@@ -83,7 +57,7 @@ std::vector<Margin> margins_of() {
         return machine_of<M>(parameters).conditions()[k].margin;
       };
       result.push_back({write, conditions[k].may_be_zero, [](std::size_t parameter) {
-                          const MechanismParameter& p = MachineTraits<M>::parameters()[parameter];
+                          const MechanismParameter& p = parameters_of<M>()[parameter];
                           return Interval(p.low, p.high);
                         }});
     }
@@ -94,8 +68,7 @@ std::vector<Margin> margins_of() {
 /// What decides whether there is such a machine.
 template <template <class> class M>
 const PossibleBy& possible_machines() {
-  static const PossibleBy kept =
-      possible_by(margins_of<M>(), MachineTraits<M>::parameters().size());
+  static const PossibleBy kept = possible_by(margins_of<M>(), parameters_of<M>().size());
   return kept;
 }
 
@@ -122,7 +95,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
                                      std::span<const Expression>) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters));
   };
-  return recorded_number(std::move(response), MachineTraits<M>::parameters());
+  return recorded_number(std::move(response), parameters_of<M>());
 }
 
 template <template <class> class M, class F>
@@ -130,17 +103,16 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   response.write = [formula, factor](std::span<const Expression> parameters,
-                                     std::span<const Expression> place) {
-    return factor.as<Expression>() *
-           applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
+                                     std::span<const Expression> u) {
+    const auto machine = detail::machine_of<M>(parameters);
+    const Motion<Expression> motion{u[0], u[1], u[2], u[3]};
+    if constexpr (std::is_invocable_v<F, decltype(machine), decltype(motion), const Expression&>) {
+      return factor.as<Expression>() * formula(machine, motion, u[4]);
+    } else {
+      return factor.as<Expression>() * formula(machine, motion);
+    }
   };
-  return recorded_curve(std::move(response), MachineTraits<M>::parameters(), cycle,
-                        [formula, factor](std::span<const double> parameters, const Formula& record,
-                                          std::span<const double> arguments, bool is_possible) {
-                          return std::make_unique<detail::CurveFormulaOf<M, F>>(
-                              detail::machine_of<M>(parameters), factor, formula, record, arguments,
-                              is_possible);
-                        });
+  return recorded_curve(std::move(response), parameters_of<M>(), cycle, AtPulse::Infinite);
 }
 
 }  // namespace camlaw::problems

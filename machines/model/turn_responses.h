@@ -47,7 +47,7 @@ MechanismResponse turn_response(ResponseAbout about, F work) {
       });
     }
   }
-  return recorded_turn(std::move(response), std::move(turn), MachineTraits<M>::parameters());
+  return recorded_turn(std::move(response), std::move(turn), parameters_of<M>());
 }
 
 }  // namespace camlaw::problems

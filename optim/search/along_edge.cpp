@@ -123,7 +123,7 @@ void search_along(const Setting& setting, Trail& trail) {
     if (setting.deadline.passed() || is_settled(found.assessment)) return;
     Problem within = kept_from(setting.original, edges, share, x);
     for (std::size_t i = 0; i < x.size(); ++i) within.variables[i].start = x[i];
-    const Found next = search_continuous(within, own, setting.deadline, false);
+    const Found next = search_continuous(within, own, setting.deadline, Depth::Node);
     found.add_work(next);
     if (!has_numbers(next) || !is_feasible(next.assessment)) continue;
     std::optional<double> cost;
@@ -166,7 +166,7 @@ void keep_from_edge(const Setting& setting, Trail& trail) {
   if (edge.x.empty() || trail.is_at_edge() || setting.deadline.passed()) return;
   if (is_settled(found.assessment)) return;
   Sizes there = sizes(problem, edge.x);
-  Assessment own = assess(problem, there, edge.x, setting.prove);
+  Assessment own = assess(problem, there, edge.x, setting.proves());
   if (!is_taken(problem, own, found.assessment, edge.cost)) return;
   trail.take(edge.x, std::move(there), std::move(own));
 }

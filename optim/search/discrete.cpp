@@ -111,7 +111,7 @@ class TreeSearch {
  private:
   /// Solves one continuous problem, and counts it. The answer itself comes back.
   Found solve(const Problem& continuous) {
-    Found found = search_continuous(continuous, options_, deadline_, false);
+    Found found = search_continuous(continuous, options_, deadline_, Depth::Node);
     result_.add(continuous, found);
     return found;
   }

@@ -42,10 +42,10 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   const Problem guarded = interruptible(problem, deadline);
   const Assessment own = assess(guarded, sizes(guarded, x), x, true);
   // A long first step may lead into the valley that was found before: then another method tries.
-  Found found = search_continuous(again, once, deadline, true);
+  Found found = search_continuous(again, once, deadline, Depth::Whole);
   if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
     once.solver = "ipopt";
-    Found other = search_continuous(again, once, deadline, true);
+    Found other = search_continuous(again, once, deadline, Depth::Whole);
     if (better(problem, other.assessment, found.assessment)) found = std::move(other);
   }
   if (better(problem, own, found.assessment)) {
@@ -56,15 +56,17 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
 }
 
 /// Where no lower bound speaks for an answer, one by dividing the box. Where that comes upon a
-/// better design, another search from there. Throws Interrupted, with what was found by then.
-void look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
+/// better design, another search from there. Whether it was not cut short by the deadline. Throws
+/// Interrupted, with what was found by then.
+bool look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
                      Found& found) {
   constexpr int kTimes = 8;
   const Problem guarded = interruptible(problem, deadline);
-  for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
+  for (int i = 0; i <= kTimes && how.divides; ++i) {
     const Assessment& a = found.assessment;
     const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
     if (!stands || a.global) break;
+    if (deadline.passed()) return false;
     const Sizes there = sizes(guarded, found.x);
     const auto division = division_of(guarded, there, found, deadline);
     if (!division) break;
@@ -72,28 +74,30 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
       if (std::isfinite(division->best_possible)) {
         take_subdivision(problem, there, *division, found.assessment);
       }
-      if (division->is_cut) say_cut(deadline, found.assessment);
-      break;
+      return !division->is_cut;
     }
     if (i == kTimes) break;
     Found other = search_from(problem, *division->better, how, deadline);
-    if (!better(problem, other.assessment, found.assessment)) break;
+    if (!better(problem, other.assessment, found.assessment)) return !deadline.passed();
     other.add_work(found);
     other.starts += found.starts;
     other.planned_starts += found.planned_starts;
     found = std::move(other);
   }
+  return true;
 }
 
 }  // namespace
 
 Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
                         const Deadline& deadline, std::vector<FromStart> known) {
-  Found found = search_continuous(problem, how, deadline, true, std::move(known));
+  Found found = search_continuous(problem, how, deadline, Depth::Whole, std::move(known));
+  bool is_whole = false;
   try {
-    look_everywhere(problem, how, deadline, found);
+    is_whole = look_everywhere(problem, how, deadline, found);
   } catch (const Interrupted&) {  // the answer stands without
   }
+  if (!is_whole) say_cut(deadline, found.assessment);
   return found;
 }
 

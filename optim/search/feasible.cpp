@@ -54,7 +54,7 @@ Least least_violation_at(const std::vector<double>& x, const Setting& setting, T
 Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) {
   constexpr std::size_t kTried = 4;
   constexpr double kGain = 1e-6;
-  if (least.blame.global || !setting.prove) return least;
+  if (least.blame.global || setting.depth == Depth::Node) return least;
   const std::string thrown = trail.thrown;
   for (const auto& x : least_violating(setting.problem, trail.sizes, least.attempt.x, kTried,
                                        setting.options.seed)) {
@@ -103,7 +103,7 @@ void search_along_bounds(Design x, const Setting& setting, Trail& trail, Reached
   once.starts = 1;
   once.progress = {};
   once.candidate = {};
-  const Found found = search_continuous(*along, once, setting.deadline, false);
+  const Found found = search_continuous(*along, once, setting.deadline, Depth::Node);
   trail.found.add_work(found);
   if (!is_feasible(found.assessment)) return;
   Attempt there;

@@ -215,7 +215,7 @@ void keep_start(const Setting& setting, Trail& trail) {
   const Sizes there = sizes(problem, start);
   const Assessment own = assess(problem, there, start, false);
   if (!is_feasible(own) || !better(problem, own, found.assessment)) return;
-  trail.take(start, there, assess(problem, there, start, setting.prove));
+  trail.take(start, there, assess(problem, there, start, setting.proves()));
 }
 
 /// How many starts ended at designs as good as the best.
@@ -238,7 +238,7 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
     return fmt::format("{}; {}", deadline.reason(), a.reason);
   if (a.verdict == Verdict::Feasible && trail.is_at_edge()) return words_at_edge(setting, trail);
   const bool unsolved =
-      a.verdict == Verdict::Feasible && setting.prove && found.status != Status::Solved;
+      a.verdict == Verdict::Feasible && setting.proves() && found.status != Status::Solved;
   if (a.verdict == Verdict::Failed || unsolved)
     return fmt::format("{} ({}: {})", a.reason, found.solver, trail.message);
   return a.reason;
@@ -248,7 +248,7 @@ void conclude_search(const Setting& setting, const std::vector<double>& ends, Tr
   Found& found = trail.found;
   found.agreed += agreed(ends, found.assessment.objective.value, trail.sizes.objective);
   Assessment& a = found.assessment;
-  const bool is_looked_at = setting.prove && !setting.deadline.passed();
+  const bool is_looked_at = setting.proves() && !setting.deadline.passed();
   if (is_looked_at && a.verdict == Verdict::Feasible && !is_settled(a)) {
     const std::string unbounded = unbounded_words(setting.problem, found.x);
     if (!unbounded.empty()) a.reason = fmt::format("{}; {}", unbounded, a.reason);
@@ -337,14 +337,15 @@ void check_solvers(const OptimiseOptions& options) {
 
 int planned_starts(const Problem& problem, const OptimiseOptions& options) {
   const Deadline none({}, nullptr);
-  return count_of_starts({problem, problem, options, none, false, plan(problem, options.solver)});
+  return count_of_starts(
+      {problem, problem, options, none, Depth::Node, plan(problem, options.solver)});
 }
 
 FromStart search_one_start(const Problem& problem, const OptimiseOptions& options,
                            const Deadline& deadline, int start, FirstStart first) {
   const WatchedProblem watched(interruptible(problem, deadline));
-  const Setting setting{
-      problem, watched.problem(), options, deadline, false, plan(problem, options.solver)};
+  const Setting setting{problem,  watched.problem(),  options,
+                        deadline, Depth::Combination, plan(problem, options.solver)};
   Trail none;
   try {  // the first tells for all
     if (start == 0 && is_judged_without_search(setting, none))
@@ -364,10 +365,10 @@ bool ends_search(const FromStart& start) {
 }
 
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
-                        const Deadline& deadline, bool prove, std::vector<FromStart> known) {
+                        const Deadline& deadline, Depth depth, std::vector<FromStart> known) {
   WatchedProblem watched(interruptible(problem, deadline));
   const Setting setting{
-      problem, watched.problem(), options, deadline, prove, plan(problem, options.solver)};
+      problem, watched.problem(), options, deadline, depth, plan(problem, options.solver)};
   Trail trail;
   trail.found.why_solver = setting.plan.why;
   trail.found.solver = setting.plan.solvers.front()->name();

@@ -16,10 +16,10 @@ namespace camlaw::optim {
 /// meets the limits looks for the one of least violation. Once the deadline has passed, the best
 /// design of those that were found is judged in haste, and the reason says so. Integer variables
 /// count as continuous; fix them by equal bounds. Never throws what the model throws: that is a
-/// failed assessment. `prove`: as of assess(); without, the best design is not proved. `known`:
+/// failed assessment. `known`:
 /// what searches from the first starts have come to elsewhere; the others are made here.
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
-                        const Deadline& deadline, bool prove, std::vector<FromStart> known = {});
+                        const Deadline& deadline, Depth depth, std::vector<FromStart> known = {});
 
 /// From how many starts search_continuous() searches, unless one of them ends the search.
 int planned_starts(const Problem& problem, const OptimiseOptions& options);

@@ -10,43 +10,44 @@
 namespace camlaw::optim {
 namespace {
 
+/// Whether a response is a number that is no search itself.
 bool is_quick(const Response& response) {
   return !response.is_curve() && !response.function().is_searched();
 }
 
-bool can_look_around(const Problem& problem) {
-  constexpr std::size_t kFew = 10;
-  return problem.variables.size() <= kFew && is_quick(problem.objective().response) &&
-         std::all_of(problem.constraints.begin(), problem.constraints.end(),
-                     [](const Constraint& c) { return is_quick(c.response); });
+/// How many designs, the start among them, are looked at: few where each takes a search over the
+/// cycle, none where they would not fill the box.
+int designs_to_look_at(const Problem& problem) {
+  constexpr std::size_t kFew = 10, kFewOfSearches = 4;
+  constexpr int kQuick = 501, kSearched = 385;
+  const bool quick = is_quick(problem.objective().response) &&
+                     std::all_of(problem.constraints.begin(), problem.constraints.end(),
+                                 [](const Constraint& c) { return is_quick(c.response); });
+  if (problem.variables.size() > (quick ? kFew : kFewOfSearches)) return 0;
+  return quick ? kQuick : kSearched;
 }
 
 /// Whether a design keeps every limit without its tolerance.
-bool keeps_limits(const Problem& problem, Design x) {
-  return std::all_of(problem.constraints.begin(), problem.constraints.end(),
-                     [&](const Constraint& c) {
-                       const double value = c.response.function().value(x);
-                       return !std::isnan(value) && (!c.lower || value >= *c.lower) &&
-                              (!c.upper || value <= *c.upper);
-                     });
+bool keeps_limits(const Setting& setting, const Trail& trail, Design x) {
+  return !(largest_violation(setting.problem, trail.sizes, x) > 0);
 }
 
 }  // namespace
 
 std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
                                                     const Trail& trail) try {
-  constexpr int kDesigns = 501;
   const Problem& problem = setting.problem;
-  if (!can_look_around(problem)) return {};
+  const int designs = designs_to_look_at(problem);
+  if (designs == 0) return {};
   const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
   double least = kInfinity;
   if (trail.is_within_limits()) {
     least = sign * trail.found.assessment.objective.value - trail.sizes.objective_tolerance;
   }
   std::optional<std::vector<double>> best;
-  for (std::vector<double>& x : starts(problem, kDesigns, setting.options.seed)) {
+  for (std::vector<double>& x : starts(problem, designs, setting.options.seed)) {
     const double value = sign * objective_value(problem.objective(), x);
-    if (!(value < least) || !keeps_limits(problem, x)) continue;
+    if (!(value < least) || !keeps_limits(setting, trail, x)) continue;
     least = value;
     best = std::move(x);
   }

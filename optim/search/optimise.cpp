@@ -166,11 +166,14 @@ class Optimiser {
       }
       OptimiseOptions once = options_;
       once.starts = 1;
-      Found proved = search_continuous(fixed, once, deadline_, true);
+      Found proved = search_continuous(fixed, once, deadline_, Depth::Whole);
       if (is_feasible(proved.assessment) && proved.assessment.verdict != Verdict::Failed) {
         proved.starts = found.starts;
         proved.agreed = found.agreed;
         found = std::move(proved);
+      } else if (!deadline_.passed()) {
+        // What was found without a proof may break a limit where only a proof looks.
+        found.assessment = assess(fixed, sizes(fixed, found.x), found.x, true);
       }
       work_.add_work(found);
     }
@@ -192,7 +195,7 @@ class Optimiser {
     narrow_blame(
         with_integers_fixed(best_.problem, found.x),
         [&](const Problem& others) {
-          Found without = search_continuous(others, options_, deadline_, false);
+          Found without = search_continuous(others, options_, deadline_, Depth::Combination);
           work_.add_work(without);
           found.add_work(without);
           return std::move(without.assessment);

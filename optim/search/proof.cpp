@@ -123,7 +123,7 @@ void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
     settle_in_own_sizes(setting, trail);
     if (!trail.is_within_limits() && !setting.deadline.passed())
       find_feasible(setting, trail, reached);
-    if (!trail.is_within_limits() || !setting.prove) return;
+    if (!trail.is_within_limits() || !setting.proves()) return;
     found.assessment = judged_best(setting, trail);
     if (is_proved(setting.problem, found) || setting.deadline.passed() || round == kRounds) return;
     if (!watched.learn(found.x, found.assessment)) return;

@@ -192,7 +192,7 @@ SearchAnswer SearchDesk::carry_out(const SearchTask& task, const Deadline& deadl
     return search_everywhere(whole, task.how, deadline, task.known);
   const Problem held = task.integers.empty() ? whole : with_integers(whole, task.integers);
   if (task.kind == SearchTask::Kind::Continuous)
-    return search_continuous(held, task.how, deadline, false, task.known);
+    return search_continuous(held, task.how, deadline, Depth::Combination, task.known);
   const bool is_alone = task.integers.empty();
   return search_one_start(is_alone ? whole : held, task.how, deadline, task.start, task.first);
 }

@@ -13,14 +13,23 @@
 /// The stages of search_continuous() are given this, and leave this behind.
 namespace camlaw::optim {
 
+/// How much a search is asked for.
+enum class Depth : char {
+  Node,         ///< of a tree of whole variables, or a step of another search: no look elsewhere
+  Combination,  ///< one of several problems of which the best is proved afterwards
+  Whole         ///< the whole answer, proved
+};
+
 /// Tells the stages what is searched for, and how.
 struct Setting {
   const Problem& original;
   const Problem& problem;  ///< the original, as a WatchedProblem that ends with the deadline
   const OptimiseOptions& options;
   const Deadline& deadline;
-  bool prove;
+  Depth depth;
   Plan plan;
+
+  bool proves() const { return depth == Depth::Whole; }
 };
 
 /// Says what was thrown, and who let it out: the model, or a solver that was registered.

@@ -55,7 +55,7 @@ void search_from_valid(const Setting& setting, Trail& trail) {
   for (const double share : {kRoom, 0.0}) {  // only without room an empty set says something
     const auto seeking = with_numbers_only(problem, start, share);
     if (!seeking || setting.deadline.passed()) return;
-    valid = search_continuous(*seeking, own, setting.deadline, false);
+    valid = search_continuous(*seeking, own, setting.deadline, Depth::Node);
     if (!is_feasible(valid.assessment)) continue;
     search_from_start(valid.x, setting, trail);
     return;
@@ -178,7 +178,7 @@ void seek_numbers(const Setting& setting, Trail& trail) {
   const Assessment& found = trail.found.assessment;
   if (has_numbers(trail.found) && !better(problem, met.assessment, found)) return;
   const Sizes there = sizes(problem, met.x);
-  trail.take(met.x, there, assess(problem, there, met.x, setting.prove));
+  trail.take(met.x, there, assess(problem, there, met.x, setting.proves()));
 }
 
 }  // namespace camlaw::optim

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "optim/cycle/sizes.h"
-#include "optim/verdict/limits.h"
+#include "optim/search/discrete.h"
+#include "optim/search/told.h"
+#include "optim/verdict/verdict.h"
 #include "output/answers/free_limit.h"
 #include "output/answers/optimum_output.h"
 #include "output/document/formatting.h"
@@ -115,35 +117,54 @@ std::vector<std::string> option_names(const Answer& answer, std::size_t choice) 
   return different.size() == options.size() ? names : options;
 }
 
-std::string limits_words(optim::Verdict verdict) {
-  if (verdict == optim::Verdict::Infeasible) return "cannot be met";
-  return verdict == optim::Verdict::Failed ? "not solved" : "met";
+/// A combination, and how its design stands to each limit; none where it has no design.
+struct JudgedPart {
+  optim::PartFound found;
+  std::vector<optim::LimitReport> limits = {};
+  bool is_broken = false;  ///< its search took it for a design within the limits, which it is not
+};
+
+std::string limits_words(const JudgedPart& part) {
+  if (part.found.verdict == optim::Verdict::Infeasible) return "cannot be met";
+  if (part.is_broken) return "not met";
+  return part.found.verdict == optim::Verdict::Failed ? "not solved" : "met";
 }
 
-/// The combinations that were looked at; that of the answer, which was solved once more and judged,
-/// as the answer has it.
-std::vector<optim::PartFound> judged_parts(const Answer& answer) {
-  std::vector<optim::PartFound> parts = answer.optimum.parts;
-  const optim::Assessment& a = answer.optimum.found.assessment;
-  for (optim::PartFound& part : parts) {
-    if (part.options != answer.optimum.options || !has_design(part)) continue;
-    part.objective = a.objective.value;
-    part.x = answer.optimum.found.x;
-    // That other combinations are not settled is not said of this one.
-    if (a.verdict != optim::Verdict::Feasible) part.verdict = a.verdict;
+/// With proofs, as an answer is judged: a search for the best of many combinations has none.
+void judge(const Answer& answer, JudgedPart& part) {
+  const std::vector<double>& x = part.found.x;
+  const optim::Problem problem =
+      optim::with_integers_fixed(answer.space.problem(part.found.options), x);
+  const optim::Sizes sizes = optim::sizes(problem, x);
+  optim::Assessment a = optim::assess(problem, sizes, x, true, optim::teller_at(problem, sizes, x));
+  part.found.objective = a.objective.value;
+  part.found.verdict = a.verdict;
+  part.found.active = std::move(a.active);
+  part.limits = std::move(a.limits);
+  part.is_broken = !has_design(part.found);
+}
+
+/// The combinations that were looked at, each judged; that of the answer, which was solved once
+/// more, as the answer has it.
+std::vector<JudgedPart> judged_parts(const Answer& answer) {
+  std::vector<JudgedPart> parts;
+  const optim::Assessment& own = answer.optimum.found.assessment;
+  for (const optim::PartFound& found : answer.optimum.parts) {
+    JudgedPart part{found};
+    if (has_design(found) && found.options == answer.optimum.options) {
+      part.found.objective = own.objective.value;
+      part.found.x = answer.optimum.found.x;
+      // That other combinations are not settled is not said of this one.
+      if (own.verdict != optim::Verdict::Feasible) part.found.verdict = own.verdict;
+      part.limits = own.limits;
+      part.is_broken = !has_design(part.found);
+    } else if (has_design(found)) {
+      judge(answer, part);
+    }
+    part.limits = problems::as_stated(answer.bound.statement(), std::move(part.limits));
+    parts.push_back(std::move(part));
   }
   return parts;
-}
-
-/// How a combination's design stands to each limit; none where it has no design.
-std::vector<optim::LimitReport> part_limits(const Answer& answer, const optim::PartFound& part) {
-  if (!has_design(part)) return {};
-  std::vector<optim::LimitReport> limits = answer.optimum.found.assessment.limits;
-  if (part.options != answer.optimum.options) {
-    const optim::Problem problem = answer.space.problem(part.options);
-    limits = optim::limit_reports(problem, optim::sizes(problem, part.x), part.x, false);
-  }
-  return problems::as_stated(answer.bound.statement(), std::move(limits));
 }
 
 /// How far within each limit; null where there is no design.
@@ -225,14 +246,15 @@ bool has_design(const optim::PartFound& part) {
 Document combinations_document(const Answer& answer, const FreeLimit* free) {
   const std::vector<optim::Choice>& choices = answer.space.choices;
   Document document;
-  std::vector<optim::PartFound> parts = judged_parts(answer);
-  if (choices.empty() || parts.empty()) return document;
+  if (choices.empty() || answer.optimum.parts.empty()) return document;
+  std::vector<JudgedPart> parts = judged_parts(answer);
   const optim::Objective& sought = answer.optimum.problem.objective();
   const std::string& sought_name = answer.bound.statement().objectives.front().response.name;
   const double sense = sought.sense == optim::Sense::Minimize ? 1 : -1;
   std::stable_sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
-    if (has_design(a) != has_design(b)) return has_design(a);
-    return has_design(a) && sense * a.objective < sense * b.objective;
+    const bool has_one = has_design(a.found);
+    if (has_one != has_design(b.found)) return has_one;
+    return has_one && sense * a.found.objective < sense * b.found.objective;
   });
   Table table{.key = "table", .columns = {}, .caption = "\nevery combination, the best first\n"};
   for (const optim::Choice& choice : choices)
@@ -250,8 +272,9 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
                                              words("held by", "held_by"), data("margins")});
   std::vector<std::vector<std::string>> names;
   for (std::size_t i = 0; i < choices.size(); ++i) names.push_back(option_names(answer, i));
-  const double best = parts.front().objective;
-  for (const optim::PartFound& part : parts) {
+  const double best = parts.front().found.objective;
+  for (const JudgedPart& judged : parts) {
+    const optim::PartFound& part = judged.found;
     std::vector<Cell> row;
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const std::string& option = names[i][part.options[i]];
@@ -270,14 +293,22 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
                                free->objective.value_or(std::nan(""))));
     }
     row.push_back(std::string(to_string(part.verdict)));
-    row.push_back(limits_words(part.verdict));
-    const std::vector<optim::LimitReport> limits = part_limits(answer, part);
-    row.push_back(least_margin(limits));
+    row.push_back(limits_words(judged));
+    row.push_back(least_margin(judged.limits));
     row.push_back(fmt::format("{}", fmt::join(part.active, ", ")));
-    row.push_back(datum(margins_json(limits, found)));
+    row.push_back(datum(margins_json(judged.limits, !judged.limits.empty() || found)));
     table.add(std::move(row));
   }
   document.add(table);
+  const bool is_judged = answer.optimum.found.assessment.verdict == optim::Verdict::Certified;
+  const bool has_feasible = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
+    return part.verdict == optim::Verdict::Feasible;
+  });
+  if (is_judged && has_feasible) {
+    document.say(
+        "feasible: this design meets the limits; proofs, and the test for an optimum, are made for "
+        "the best combination alone\n");
+  }
   if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;
 }

@@ -72,8 +72,8 @@ std::optional<Asked> asked_of(const ComparedDesign& design) {
 }
 
 std::string objective_title(const Asked& asked) {
-  return fmt::format("{} {}", asked.sense == optim::Sense::Minimize ? "least" : "greatest",
-                     asked.name);
+  return fmt::format("{}, to be {}", asked.name,
+                     asked.sense == optim::Sense::Minimize ? "minimised" : "maximised");
 }
 
 /// A design that meets its limits and whose record is right may be the best.
@@ -111,6 +111,9 @@ Table answers_table(const Designs& designs) {
     table.add(objective_title(asked) + (unit.empty() ? "" : ", " + unit), "",
               row_of(designs, [&](const auto& design) { return objective_cell(design, asked); }));
   }
+  line("numbers are", [](const auto& design) {
+    return design.read.verdict ? "the result of a search" : "as the file states them, not searched";
+  });
   line("limits met", [](const auto& design) {
     return fmt::format("{} of {}", design.review.met(), design.review.limits.size());
   });

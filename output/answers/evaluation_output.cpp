@@ -29,30 +29,23 @@ Table response_table(const std::vector<EvaluatedResponse>& responses) {
   Table table{.columns = {words("response"), numbers("value"), numbers("lowest"), numbers("at"),
                           numbers("highest"), numbers("at"), words("unit"), words("meaning")}};
   for (const EvaluatedResponse& r : responses) {
+    // Beside what may be a pole the other extreme is no rounding of 0.
     const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
+    const auto own = [&](double extreme) {
+      return significant(extreme, r.proved ? size : std::abs(extreme));
+    };
     const auto place = [&](double extreme, double at) {
       return std::isnan(extreme) ? "" : place_text(at, r.along);
     };
     if (r.is_curve) {
-      table.add({r.name, "", significant(r.lowest, size), place(r.lowest, r.lowest_at),
-                 significant(r.highest, size), place(r.highest, r.highest_at), r.unit, r.meaning});
+      table.add({r.name, "", own(r.lowest), place(r.lowest, r.lowest_at), own(r.highest),
+                 place(r.highest, r.highest_at), r.unit, r.meaning});
     } else {
       table.add(
           {r.name, significant(r.value, std::abs(r.value)), "", "", "", "", r.unit, r.meaning});
     }
   }
   return table;
-}
-
-/// Says which numbers are extremes of samples only; empty where intervals prove all of them.
-std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
-  std::vector<std::string> names;
-  for (const EvaluatedResponse& r : responses) {
-    const bool number = r.is_curve ? std::isfinite(r.highest - r.lowest) : std::isfinite(r.value);
-    if (!r.proved && number) names.push_back(r.name);
-  }
-  if (names.empty()) return {};
-  return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
 using Reasons = std::map<std::string, std::string>;
@@ -72,6 +65,18 @@ NoNumbers reasons_of(const ProblemStatement& statement,
     if (!infinite.empty()) reasons.infinite[r.name] = std::move(infinite);
   }
   return reasons;
+}
+
+/// Says which numbers are extremes of samples only; empty where intervals prove all of them, or a
+/// reason tells why they are infinite.
+std::string sampled_text(const std::vector<EvaluatedResponse>& responses, const Reasons& infinite) {
+  std::vector<std::string> names;
+  for (const EvaluatedResponse& r : responses) {
+    const bool number = !std::isnan(r.is_curve ? r.highest - r.lowest : r.value);
+    if (!r.proved && number && !infinite.contains(r.name)) names.push_back(r.name);
+  }
+  if (names.empty()) return {};
+  return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
 /// Names in a sentence; of many the first.
@@ -174,8 +179,8 @@ Document evaluation_document(const ProblemStatement& statement,
   document.fact("constants", constants_json(statement));
   document.say("\n");
   document.add(response_table(responses));
-  document.say(sampled_text(responses));
   const auto reasons = reasons_of(statement, responses);
+  document.say(sampled_text(responses, reasons.infinite));
   document.say(reasons_text(responses, reasons.undefined, "is undefined", "are undefined"));
   document.say(reasons_text(responses, reasons.infinite, "becomes infinite", "become infinite"));
   document.fact("responses", responses_json(responses, reasons));

@@ -44,10 +44,14 @@ std::string slopes_note(const FrontAnswer& answer) {
 
 std::string measures_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
-  std::string text = fmt::format("ideal: {}\nnadir: {}\n", values_text(answer, front.ideal),
-                                 values_text(answer, front.nadir));
-  text += fmt::format("hypervolume {} from {}\n", in_digits(front.hypervolume),
-                      values_text(answer, front.reference));
+  std::string text = fmt::format(
+      "ideal: {} (the best of each objective alone)\n"
+      "nadir: {} (the worst of each on the front)\n",
+      values_text(answer, front.ideal), values_text(answer, front.nadir));
+  text += fmt::format(
+      "hypervolume {} from {} (the size of the region up to there that the front is better than; "
+      "more is better)\n",
+      in_digits(front.hypervolume), values_text(answer, front.reference));
   if (front.hypervolume_of_mixtures) {
     text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",
                         in_digits(*front.hypervolume_of_mixtures));

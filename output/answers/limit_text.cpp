@@ -282,10 +282,16 @@ std::string side_line(const optim::LimitReport& side,
                      side.met && !side.proved ? " (not proved)" : "");
 }
 
+/// Whether a limit is proved, or why it is not.
+const char* proof_word(const optim::LimitReport& side, bool is_tried) {
+  if (side.proved) return "yes";
+  return !side.met ? "not met" : is_tried ? "no" : "not tried";
+}
+
 std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& text,
-                             const std::string& near, const std::string& price) {
+                             const std::string& near, const std::string& price, bool is_tried) {
   return {side.name, text.value, text.bound, text.margin,
-          side.unit, text.place, near,       side.proved ? "yes" : "no",
+          side.unit, text.place, near,       proof_word(side, is_tried),
           price};
 }
 
@@ -321,17 +327,20 @@ Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& d
 }
 
 Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
-                  const std::string& price_title, const std::vector<std::string>& prices) {
+                  const std::string& price_title, const std::vector<std::string>& prices,
+                  bool are_tried) {
   Table table{.columns = {words("limit"), numbers("value"), numbers("bound"), numbers("margin"),
                           words("unit"), numbers("at"), words("side"), words("proved"),
                           numbers(price_title)}};
   const auto add = [&](std::size_t i, const optim::LimitReport& side,
-                       const std::optional<optim::LimitReport>& other, const std::string& price) {
-    table.add(side_cells(side, limit_text(side, design, i), nearness(side, other), price));
+                       const std::optional<optim::LimitReport>& other, const std::string& price,
+                       bool is_tried) {
+    table.add(
+        side_cells(side, limit_text(side, design, i), nearness(side, other), price, is_tried));
   };
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
-    add(i, sided.limits[i], sided.others[i], prices[i]);
-    if (sided.others[i]) add(i, *sided.others[i], sided.limits[i], "");
+    add(i, sided.limits[i], sided.others[i], prices[i], are_tried);
+    if (sided.others[i]) add(i, *sided.others[i], sided.limits[i], "", true);
   }
   const bool has_two = std::any_of(sided.others.begin(), sided.others.end(),
                                    [](const auto& other) { return other.has_value(); });

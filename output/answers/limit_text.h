@@ -82,9 +82,11 @@ Json side_json(const optim::LimitReport& side, const problems::ProblemStatement&
 /// met, whether proved, and the same of the other side.
 Table limits_table(const SidedLimits& sided, const problems::ProblemStatement& design);
 
-/// The same for people, a row for each side; `prices` has what stands in the last column.
+/// The same for people, a row for each side; `prices` has what stands in the last column. Of a
+/// limit that is not met, and where the search did not try to prove the limits, it says so.
 Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& design,
-                  const std::string& price_title, const std::vector<std::string>& prices);
+                  const std::string& price_title, const std::vector<std::string>& prices,
+                  bool are_tried = true);
 
 /// Both for programs and for people, a line for each side.
 Document limits_document(const std::vector<optim::LimitReport>& limits,

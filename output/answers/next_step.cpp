@@ -23,10 +23,13 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-std::string search_command(const problems::ProblemStatement& statement, const std::string& file) {
+std::string search_command(const problems::ProblemStatement& statement, const std::string& file,
+                           const std::vector<std::string>& settings) {
   if (statement.objectives.empty()) return "";
   const bool is_front = statement.objectives.size() > 1;
-  return fmt::format("{} {}", is_front ? "pareto" : "optimize", shell_word(file));
+  std::string command = fmt::format("{} {}", is_front ? "pareto" : "optimize", shell_word(file));
+  for (const std::string& set : settings) command += " --set " + shell_word(set);
+  return command;
 }
 
 void say_next(const std::string& command) {

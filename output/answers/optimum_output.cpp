@@ -84,7 +84,10 @@ void add_limits(const Answer& answer, Document& document) {
   }
   if (!prices.empty()) document.say("\n");
   document.add(std::move(table));
-  if (!prices.empty()) document.add(sides_table(sided, design, priced ? "price" : "", prices));
+  const bool are_tried = optim::is_feasible(assessment(answer));  // others are not worth a proof
+  if (!prices.empty()) {
+    document.add(sides_table(sided, design, priced ? "price" : "", prices, are_tried));
+  }
   for (std::size_t i = 0; is_design && i < sided.limits.size(); ++i) {
     document.say(undecided_line(sided.limits[i], design, i));
     if (sided.others[i]) document.say(undecided_line(*sided.others[i], design, i));
@@ -159,6 +162,16 @@ std::string program_line(const Answer& answer) {
   const bool is_chosen = statement.chooses_law() && moved_by == problems::MovedBy::Program;
   const std::optional<Member> law = is_chosen ? answer.law() : std::nullopt;
   return law ? fmt::format("  law: {}\n", law_in_words(*law, moved_by)) : "";
+}
+
+/// What the numbers shown are, where they are not those of an answer; else empty.
+std::string what_is_shown(const Answer& answer) {
+  const Assessment& a = assessment(answer);
+  if (optim::is_feasible(a) || !is_at_design(answer)) return "";
+  if (answer.optimum.found.solves == 0) return "the values at the start, which are no answer";
+  return a.verdict == optim::Verdict::Infeasible
+             ? "the design that comes nearest to the limits, which is no answer"
+             : "the design at which the search ended, which is no answer";
 }
 
 /// The objective and the other variables, where there is a design.
@@ -264,7 +277,9 @@ void add_design(const Answer& answer, Document& document) {
   const ObjectivePlace worst =
       std::isnan(a.objective.value) ? ObjectivePlace{} : objective_place(design, a.objective.angle);
   const OpenObjective open = open_objective(answer, design);
-  document.say("\n" + design_text(answer, worst) + open.line);
+  const std::string shown = what_is_shown(answer);
+  document.say("\n" + (shown.empty() ? "" : shown + "\n") + design_text(answer, worst) + open.line);
+  document.fact("shown", shown);
   document.fact("objective", a.objective.value);
   document.fact("objective_name", objective_name(answer));
   document.fact("objective_unit", objective_unit(answer));
@@ -293,6 +308,7 @@ void add_conditions(const Answer& answer, Document& document) {
   const std::string unknown = unknown_price_words(answer);
   if (const std::string costs = price_words(answer, unknown); !costs.empty())
     document.say("\n" + costs);
+  if (const std::string cure = cure_words(answer); !cure.empty()) document.say("\n" + cure);
   if (std::isfinite(a.kkt_residual) &&
       !answer.optimum.found.x.empty()) {  // else nothing was varied
     const std::string condition =
@@ -312,6 +328,7 @@ void add_conditions(const Answer& answer, Document& document) {
   document.fact("active", a.active);
   document.fact("active_bounds", active_bounds(a));
   document.fact("blamed", a.blamed);
+  document.fact("cures", cures_json(answer));
   document.fact("kkt_residual", a.kkt_residual);
   document.fact("second_order", a.second_order);
   document.fact("condition", a.condition);

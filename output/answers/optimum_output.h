@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "optim/search/easing.h"
 #include "optim/search/optimise.h"
 #include "output/answers/design_value.h"
 #include "output/document/document.h"
@@ -29,6 +30,7 @@ struct Answer {
   problems::Buildability built = {};       ///< of the design, buildability_of(*this)
   std::optional<problems::RefinedKnots> knots = {};  ///< where they were found: knots = "auto"
   problems::Reached reached = {};                    ///< of reliabilities and of a robust objective
+  std::vector<optim::Easing> easings = {};  ///< of an infeasible answer, what would cure it
 
   /// Option or variable by name, with units: the design.
   std::vector<DesignValue> values() const;

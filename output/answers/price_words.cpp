@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "optim/verdict/unknown_prices.h"
 #include "output/answers/price_step.h"
 #include "output/document/formatting.h"
+#include "problems/statement/buildable.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 
@@ -60,6 +63,138 @@ std::string price_words(const Answer& answer, const std::string& why) {
         priced_step(v, a.objective.value));
   }
   return text.empty() ? unknown : "what each limit costs, to first order\n" + text + unknown;
+}
+
+namespace {
+
+/// A step that is enough: rounded up to the digits that are shown.
+double rounded_up(double by) {
+  constexpr int kDigits = 4;
+  const double unit = std::pow(10.0, std::floor(std::log10(by)) + 1 - kDigits);
+  const double steps = by / unit;
+  constexpr double kRounding = 1e-6;  // of a step that is whole but for rounding
+  return std::ceil(steps - kRounding) * unit;
+}
+
+/// "easing the upper bound of base_radius by 1.2 mm".
+std::string easing_words(const optim::Easing& easing) {
+  const std::string what =
+      easing.is_bound
+          ? fmt::format("the {} bound of {}", easing.is_upper ? "upper" : "lower", easing.name)
+          : "the limit on " + easing.name;
+  return fmt::format("easing {} by {}", what,
+                     with_unit(in_digits(rounded_up(easing.by), 4), easing.unit));
+}
+
+/// What the design shown does not meet, as easings; empty where one of them has no number.
+std::vector<optim::Easing> missed_limits(const Answer& answer) {
+  std::vector<optim::Easing> missed;
+  for (const optim::LimitReport& limit : answer.limits()) {
+    if (limit.met) continue;
+    if (limit.is_equation || !std::isfinite(limit.margin)) return {};
+    missed.push_back({.name = limit.name,
+                      .unit = limit.unit,
+                      .is_bound = false,
+                      .is_upper = limit.is_upper,
+                      .bound = limit.bound,
+                      .by = -limit.margin,
+                      .x = answer.optimum.found.x});
+  }
+  return missed;
+}
+
+/// Whether the machine and the responses of the problem have no value beyond the eased bound.
+bool is_beyond_validity(const problems::ProblemStatement& problem, const optim::Easing& easing) {
+  if (easing.is_bound) return false;
+  const auto is_passed = [&](const problems::ValidityLimit& limit) {
+    if (limit.response != easing.name) return false;
+    return easing.is_upper ? easing.bound + easing.by > limit.upper
+                           : easing.bound - easing.by < limit.lower;
+  };
+  const auto is_any_passed = [&](const auto& limits) {
+    return std::any_of(limits.begin(), limits.end(), is_passed);
+  };
+  const auto asks_for_it = [&](const auto& asked) {
+    return asked.response.response != nullptr &&
+           is_any_passed(asked.response.response->defined_while);
+  };
+  return is_any_passed(problem.mechanism->validity) ||
+         std::any_of(problem.objectives.begin(), problem.objectives.end(), asks_for_it) ||
+         std::any_of(problem.constraints.begin(), problem.constraints.end(), asks_for_it);
+}
+
+struct Cures {
+  std::vector<optim::Easing> easings;
+  bool alone = true;  ///< each is enough; else all together
+};
+
+Cures cures_of(const Answer& answer) {
+  const optim::Found& found = answer.optimum.found;
+  if (found.assessment.verdict != optim::Verdict::Infeasible || found.x.empty()) return {};
+  const auto is_beyond = [&](const optim::Easing& easing) {
+    return is_beyond_validity(answer.bound.statement(), easing);
+  };
+  std::vector<optim::Easing> alone = answer.easings;
+  std::erase_if(alone, is_beyond);
+  if (!alone.empty()) return {std::move(alone), true};
+  std::vector<optim::Easing> together = missed_limits(answer);
+  if (std::any_of(together.begin(), together.end(), is_beyond)) return {};
+  const bool is_one = together.size() < 2;
+  return {std::move(together), is_one};
+}
+
+/// The checks that [buildable] requires and that fail at the design of a cure.
+std::vector<std::string> still_failing(const Answer& answer, const optim::Easing& easing) {
+  const problems::Buildability built =
+      problems::buildability(answer.bound.at(answer.optimum.options, easing.x));
+  std::vector<std::string> names;
+  for (const problems::BuildableAnswer& check : built.checks) {
+    if (built.required && check.built == problems::Built::Fails) names.push_back(check.check->name);
+  }
+  return names;
+}
+
+std::string failing_words(const std::vector<std::string>& names) {
+  return names.empty() ? ""
+                       : fmt::format("; then [buildable] still fails: {}", problems::listed(names));
+}
+
+}  // namespace
+
+std::string cure_words(const Answer& answer) {
+  const auto [all, alone] = cures_of(answer);
+  if (all.empty()) return "";
+  if (!alone) {
+    constexpr std::size_t kEasing = 7;  // "easing "
+    std::vector<std::string> parts;
+    for (const optim::Easing& easing : all) parts.push_back(easing_words(easing).substr(kEasing));
+    return fmt::format(
+        "what would let every limit be met, by the design above\n  easing {} together{}\n",
+        problems::listed(parts), failing_words(still_failing(answer, all.front())));
+  }
+  std::string text = all.size() == 1 ? "what would let every limit be met\n"
+                                     : "what would let every limit be met, each alone\n";
+  for (const optim::Easing& easing : all) {
+    text +=
+        fmt::format("  {}{}\n", easing_words(easing), failing_words(still_failing(answer, easing)));
+  }
+  return text;
+}
+
+Json cures_json(const Answer& answer) {
+  const auto [all, alone] = cures_of(answer);
+  if (all.empty()) return nullptr;
+  Json list = Json::array();
+  for (const optim::Easing& easing : all) {
+    list.push_back({{"name", easing.name},
+                    {"is_bound", easing.is_bound},
+                    {"side", easing.is_upper ? "upper" : "lower"},
+                    {"unit", easing.unit},
+                    {"bound", to_json(easing.bound)},
+                    {"by", to_json(easing.by)},
+                    {"still_fails", still_failing(answer, easing)}});
+  }
+  return {{"alone", alone}, {"easings", std::move(list)}};
 }
 
 }  // namespace camlaw::cli

@@ -21,4 +21,11 @@ std::string unknown_price_words(const Answer& answer);
 /// known.
 std::string price_words(const Answer& answer, const std::string& why);
 
+/// Of an infeasible answer, by how much what limits would have to be eased, in the words of
+/// price_words: each alone, or where none alone helps all those together that the design shown does
+/// not meet. Empty for other answers, and where the search ended at no design.
+std::string cure_words(const Answer& answer);
+/// The same for programs: name, side, whether it is a variable's bound, unit, bound and `by`.
+Json cures_json(const Answer& answer);
+
 }  // namespace camlaw::cli

@@ -129,6 +129,7 @@ std::string local_sensitivity_words(const LocalSensitivity& local) {
         "~: by finite differences, since the extreme lies at a joint of the law that moves, or at "
         "a kink of the formula, where the formula's own derivative holds for one side only\n";
   }
+  if (!local.left_out.empty()) text += local.left_out + "\n";
   return text;
 }
 
@@ -235,6 +236,7 @@ Document sensitivity_document(const LocalSensitivity& local, const GlobalSensiti
   Document own;
   own.say(local_sensitivity_words(local));
   own.add(local_sensitivity_table(local));
+  if (!local.left_out.empty()) own.fact("left_out", local.left_out);
   if (global != nullptr) {
     Document indices;
     indices.say("\n" + global_sensitivity_words(*global));

@@ -97,14 +97,24 @@ std::string reason_text(const problems::KnownShape& shape) {
   return text;
 }
 
-/// What a word for a shape means to a designer.
+/// A designer's word for a shape.
+std::string plain_word(const std::string& word) {
+  if (word == "convex") return "curves upwards";
+  if (word == "concave") return "curves downwards";
+  if (word == "quasiconvex") return "one valley";
+  if (word == "quasiconcave") return "one hill";
+  if (word == "quasilinear") return "monotonic";
+  return word;
+}
+
+/// What it means, with the term of optimisation.
 std::string meaning_of(const std::string& word) {
-  if (word == "linear") return "changes in proportion";
-  if (word == "convex") return "curves upwards, so that it has one valley";
-  if (word == "concave") return "curves downwards, so that it has one hill";
-  if (word == "quasiconvex") return "has one valley";
-  if (word == "quasiconcave") return "has one hill";
-  if (word == "quasilinear") return "is monotonic";
+  if (word == "linear") return "linear: it changes in proportion";
+  if (word == "curves upwards") return "curves upwards (convex): it has one valley";
+  if (word == "curves downwards") return "curves downwards (concave): it has one hill";
+  if (word == "one valley") return "one valley (quasiconvex): it falls to it and rises from there";
+  if (word == "one hill") return "one hill (quasiconcave): it rises to it and falls from there";
+  if (word == "monotonic") return "monotonic (quasilinear): it only rises or only falls";
   return "";
 }
 
@@ -115,23 +125,27 @@ std::string shape_legend(const Table& shapes) {
   bool has_proof = false;
   for (const auto& row : shapes.rows) {
     words.insert(row.at(2).text);
+    for (const auto& [variable, word] : row.at(1).value.items()) {
+      words.insert(plain_word(word.get<std::string>()));
+    }
     has_proof |= row.at(3).text.find("proof ") != std::string::npos;
   }
   std::vector<std::string> meanings;
   for (const std::string& word : words) {
-    if (const std::string meaning = meaning_of(word); !meaning.empty()) {
-      meanings.push_back(fmt::format("{}: it {}", word, meaning));
+    if (std::string meaning = meaning_of(word); !meaning.empty()) {
+      meanings.push_back(std::move(meaning));
     }
   }
   if (meanings.empty()) return "";
-  return fmt::format("{}{}\n", fmt::join(meanings, "; "),
+  return fmt::format("all at once: while all that it depends on varies; {}{}\n",
+                     fmt::join(meanings, "; "),
                      has_proof ? "; the proofs stand in docs/theory.md under their tags" : "");
 }
 
 Table shape_table(const ProblemStatement& statement) {
   Table table{.key = "shapes",
               .columns = {words("response", "response"), words("depends on", "depends_on"),
-                          words("jointly", "shape"), words("why", "known_by")},
+                          words("all at once", "shape"), words("why", "known_by")},
               .caption = "\n"};
   std::vector<ResponseName> names;
   for (const auto& objective : statement.objectives) names.push_back(objective.response);
@@ -146,7 +160,7 @@ Table shape_table(const ProblemStatement& statement) {
       if (!depends_on(statement, name, group)) continue;
       const auto shape = shape_in(statement, name, group.variables);
       const char* const word = shape ? words_of(shape->best()) : "chosen";
-      parts.push_back(fmt::format("{} ({})", group.name, word));
+      parts.push_back(fmt::format("{} ({})", group.name, plain_word(word)));
       alone[group.name] = word;
       if (shape) together.insert(together.end(), group.variables.begin(), group.variables.end());
     }
@@ -154,7 +168,7 @@ Table shape_table(const ProblemStatement& statement) {
     table.add(
         {name.name,
          {parts.empty() ? "nothing that varies" : fmt::format("{}", fmt::join(parts, ", ")), alone},
-         shape ? words_of(shape->best()) : "",
+         shape ? Cell(plain_word(words_of(shape->best())), words_of(shape->best())) : Cell(""),
          shape ? Cell(reason_text(*shape), shape->reason()) : Cell("")});
   }
   return table;

@@ -42,9 +42,13 @@ SweepRow row_of(const problems::SweepStudy& study, const problems::Sweep& sweep,
                                   [](const optim::Standing& limit) { return limit.met; });
   const bool is_failed = point.verdict == optim::Verdict::Failed;
   row.state = !is_failed ? SweepState::Design : is_met ? SweepState::Failed : SweepState::Passes;
-  row.verdict = study.plan().settings().evaluates
-                    ? (row.state == SweepState::Design ? "meets every limit" : "violates a limit")
-                    : std::string(to_string(point.verdict));
+  const bool is_proved = std::all_of(point.limits.begin(), point.limits.end(),
+                                     [](const optim::Standing& limit) { return limit.proved; });
+  const std::string evaluated = row.state != SweepState::Design ? "violates a limit"
+                                : is_proved                     ? "meets every limit"
+                                                                : "meets every limit, not proved";
+  row.verdict =
+      study.plan().settings().evaluates ? evaluated : std::string(to_string(point.verdict));
   if (row.state == SweepState::Failed) row.verdict = "failed";
   row.reason = point.reason;
   row.objectives = point.objectives;

@@ -35,14 +35,18 @@ constexpr const char* kSpanWords =
     "Rises are shaded in the first colour of the curves, returns in the second; between them the "
     "follower dwells.";
 
-/// The value of what is sought.
-std::string objective_text(const ProblemStatement& design, const DesignReview& review) {
+/// The value of what is sought, and whose it is where that is no answer.
+std::string objective_text(const ProblemStatement& design, const DesignReview& review,
+                           bool is_searched) {
   if (!review.assessment) return "";
   const optim::ObjectiveReport& objective = review.assessment->objective;
   const problems::ObjectiveStatement& stated = design.objectives.front();
   if (std::isnan(objective.value)) return "";
-  return fmt::format("<p class=\"answer\">{} <b>{}</b></p>\n",
-                     xml_escape(plain_name(stated.response.name)),
+  const char* whose = !is_searched                          ? " with the file's own values"
+                      : review.met() < review.limits.size() ? " of a design that violates limits"
+                                                            : "";
+  return fmt::format("<p class=\"answer\">{}{} <b>{}</b></p>\n",
+                     xml_escape(plain_name(stated.response.name)), whose,
                      xml_escape(with_unit(in_digits(objective.value), stated.response.unit)));
 }
 
@@ -77,19 +81,20 @@ std::string lead(const ReportedDesign& reported, const DesignReview& review) {
   }
   const VerdictBadge shown = verdict_badge(reported.read, reported.review, review);
   std::string html = fmt::format("<p>{}</p>\n", badge(shown.kind, shown.text)) + notes +
-                     warnings_html(warnings_of(design)) + objective_text(design, review) +
-                     reasons(review);
+                     warnings_html(warnings_of(design)) +
+                     objective_text(design, review, verdict.has_value()) + reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
     return html + paragraph(fmt::format(
                       "The search said: {}. For this report the design was re-checked{}.",
                       said_of(reported.read), chosen ? " with the chosen options kept fixed" : ""));
   }
-  html += paragraph(fmt::format(
-      "These are the file's own values, not the result of a search. {}",
-      design.objectives.empty()
-          ? "The file names no objective."
-          : fmt::format("To search: camlaw {}", search_command(design, reported.file))));
+  html += paragraph(
+      fmt::format("These are the file's own values, not the result of a search. {}",
+                  design.objectives.empty()
+                      ? "The file names no objective."
+                      : fmt::format("To search: camlaw {}",
+                                    search_command(design, reported.file, reported.settings))));
   return html;
 }
 

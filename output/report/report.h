@@ -22,6 +22,7 @@ struct ReportedDesign {
   Facts facts = {};           ///< of the search that found it
   ClaimReview review = {};    ///< of the result as a record
   std::string checksum = {};  ///< SHA-256 of the file's bytes
+  std::vector<std::string> settings = {};  ///< what the command line set in the design
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.

@@ -84,6 +84,13 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
       report.all_corners ? "every corner of the tolerances"
                          : "the corners that single changes point to",
       report.samples, 100 * report.yield);
+  if (report.yield < 1) {
+    notes +=
+        " A design that stands at a limit passes it with the slightest deviation to one side, so "
+        "about half of the samples are to be expected beyond it. For parts that all meet the "
+        "limits "
+        "state the tolerances of manufacture under [variation]: the search then keeps a margin.";
+  }
   if (report.impossible_corners + report.impossible_samples > 0) {
     notes += fmt::format(" Not possible: {} of the corners and {} of the samples.",
                          report.impossible_corners, report.impossible_samples);

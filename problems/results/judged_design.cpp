@@ -59,7 +59,9 @@ optim::Assessment judged(const HeldProblem& held) {
   if (optim::is_feasible(found) && !found.global) {
     const auto division = optim::subdivided(problem, sizes, held.x);
     if (division && !division->better) {
-      optim::take_subdivision(problem, sizes, *division, found);
+      // Nothing is known of what is possible where a part of the box has no bound.
+      if (std::isfinite(division->best_possible))
+        optim::take_subdivision(problem, sizes, *division, found);
     } else if (division) {
       found.reason +=
           fmt::format("; a better design is known: {}", words_of(problem, *division->better));

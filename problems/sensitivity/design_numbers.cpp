@@ -11,6 +11,7 @@
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/peak_function.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/program_timing.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
@@ -164,12 +165,28 @@ Binding binding_of(const ProblemStatement& design, const std::vector<DesignParam
 
 }  // namespace
 
+std::string parameter_left_out(const ProblemStatement& design) {
+  const auto speed = speed_of(*design.mechanism);
+  const bool is_left =
+      speed && holds_angles_of_speed(design) && dependence_of(design).of_machine.contains(*speed);
+  if (!is_left) return "";
+  const bool may_vary = design.cams.empty();
+  return fmt::format(
+      "{} is left out: the program's times stay at another speed and its angles change, but this "
+      "file states its angles at one speed; {}",
+      design.mechanism->parameters[*speed].name,
+      may_vary ? "with [variables.speed] the angles follow" : "evaluate the shaft at two speeds");
+}
+
 std::vector<DesignParameter> design_parameters(const ProblemStatement& design) {
   const Dependence dependence = dependence_of(design);
+  const auto speed = speed_of(*design.mechanism);
+  const bool keeps_angles = speed && holds_angles_of_speed(design);
   std::vector<DesignParameter> all;
   for (const std::size_t i : dependence.of_machine) {
     const MechanismParameter& p = design.mechanism->parameters[i];
     if (p.integer || design.told_by_motion.contains(i)) continue;
+    if (keeps_angles && i == *speed) continue;
     DesignParameter own{p.name, p.unit, design.constants[i], p.low, p.high};
     own.of_machine = i;
     own.varies = varies(design, own, "");

@@ -26,6 +26,10 @@ struct DesignParameter {
 /// and lists of a law of more than eight values that do not vary.
 std::vector<DesignParameter> design_parameters(const ProblemStatement& design);
 
+/// Which parameter is left out of them though the numbers depend on it, and why, in a sentence;
+/// empty where none is.
+std::string parameter_left_out(const ProblemStatement& design);
+
 /// Objective or limit: a number, or of a curve the highest or lowest value over the cycle.
 struct DesignNumber {
   std::string name, unit;

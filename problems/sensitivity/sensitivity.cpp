@@ -59,6 +59,8 @@ DesignParameter ranged(const ProblemStatement& design, const std::vector<DesignP
   for (const DesignParameter& parameter : all) {
     if (parameter.name == found) return parameter;
   }
+  const std::string left_out = parameter_left_out(design);
+  if (left_out.starts_with(found + " ")) throw std::invalid_argument(left_out);
   std::vector<std::string> known;
   for (const DesignParameter& parameter : all) known.push_back(parameter.name);
   refuse_name("no objective or limit depends on a continuous parameter", std::string(name), known);
@@ -157,6 +159,7 @@ std::vector<double> sizes_of(const std::vector<DesignNumber>& numbers,
 LocalSensitivity local_sensitivity(const ProblemStatement& design) {
   LocalSensitivity result;
   result.parameters = design_parameters(design);
+  result.left_out = parameter_left_out(design);
   const auto numbers = design_numbers(design, result.parameters);
   if (result.parameters.empty() || numbers.empty()) {
     throw std::invalid_argument(

@@ -37,6 +37,7 @@ struct NumberSensitivity {
 struct LocalSensitivity {
   std::vector<DesignParameter> parameters;
   std::vector<NumberSensitivity> numbers;
+  std::string left_out = {};  ///< parameter_left_out
 };
 
 /// Exact derivatives, of peaks over the cycle by the envelope theorem (SE1), each compared with

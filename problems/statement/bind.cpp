@@ -200,8 +200,8 @@ optim::ProblemSpace BoundProblem::front_space() const {
   check_objective();
   if (statement_.objectives.size() < 2) {
     refuse(statement_,
-           "there is one objective, which has an optimum, not a front; "
-           "'camlaw optimize' finds it");
+           "there is one objective, which has an optimum, not a front; 'camlaw optimize' finds it; "
+           "for a front write a table [[objectives]] with minimize = \"...\" for each objective");
   }
   return {choices_,
           [bound = *this, known = std::make_shared<KnownProblems>()](const auto& options) {

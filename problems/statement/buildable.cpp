@@ -104,11 +104,43 @@ Closure closure_of(const ProblemStatement& problem, std::optional<std::size_t> c
   return Closure::Force;
 }
 
+/// Whether a parameter is above 0, and whether it is 0, at some of the values that it takes within
+/// a design: over a range or a variation both may be.
+struct Presence {
+  bool above_zero, zero;
+  bool is_mixed() const { return above_zero && zero; }
+};
+
+Presence presence(const BuildableCheck& check, const ProblemStatement& problem,
+                  const std::string& parameter) {
+  const double value = stated_number(check, problem, problem.constants, parameter).value_or(0);
+  double lower = value, upper = value;
+  const std::size_t index = parameter_named(problem, parameter);
+  const bool is_set = std::any_of(check.in_case.begin(), check.in_case.end(),
+                                  [&](const auto& set) { return set.first == index; });
+  for (const TakenRange& range : taken_ranges(problem)) {
+    if (is_set || range.parameter != index) continue;
+    lower = range.lower + (range.is_offset ? value : 0);
+    upper = range.upper + (range.is_offset ? value : 0);
+  }
+  return {upper > 0, !(lower > 0)};
+}
+
 /// Whether the machine has what a check is made with, and not what it is made without.
-bool is_made_with(const BuildableCheck& check, const StatedNumber& stated) {
-  const auto has = [&](const std::string& parameter) { return stated(parameter).value_or(0) > 0; };
-  if (!check.only_with.empty() && !has(check.only_with)) return false;
-  return check.only_without.empty() || !has(check.only_without);
+bool is_made_with(const BuildableCheck& check, const ProblemStatement& problem) {
+  const auto at = [&](const std::string& parameter) { return presence(check, problem, parameter); };
+  if (!check.only_with.empty() && !at(check.only_with).above_zero) return false;
+  return check.only_without.empty() || at(check.only_without).zero;
+}
+
+/// Why a check cannot be made over all values that a parameter takes; empty where it can be.
+std::string mixed(const BuildableCheck& check, const ProblemStatement& problem) {
+  const std::string& parameter = check.only_with;
+  if (parameter.empty() || !presence(check, problem, parameter).is_mixed()) return "";
+  return fmt::format(
+      "the values that {} takes begin at 0, where the check without it is made; let them begin "
+      "above 0",
+      parameter);
 }
 
 /// "mass is not stated", "neither speed nor mass is stated", "none of speed, mass and spring_rate
@@ -133,6 +165,7 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
   if (!names.empty()) parts.push_back(not_stated(names));
   if (has_none && some.size() > 1) parts.push_back(not_stated(some));
   if (!parts.empty()) return listed(parts);
+  if (std::string why = mixed(check, problem); !why.empty()) return why;
   for (const ParameterRange& range : problem.ranges) {
     if (bound_moves(check, problem, range)) {
       return fmt::format("its bound changes over the range of {}",
@@ -206,13 +239,21 @@ void judge(BuildableAnswer& answer) {
   }
 }
 
+/// Whether a check is made with the same machine as another: not with a rigid train where the other
+/// has an elastic one.
+bool goes_with(const BuildableCheck& first, const BuildableCheck& check) {
+  return (first.only_with.empty() || first.only_with == check.only_with) &&
+         (first.only_without.empty() || first.only_without == check.only_without);
+}
+
 /// What was judged and waits for a check that does not hold says nothing.
 void await(std::vector<BuildableAnswer>& answers) {
   for (BuildableAnswer& answer : answers) {
     if (!answer.limit.of_check) continue;
     for (const BuildableAnswer& first : answers) {
       const auto& after = answer.check->after;
-      const bool waits = std::find(after.begin(), after.end(), first.check->name) != after.end();
+      const bool waits = std::find(after.begin(), after.end(), first.check->name) != after.end() &&
+                         goes_with(*first.check, *answer.check);
       if (!waits || first.built == Built::Holds) continue;
       answer.built = Built::NotChecked;
       answer.why = fmt::format("{} {}", first.check->name,
@@ -285,6 +326,40 @@ void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
   }
 }
 
+/// Refuses to require checks of which one is made where a parameter is 0 and another where it is
+/// above 0, where the search may choose either: the limits are those of one of them.
+void check_model_stays(const ProblemStatement& problem) {
+  const auto refuse = [](const std::string& what, const std::string& parameter) {
+    throw std::invalid_argument(
+        fmt::format("require = true, and {} {}: at 0 other checks are made than above it; keep it "
+                    "at 0, or above 0",
+                    parameter, what));
+  };
+  for (const BuildableCheck& check : problem.mechanism->checks) {
+    if (check.only_with.empty()) continue;
+    const std::string& name = check.only_with;
+    const std::size_t index = parameter_named(problem, name);
+    if (!mixed(check, problem).empty()) refuse("takes values from 0 on", name);
+    const bool is_set = std::any_of(check.in_case.begin(), check.in_case.end(),
+                                    [&](const auto& set) { return set.first == index; });
+    for (const VariableStatement& v : problem.variables) {
+      const bool is_it = !v.of_law && v.parameter == index && !is_set;
+      if (is_it && v.lower <= 0 && v.upper > 0) refuse("varies from 0 on", name);
+    }
+    for (const PartStatement& part : problem.parts) {
+      const auto& own = part.parameters;
+      const auto column = std::find(own.begin(), own.end(), index);
+      if (column == own.end()) continue;
+      const auto has = [&](const PartItem& item) {
+        return item.values[static_cast<std::size_t>(column - own.begin())] > 0;
+      };
+      const auto with = std::count_if(part.items.begin(), part.items.end(), has);
+      const bool all = with == static_cast<std::ptrdiff_t>(part.items.size());
+      if (with > 0 && !all) refuse(fmt::format("is 0 in some rows of {}", part.name), name);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
@@ -293,7 +368,7 @@ std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
     const bool is_for = check.closure == Closure::Any ||
                         check.closure == closure_of(problem, cam_of(problem, check));
     const StatedNumber stated = stated_numbers(check, problem, problem.constants);
-    if (is_for && is_made_with(check, stated) && has_part_of(*problem.mechanism, check, stated)) {
+    if (is_for && is_made_with(check, problem) && has_part_of(*problem.mechanism, check, stated)) {
       result.push_back(&check);
     }
   }
@@ -360,6 +435,7 @@ void limit_to_checks(ProblemStatement& problem) {
   std::erase_if(problem.constraints,
                 [](const ConstraintStatement& c) { return c.of_check && !c.required_by; });
   if (!problem.buildable.require) return;
+  check_model_stays(problem);
   for (const BuildableCheck* check : checks_for(problem)) {
     if (!missing(*check, problem).empty()) continue;
     check_stays(*check, problem);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "machines/model/known_names.h"
-#include "machines/usual_problem.h"
+#include "machines/model/usual_problem.h"
 #include "problems/statement/problem_format.h"
 
 namespace camlaw::problems {
@@ -112,37 +112,52 @@ double value_of(const MechanismParameter& p, const UsualProblem& usual) {
 std::string head_part(const Mechanism& mechanism) {
   return sentence(fmt::format("a problem file about {}: {}", mechanism.name, mechanism.title)) +
          fmt::format(
-             "# It works as it is. Save it as my.toml, change the numbers, and try\n"
-             "#   camlaw check my.toml        the problem in words\n"
-             "#   camlaw evaluate my.toml     the machine with these numbers\n"
-             "#   camlaw optimize my.toml     the best design within the limits\n"
-             "# A number with a unit is written in quotes, in any unit of its kind: \"20 mm\", \"2 "
-             "cm\".\n"
-             "# A line starting with '#' and no space is an optional setting: remove the '#' to "
-             "use it.\n\n"
+             "# It works as it is. Save it as my.toml, change the numbers above the line of equals "
+             "signs, and try\n"
+             "#   camlaw check my.toml\n"
+             "#   camlaw optimize my.toml\n"
+             "# Units are in quotes: \"20 mm\", \"2 cm\".\n\n"
              "format = \"{1}\"\ntitle = \"My first {0}\"\nmechanism = \"{0}\"\n",
              mechanism.name, kProblemFormat.text());
 }
 
-std::string constants_part(const Mechanism& mechanism, const UsualProblem& usual) {
-  const Parameters varied = variables_of(usual), used = used_by(mechanism, usual);
+/// The machine's numbers: those that matter, and those that may be left for later.
+struct ConstantsPart {
   std::string fixed, optional;
+};
+
+ConstantsPart constants_part(const Mechanism& mechanism, const UsualProblem& usual) {
+  const Parameters varied = variables_of(usual), used = used_by(mechanism, usual);
+  ConstantsPart part;
   for (const MechanismParameter& p : mechanism.parameters) {
     if (varied.contains(p.name)) continue;
-    const bool matters = used.contains(p.name);
-    (matters ? fixed : optional) +=
-        words_on(p) + assignment(matters ? kFixed : kOptional, p.name, value_of(p, usual), p.unit);
+    const double value = value_of(p, usual);
+    // What is absent by default, such as an offset of 0, may be added later.
+    const bool is_absent = value == 0 && p.default_value == 0;
+    if (used.contains(p.name) && !is_absent) {
+      part.fixed += sentence(p.meaning) + assignment(kFixed, p.name, value, p.unit);
+    } else {
+      part.optional += words_on(p) + assignment(kOptional, p.name, value, p.unit);
+    }
   }
-  const bool turns = parameter_called(mechanism, known::kSpeed).has_value();
-  const char* const ranges = turns ? "# A limit can hold over a whole range of speeds: "
-                                     "[ranges.speed] with lower and upper.\n"
-                                   : "";
-  std::string text = "\n# Fixed parameters; any left out take their default values.\n" +
-                     std::string(ranges) + "[constants]\n" + fixed;
-  if (!optional.empty()) {
-    text += "\n# These have the values shown unless they are stated.\n" + optional;
+  // What follows the line is of the same table.
+  part.fixed = "\n# The machine: what stays the same while the program searches.\n[constants]\n" +
+               part.fixed;
+  if (!part.optional.empty()) {
+    part.optional =
+        "\n# More numbers of the machine, in use with these values even while '#' stands before "
+        "them.\n" +
+        part.optional;
   }
-  return text;
+  return part;
+}
+
+/// Where a designer may stop reading.
+std::string line_part() {
+  return "\n# ======================================================================\n"
+         "# What follows may be left for later. A line that begins with '#' and no space is a "
+         "setting:\n"
+         "# remove the '#' to change it.\n";
 }
 
 std::string law_part(const UsualProblem& usual) {
@@ -163,9 +178,10 @@ std::string law_part(const UsualProblem& usual) {
 std::string program_part(const UsualProblem& usual) {
   if (usual.segments.empty()) return "";
   std::string text =
-      "\n# The motion over one turn, segment by segment. A segment with a law moves, one without\n"
-      "# dwells, and the last takes what is left of 360 deg. 'camlaw laws' lists the laws; a list\n"
-      "# of names lets the program choose: law = [\"cycloidal\", \"modified-sine\"].\n";
+      "\n# The motion over one turn. A segment with a law moves, one without dwells; the last "
+      "takes "
+      "what\n# is left of 360 deg. To choose among laws: law = [\"cycloidal\", "
+      "\"modified-sine\"].\n";
   for (const auto& segment : usual.segments) {
     text += fmt::format("[[program.segments]]\nname = \"{}\"\n", segment.name);
     if (&segment != &usual.segments.back())
@@ -191,32 +207,46 @@ std::string segment_variable(const UsualProblem& usual) {
 std::string variables_part(const Mechanism& mechanism, const UsualProblem& usual) {
   std::string text;
   if (!usual.variables.empty()) {
-    text =
-        "\n# What may vary: the search begins at start and stays between lower and upper. Move a\n"
-        "# number from here to [constants] to keep it, or from there to here to let it vary.\n";
+    text = "\n# What may vary: the search begins at start and stays between lower and upper.\n";
   }
   for (const auto& variable : usual.variables) {
     const MechanismParameter& p = parameter_of(mechanism, variable.parameter);
-    text += words_on(p) + fmt::format("[variables.{}]\n", p.name);
+    text += sentence(p.meaning) + fmt::format("[variables.{}]\n", p.name);
     if (p.integer) text += "type = \"integer\"\n";
     text += assignment(kFixed, "lower", variable.lower, p.unit) +
             assignment(kFixed, "upper", variable.upper, p.unit) +
             assignment(kFixed, "start", variable.start, p.unit) + "\n";
   }
   if (!text.empty()) text.pop_back();
+  return text;
+}
+
+/// How more may vary.
+std::string more_variables(const Mechanism& mechanism, const UsualProblem& usual) {
+  std::string text;
+  if (!usual.variables.empty()) {
+    text =
+        "\n# To let one of [constants] vary, move it to a table of its own, as the one of "
+        "[variables]\n# above; to keep a variable, move it to [constants].\n";
+  }
+  if (parameter_called(mechanism, known::kSpeed)) {
+    text +=
+        "\n# A limit can hold over a whole range of speeds: [ranges.speed] with lower and upper.\n";
+  }
   return text + segment_variable(usual);
 }
 
 std::string objective_part(const Mechanism& mechanism, const UsualProblem& usual) {
   const ResponseName name = find_response(mechanism, usual.objective);
-  return "\n# The objective.\n" + sentence(words_on(mechanism, name)) +
+  const bool is_variable = name.response == nullptr;  // which has been described
+  return "\n# What is sought.\n" + (is_variable ? "" : sentence(words_on(mechanism, name))) +
          fmt::format("[objective]\n{} = \"{}\"\n",
                      usual.sense == optim::Sense::Minimize ? "minimize" : "maximize",
                      usual.objective);
 }
 
 std::string limits_part(const Mechanism& mechanism, const UsualProblem& usual) {
-  std::string text = "\n# The limits that must hold; a curve's hold at every place of the cycle.\n";
+  std::string text = "\n# The limits that must hold, over the whole cycle.\n";
   for (const auto& limit : usual.limits) {
     const ResponseName name = find_response(mechanism, limit.response);
     text += sentence(words_on(mechanism, name)) +
@@ -237,8 +267,7 @@ std::string buildable_part(const Mechanism& mechanism) {
       "# the machine's formulas do not have; what is not stated is not checked.\n"
       "[buildable]\nrequire = true\n";
   for (const BuildableInput& input : mechanism.inputs) {
-    text += sentence(input.meaning) +
-            assignment(kOptional, input.name, usual_input(input.name), input.unit);
+    text += sentence(input.meaning) + assignment(kOptional, input.name, input.usual, input.unit);
   }
   return text;
 }
@@ -274,10 +303,12 @@ std::string other_responses(const Mechanism& mechanism, const UsualProblem& usua
 }  // namespace
 
 std::string first_file(const Mechanism& mechanism) {
-  const UsualProblem& usual = usual_problem(mechanism);
-  return head_part(mechanism) + constants_part(mechanism, usual) + law_part(usual) +
-         program_part(usual) + variables_part(mechanism, usual) + objective_part(mechanism, usual) +
-         limits_part(mechanism, usual) + buildable_part(mechanism) + solver_part() +
+  const UsualProblem& usual = *mechanism.usual;
+  const ConstantsPart constants = constants_part(mechanism, usual);
+  return head_part(mechanism) + law_part(usual) + program_part(usual) +
+         variables_part(mechanism, usual) + objective_part(mechanism, usual) +
+         limits_part(mechanism, usual) + constants.fixed + line_part() + constants.optional +
+         more_variables(mechanism, usual) + buildable_part(mechanism) + solver_part() +
          other_responses(mechanism, usual);
 }
 

@@ -179,6 +179,13 @@ std::optional<std::size_t> speed_of(const Mechanism& mechanism) {
   return static_cast<std::size_t>(at - all.begin());
 }
 
+bool holds_angles_of_speed(const ProblemStatement& problem) {
+  const auto& timing = problem.timing;
+  return (timing && timing->stays && !timing->follows) ||
+         std::any_of(problem.cams.begin(), problem.cams.end(),
+                     [](const CamStatement& cam) { return holds_angles_of_speed(*cam.alone); });
+}
+
 std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program,
                                          ProblemStatement& problem) {
   const std::optional<std::size_t> speed = speed_of(*problem.mechanism);
@@ -203,6 +210,8 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     if (speed) set_speed(*cycle, timing.speed, *speed, problem);
   } else if (timing.follows && stated.varying != nullptr) {
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
+    // Among values the search begins there too, in whatever order they are listed.
+    if (find(*stated.varying, "values") != nullptr) problem.constants[*speed] = timing.speed;
   } else if (timing.follows && stated.fixed == nullptr && of_cases.size() == count_of_cases(file)) {
     timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
     problem.constants[*speed] = timing.speed;

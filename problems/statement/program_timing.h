@@ -13,6 +13,11 @@ struct Entry;
 /// The mechanism's speed, rpm; none: it has no such parameter.
 std::optional<std::size_t> speed_of(const Mechanism& mechanism);
 
+/// Whether a program has times that stay at another speed, but holds the angles that they make at
+/// the speed of the machine, or for one of the cams at that of their shaft: at another speed such a
+/// program is another one.
+bool holds_angles_of_speed(const ProblemStatement& problem);
+
 /// What a program says of times: `cycle_time`, `times_at`, or times by the machine's `speed`. None
 /// where it says nothing. A `cycle_time` sets the speed, unless the file states that too. Throws
 /// std::invalid_argument where the two differ, where the speed varies and no speed is given at

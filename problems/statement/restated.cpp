@@ -17,6 +17,7 @@
 #include "problems/statement/cases.h"
 #include "problems/statement/made_entries.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/program_timing.h"
 #include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/table_settings.h"
@@ -208,7 +209,7 @@ void put_free(Entry& file, std::string_view name, std::string_view text, const s
 /// The speed of a machine whose program has times that stay: none where this is not its name.
 const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::string_view name) {
   // A program that follows the speed has it as any other parameter.
-  if (!problem.timing || !problem.timing->stays || problem.timing->follows) return nullptr;
+  if (!holds_angles_of_speed(problem)) return nullptr;
   for (const MechanismParameter& p : problem.mechanism->parameters) {
     if (p.unit == "rpm" && p.name == known::kSpeed && (name == p.name || name == p.symbol))
       return &p;
@@ -216,11 +217,23 @@ const MechanismParameter* speed_of_times(const ProblemStatement& problem, std::s
   return nullptr;
 }
 
-/// Gives the machine another speed, from which the times of its program make other angles.
-void put_speed(Entry& file, const MechanismParameter& speed, std::string_view text,
-               const std::string& place) {
-  Entry* program = find_entry(file, "program");
-  std::erase_if(program->items, [](const Entry& item) { return item.key == "cycle_time"; });
+void drop(Entry& table, std::string_view key) {
+  std::erase_if(table.items, [&](const Entry& item) { return item.key == key; });
+}
+
+/// Gives the machine another speed, from which the times of its program make other angles. On a
+/// shaft the programs of other cams keep theirs.
+void put_speed(Entry& file, const ProblemStatement& problem, const MechanismParameter& speed,
+               std::string_view text, const std::string& place) {
+  if (problem.cams.empty()) drop(*find_entry(file, "program"), "cycle_time");
+  for (const CamStatement& cam : problem.cams) {
+    if (!cam.alone->timing) continue;
+    Entry& program = *find_entry(*find_entry(*find_entry(file, "cams"), cam.name), "program");
+    drop(program, "cycle_time");
+    if (holds_angles_of_speed(*cam.alone) || find(program, "times_at") != nullptr) continue;
+    const std::string held = fmt::format("{:.17g} rpm", cam.alone->timing->speed);
+    put_entry(program, made_text(program, "times_at", held, place));
+  }
   Entry& constants = entry_or_made(file, "constants", Kind::Table, place);
   std::erase_if(constants.items, [&](const Entry& item) { return item.key == speed.symbol; });
   put_entry(constants, made_text(constants, speed.name, text, place));
@@ -302,7 +315,7 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
   if (is_law_setting(name)) return put_laws(file, name, text, assignment);
   if (is_free_setting(problem, name)) return put_free(file, name, text, assignment);
   if (const MechanismParameter* speed = speed_of_times(problem, name)) {
-    return put_speed(file, *speed, text, assignment);
+    return put_speed(file, problem, *speed, text, assignment);
   }
   if (is_table_setting(problem, name)) {
     return put_in_table(file, problem, name, text, assignment);

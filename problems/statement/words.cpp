@@ -38,7 +38,7 @@ std::set<std::size_t> used_parameters(const ProblemStatement& problem) {
 }
 
 std::string constants_sentence(const ProblemStatement& problem) {
-  std::vector<std::string> parts;
+  std::vector<std::string> parts, defaults;
   for (const std::size_t i : used_parameters(problem)) {
     const bool varies = std::any_of(problem.variables.begin(), problem.variables.end(),
                                     [&](const auto& v) { return !v.of_law && v.parameter == i; });
@@ -53,9 +53,16 @@ std::string constants_sentence(const ProblemStatement& problem) {
     const PartStatement* part = part_of(problem, i);
     const bool is_chosen = part != nullptr && part->is_chosen();
     if (varies || by_case || by_range || is_chosen) continue;
-    parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
+    const bool is_default = !problem.stated.contains(i) && part == nullptr;
+    (is_default ? defaults : parts)
+        .push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
   }
-  return parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
+  std::string words = parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
+  if (!defaults.empty()) {
+    words +=
+        fmt::format("By default, as the file does not state them, it has {}.\n", listed(defaults));
+  }
+  return words;
 }
 
 /// What comes from catalogues.
@@ -132,7 +139,10 @@ std::string laws_sentence(const ProblemStatement& problem) {
       return fmt::format("Choose among {} motion programs, the first of them {}.\n",
                          problem.laws.size(), problem.laws.front().family->formula);
     }
-    return fmt::format("The motion program is {}.\n", problem.laws.front().family->formula);
+    return fmt::format(
+        "The motion program is {}; displacements are in strokes: 0 is where the "
+        "stroke begins, 1 where it ends.\n",
+        problem.laws.front().family->formula);
   }
   for (const Member& law : problem.laws) laws.push_back(law_text(problem, law));
   if (laws.size() == 1) {

@@ -47,25 +47,26 @@ class Problem(Searches):
                    objective="base_radius",
                    constraints={"pressure_angle": ("-40 deg", "30 deg")})
 
-    mechanism: a mechanism's name, or machine: a Machine of your own. law: a name, a Law, a list of
-    these to choose from, or the table [law]. program: the segments, or the table [program].
-    variables: (lower, upper), or a table with lower, upper, start, type and values. objective: the
-    response to minimize, or {"minimize": ...} or {"maximize": ...}; objectives: a list of these, for a
-    front. constraints: a dict of (lower, upper) or tables, or a list of tables. responses: formulas of
-    your own, each a Response. cases: load cases, [{"name": "fast", "speed": "400 rpm"}, ...]. ranges:
-    parameters that take any value in a range, {"speed": ("100 rpm", "400 rpm")}. variation: the
-    deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"}, or tables. parts:
-    tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name, each with the
-    keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program": ...}}. free,
-    buildable and solver: the tables of these names. format: as a problem file states it, so that the
-    tables of one may be given, Problem(**tomllib.loads(text)). Raises InputError.
+    mechanism: a mechanism's name, or machine: a Machine of your own, or the table [machine]. law: a
+    name, a Law, a list of these to choose from, or the table [law]. program: the segments, or the table
+    [program]. variables: (lower, upper), or a table with lower, upper, start, type and values.
+    objective: the response to minimize, or {"minimize": ...} or {"maximize": ...}; objectives: a list
+    of these, for a front. constraints: a dict of (lower, upper) or tables, or a list of tables.
+    responses: formulas of your own, each a Response. cases: load cases, [{"name": "fast", "speed":
+    "400 rpm"}, ...]. ranges: parameters that take any value in a range, {"speed": ("100 rpm",
+    "400 rpm")}. variation: the deviations of manufacture, plus and minus, {"base_radius": "0.02 mm"},
+    or tables. parts: tables [parts.NAME] with a catalogue. cams: several cams on one shaft by name,
+    each with the keywords of a problem, {"press": {"mechanism": ..., "constants": ..., "program":
+    ...}}. free, buildable, profile (errors of the cut profile) and solver: the tables of these names.
+    format: as a problem file states it, so that the tables of one may be given,
+    Problem(**tomllib.loads(text)). Raises InputError.
     """
 
     def __init__(
         self,
         mechanism: str | Machine | None = None,
         *,
-        machine: Machine | None = None,
+        machine: Machine | Mapping[str, Any] | None = None,
         title: str | None = None,
         constants: Mapping[str, Any] | None = None,
         law: Any = None,
@@ -82,6 +83,7 @@ class Problem(Searches):
         ranges: Mapping[str, Any] | None = None,
         variation: Mapping[str, Any] | None = None,
         buildable: Mapping[str, Any] | None = None,
+        profile: Mapping[str, Any] | None = None,
         solver: Mapping[str, Any] | None = None,
         source: str = "problem",
         format: str | None = None,
@@ -110,6 +112,7 @@ class Problem(Searches):
             ranges=ranges,
             variation=variation,
             buildable=buildable,
+            profile=profile,
             solver=solver,
             held=held,
         )

@@ -146,13 +146,13 @@ _OF_A_CAM = ("mechanism", "machine", "responses", "constants", "law", "free", "p
              "variables", "buildable")  # fmt: skip
 _ALL = ("mechanism", "machine", "title", "constants", "law", "free", "program", "variables",
         "objective", "objectives", "constraints", "responses", "parts", "cams", "cases", "ranges",
-        "variation", "buildable", "solver")  # fmt: skip
+        "variation", "buildable", "profile", "solver")  # fmt: skip
 
 
 def problem_table(
     mechanism: str | Machine | None,
     *,
-    machine: Machine | None,
+    machine: Machine | Mapping[str, Any] | None,
     title: str | None,
     constants: Mapping[str, Any] | None,
     law: Any,
@@ -169,6 +169,7 @@ def problem_table(
     ranges: Mapping[str, Any] | None,
     variation: Mapping[str, Any] | None,
     buildable: Mapping[str, Any] | None,
+    profile: Mapping[str, Any] | None,
     solver: Mapping[str, Any] | None,
     held: Held,
 ) -> dict[str, Any]:
@@ -176,20 +177,20 @@ def problem_table(
     problem has to have with it."""
     if isinstance(mechanism, Machine):
         mechanism, machine = None, mechanism
-    if machine is not None and not isinstance(machine, Machine):
-        raise InputError(f"machine: {shown(machine)} is not a camlaw.Machine")
+    if machine is not None and not isinstance(machine, (Machine, Mapping)):
+        raise InputError(f"machine: {shown(machine)} is neither a camlaw.Machine nor a dict")
     stated = {
         name: response_table(response, f"responses.{name}")
         for name, response in mapping(responses, "responses", "{'load': camlaw.Response(...)}").items()
     }
-    if machine is not None:
+    if isinstance(machine, Machine):
         stated = {name: r.table() for name, r in machine.responses.items()} | stated
     together = mapping(cams, "cams", "{'press': {'mechanism': ...}}")
     varied = mapping(variation, "variation", "{'base_radius': '0.02 mm'}")
     return {
         "title": optional_text(title, "title"),
         "mechanism": optional_text(mechanism, "mechanism"),
-        "machine": machine.table() if machine is not None else None,
+        "machine": machine.table() if isinstance(machine, Machine) else machine,
         "constants": constants_table(constants),
         "responses": stated or None,
         "law": law_table(law, held) if law is not None else None,
@@ -211,5 +212,6 @@ def problem_table(
         or None,
         "constraints": constraint_tables(constraints) or None,
         "buildable": mapping(buildable, "buildable", "{'require': True}") or None,
+        "profile": mapping(profile, "profile", "{'waviness': '2 um', 'waves': 40}") or None,
         "solver": mapping(solver, "solver", "{'name': 'ipopt'}") or None,
     }

@@ -50,6 +50,30 @@ def test_a_problem_of_dicts_is_the_one_of_the_file():
     assert same(without_design(ours.facts), without_design(theirs.facts))
 
 
+def test_the_tables_of_every_problem_file_are_taken():
+    files = sorted(p for p in PROBLEMS.rglob("*.toml") if "published" not in p.parts)
+    seen = set()
+    for path in files:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        seen |= set(tables)
+        ours = cl.Problem(**tables, source=str(path))
+        assert ours.check().facts == cl.Problem.load(path).check().facts, path
+    assert {"machine", "profile", "cams", "cases", "parts", "ranges"} <= seen
+
+
+def test_the_table_of_a_profile_is_stated():
+    text = (PROBLEMS / "cams/tolerances.toml").read_text(encoding="utf-8")
+    tables = tomllib.loads(text)
+    assert "profile" in tables
+    path = str(PROBLEMS / "cams/tolerances.toml")
+    without = cl.Problem(**{k: v for k, v in tables.items() if k != "profile"}, source=path)
+    assert cl.Problem(**tables, source=path).text != without.text
+    with pytest.raises(cl.InputError, match="profile"):
+        cl.Problem(**(tables | {"profile": {"wavines": "2 um"}}), source=path)
+    with pytest.raises(cl.InputError, match="machine: 'mine' is neither"):
+        cl.Problem(machine="mine")
+
+
 def test_quantities_of_pint_are_taken_with_their_units():
     units = pytest.importorskip("pint").UnitRegistry()
     constants = {

@@ -43,9 +43,12 @@ TEST_CASE("a comparison marks the better objective and the wider margin of each 
   const std::string page = page_about({kRoller, result}, folder);
   CHECK(page.size() < 3'000'000);
   const double radius = ParsedJson::parse(read(result))["objective"];
-  const Words least = row_of(section_of(page, "answers"), "least base radius, mm");
+  const Words least = row_of(section_of(page, "answers"), "base radius, to be minimised, mm");
   REQUIRE(least.size() == 3);
   CHECK(least[1] == "60");  // the file's own
+  const Words whose = row_of(section_of(page, "answers"), "numbers are");
+  CHECK(whose[1] == "as the file states them, not searched");
+  CHECK(whose[2] == "the result of a search");
   CHECK_THAT(least[2], Contains("badge good") && Contains(", best") &&
                            Contains(std::to_string(radius).substr(0, 7)));
   const Words verdicts = row_of(section_of(page, "answers"), "verdict");
@@ -101,7 +104,7 @@ TEST_CASE("a result that was changed by hand is not the best of a comparison", "
   const std::string page = page_about({folder / "changed.json", kRoller}, folder, 4);
   const std::string answers = section_of(page, "answers");
   CHECK_THAT(row_of(answers, "verdict")[1], Contains("the result is wrong"));
-  CHECK(count_of(row_of(answers, "least base radius, mm")[1], "best") == 0);
+  CHECK(count_of(row_of(answers, "base radius, to be minimised, mm")[1], "best") == 0);
   CHECK_THAT(row_of(answers, "verdict")[2], Contains(", best"));
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("a new file has a sentence before every number", "[program]") {
     std::string before;
     bool in_constants = false;
     for (std::string line; std::getline(lines, line); before = line) {
-      if (line.starts_with("[")) in_constants = line == "[constants]";
+      if (line.starts_with("[") || line.starts_with("#[")) in_constants = line == "[constants]";
       if (!in_constants || line.find(" = ") == std::string::npos || line.starts_with("# "))
         continue;
       INFO(name << ": " << line);
@@ -127,6 +127,28 @@ TEST_CASE("every example has a sentence, and its copy stands alone", "[program][
     const Outcome outcome = run({"check", file});
     INFO(outcome.err);
     CHECK(outcome.status == 0);
+  }
+}
+
+TEST_CASE("the commands in the copy of an example work where it was copied to", "[program]") {
+  const ProjectFolder folder;
+  fs::remove(folder / "problems");
+  for (const std::string to : {"", "my torque"}) {
+    const std::string option = to.empty() ? "" : " --out '" + to + "'";
+    const Outcome copied = shell(folder, "camlaw examples cams/recorded_torque" + option);
+    CHECK(copied.status == 0);
+    const std::string file = (to.empty() ? "" : to + "/") + "recorded_torque.toml";
+    const std::string text = read(folder / file);
+    CHECK_THAT(text, !Contains("problems/"));
+    const Words commands = lines_after(text, "#   ");
+    REQUIRE_FALSE(commands.empty());
+    CHECK(shell(folder, commands.front()).status == 0);
+    const Words next = lines_after(copied.out, "next: ");
+    REQUIRE_FALSE(next.empty());
+    for (const std::string& command : next) {
+      INFO(command);
+      CHECK(shell(folder, command).status == 0);
+    }
   }
 }
 

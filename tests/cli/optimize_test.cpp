@@ -2,6 +2,8 @@
 // check, evaluate, optimize and the cam shape, as a user runs them.
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
@@ -83,6 +85,71 @@ TEST_CASE("optimize ends with 3 and names the limits that contradict each other"
   const Outcome alone =
       run({"optimize", written(folder, force_and_radius("5 N", "30 mm")), "--json"});
   CHECK(ParsedJson::parse(alone.out)["blamed"] == ParsedJson({"peak_inertia_force"}));
+}
+
+TEST_CASE("an infeasible answer says what would cure it, and that it is none", "[program]") {
+  const Folder folder;
+  const std::string text = read(testing::source("problems/cams/roller_least_base.toml"));
+  const auto with_upper = [&](const std::string& upper) {
+    const std::string old = "upper = \"120 mm\"\nstart = \"60 mm\"";
+    std::string own = text;
+    REQUIRE(own.find(old) != std::string::npos);
+    own.replace(own.find(old), old.size(), "upper = \"" + upper + "\"\nstart = \"20 mm\"");
+    return written(folder, own);
+  };
+  const std::string file = with_upper("40 mm");
+  const Outcome shown = run({"optimize", file});
+  CHECK(shown.status == 3);
+  // The least radius is that of the shipped problem, 52.6479 mm.
+  CHECK_THAT(shown.out, Contains("easing the upper bound of base_radius by 12.65 mm\n") &&
+                            Contains("the design that comes nearest to the limits, which is no "
+                                     "answer\nbase_radius = 40 mm") &&
+                            Contains("not met") && Contains("not tried"));
+  const ParsedJson json = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  CHECK(json["shown"].get<std::string>().starts_with("the design that comes nearest"));
+  const ParsedJson& cures = json["cures"];
+  CHECK(cures["alone"] == true);
+  bool has_bound = false;
+  for (const ParsedJson& cure : cures["easings"]) {
+    if (cure["name"] != "base_radius") continue;
+    has_bound = true;
+    CHECK(cure["is_bound"] == true);
+    CHECK(cure["side"] == "upper");
+    CHECK(cure["by"].get<double>() == Approx(12.6479193).epsilon(1e-6));
+  }
+  CHECK(has_bound);
+  CHECK(run({"optimize", with_upper("52.65 mm")}).status == 0);
+  CHECK(run({"optimize", with_upper("52.64 mm")}).status == 3);
+}
+
+TEST_CASE("a limit that no variable changes is cured by easing it, and the start is no answer",
+          "[program]") {
+  const Folder folder;
+  const std::string file = testing::source("problems/cams/roller_least_base.toml");
+  const Words asked{"optimize", file, "--set", "speed=900 rpm"};
+  const Outcome shown = run(asked);
+  CHECK(shown.status == 3);
+  CHECK_THAT(shown.out, Contains("the values at the start, which are no answer\n") &&
+                            Contains("what would let every limit be met\n  easing the limit on "
+                                     "follower_force by ") &&
+                            Contains("; then [buildable] still fails: contact\n"));
+  Words as_json = asked;
+  as_json.push_back("--json");
+  const ParsedJson json = ParsedJson::parse(run(as_json).out);
+  REQUIRE(json["cures"]["easings"].size() == 1);
+  CHECK(json["cures"]["easings"][0]["still_fails"] == ParsedJson({"contact"}));
+  const double by = json["cures"]["easings"][0]["by"];
+  const auto status_with = [&](double lower) {
+    std::string text = read(file);
+    const std::string old = "lower = \"0 N\"";
+    REQUIRE(text.find(old) != std::string::npos);
+    text.replace(text.find(old), old.size(), "lower = \"" + std::to_string(lower) + " N\"");
+    const std::size_t required = text.find("require = true");  // contact would still fail
+    if (required != std::string::npos) text.replace(required, 14, "require = false");
+    return run({"optimize", written(folder, text), "--set", "speed=900 rpm"}).status;
+  };
+  CHECK(status_with(-1.001 * by) == 0);
+  CHECK(status_with(-0.999 * by) == 3);
 }
 
 TEST_CASE("optimize ends with 4 where there is no answer", "[program]") {
@@ -232,6 +299,25 @@ TEST_CASE("evaluate computes every response at the values that are set", "[progr
         Approx(33.08).epsilon(1e-3));
   CHECK(all["constraints"][0]["met"] == true);
   CHECK_THAT(done({"evaluate", shipped("least_force.toml")}), Contains("inertia_force"));
+}
+
+TEST_CASE("evaluate does not take a pole's other side for rounding", "[program]") {
+  const Folder folder;
+  const std::string path = written(
+      folder,
+      "mechanism = 'disc-cam-roller'\n"
+      "[program]\nsegments = [{name = 'rise', angle = 60, law = 'modified-sine'},"
+      "{name = 'back', law = 'cycloidal'}]\n"
+      "[responses]\npole = {formula = 'tan(angle / 2)'}\nrise = {formula = '1 / sin(angle)'}\n");
+  std::istringstream text(done({"evaluate", path}));
+  std::string row, sampled;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("pole ")) row = line;
+    if (line.starts_with("sampled, not proved")) sampled = line;
+  }
+  // Its lowest was told as 0, beside 1e16.
+  CHECK_THAT(row, Contains(" -"));
+  CHECK_THAT(sampled, Contains("pole") && Contains("rise"));
 }
 
 TEST_CASE("evaluate tells limits from the side that was written", "[program]") {

@@ -71,7 +71,8 @@ TEST_CASE("check says what responses depend on and which shape they have", "[pro
   const std::string said =
       done({"check", testing::source("problems/springs/lightest_helical.toml")});
   CHECK_THAT(said, Contains("depends on") &&
-                       Contains("wire_diameter (quasilinear), mean_diameter (linear)") &&
+                       Contains("wire_diameter (monotonic), mean_diameter (linear)") &&
+                       Contains("monotonic (quasilinear): it only rises or only falls") &&
                        Contains("outer_diameter   wire_diameter (linear), mean_diameter (linear)"));
   CHECK_THAT(done({"check", kCrank}), Contains("rod_length (linear)"));
 }

@@ -36,12 +36,29 @@ TEST_CASE("an answer ends with what one would do next, unless it is unwanted", "
              Contains("next: camlaw pareto problems/spine_cutter/front.toml"));
   CHECK_THAT(says("camlaw evaluate " + file), !Contains("next:"));
   CHECK_THAT(says("camlaw evaluate " + file + " --set 'base_radius=40 mm'"),
-             Contains("next: camlaw optimize " + file));
+             Contains("next: camlaw optimize " + file + " --set 'base_radius=40 mm'\n"));
   const std::string found = says("camlaw optimize " + file + " --out 'my cam'");
   CHECK(found.ends_with("next: camlaw report 'my cam/result.json'\n"));
   CHECK(shell(folder, found.substr(found.rfind("next: ") + 6)).status == 0);
   CHECK_THAT(says("camlaw --quiet check " + file), !Contains("next:"));
   CHECK_THAT(says("camlaw optimize " + file + " --json --out out"), !Contains("next:"));
+}
+
+TEST_CASE("words of optimisation are explained where they are printed", "[program]") {
+  const ProjectFolder folder;
+  const auto says = [&](const std::string& command) { return shell(folder, command).out; };
+  const std::string checked = says("camlaw check problems/cams/roller_least_base.toml");
+  CHECK_THAT(checked, Contains("By default, as the file does not state them, it has ") &&
+                          Contains("displacements are in strokes: 0 is where the stroke begins") &&
+                          Contains("all at once: while all that it depends on varies"));
+  CHECK_THAT(checked.substr(checked.find("By default")), Contains("offset = 0 mm"));
+  CHECK_THAT(says("camlaw pareto problems/spine_cutter/front.toml --points 4"),
+             Contains("(the best of each objective alone)") &&
+                 Contains("(the worst of each on the front)") && Contains("more is better)"));
+  CHECK_THAT(shell(folder, "camlaw pareto problems/cams/roller_least_base.toml").err,
+             Contains("write a table [[objectives]] with minimize"));
+  CHECK_THAT(says("camlaw optimize problems/cams/law_for_a_rise.toml --table"),
+             Contains("feasible: this design meets the limits; proofs"));
 }
 
 }  // namespace camlaw::cli::terminal_test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cctype>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -50,8 +51,21 @@ std::set<std::string> anchors_of(const fs::path& page) {
 
 }  // namespace
 
-TEST_CASE("the README's five minutes print what it says", "[documents]") {
-  check_page(ProjectFolder(), "README.md", 4);
+TEST_CASE("the commands of the README print what it says", "[documents]") {
+  check_page(ProjectFolder(), "README.md", 9);
+}
+
+TEST_CASE("the way to a first cam has at most 700 words of README and new file", "[documents]") {
+  const std::string page = read(testing::source("README.md"));
+  const std::string file = done({"new", "disc-cam-roller"});
+  const std::size_t certified = page.find("certified optimum"), line = file.find("# =====");
+  REQUIRE(certified != std::string::npos);
+  REQUIRE(line != std::string::npos);
+  std::istringstream words(page.substr(0, certified) + " " + file.substr(0, line));
+  const auto count = std::distance(std::istream_iterator<std::string>(words),
+                                   std::istream_iterator<std::string>());
+  CHECK(count <= 700);
+  CHECK(count > 200);
 }
 
 TEST_CASE("links of the documents lead somewhere", "[documents]") {

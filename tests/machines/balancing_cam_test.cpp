@@ -141,7 +141,7 @@ TEST_CASE("the printed coefficients name the loads that they would need", "[bala
   REQUIRE(result.values.size() == 2);
   CHECK(result.unexplained == 2);
   // Planar, 6 slots: the ratio named gives 7.82 on a grid.
-  const GenevaDrive<double, PlanarGeneva> drive{6, 1, 0.4553, 1};
+  const GenevaDrive<double, PlanarGeneva> drive{{}, 6, 1, 0.4553, 1};
   double greatest = 0;
   for (int i = 0; i <= 7200; ++i) {
     const double phi = drive.engagement() * i / 7200;

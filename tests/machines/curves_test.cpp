@@ -7,7 +7,7 @@
 
 #include "kinematics/peaks.h"
 #include "machines/registry.h"
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 #include "optim/cycle/extremes.h"
 #include "tests/machines/mechanism_fixture.h"
 

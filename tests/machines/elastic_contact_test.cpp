@@ -270,8 +270,92 @@ TEST_CASE("an elastic follower is checked in each load case, and on a shaft, as 
   CHECK(stress.report.value == Approx(check_of(of_one, "stress").report.value).epsilon(1e-9));
 }
 
-TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine alone",
+TEST_CASE("each load case is judged by its own follower, rigid or elastic", "[elastic-contact]") {
+  const std::string constants =
+      "base_radius = 60\nmass = 1.2\nspring_rate = 10\nspring_preload = 420\nface_width = 15\n"
+      "speed = 300\n";
+  const std::string pressure = "[buildable]\nallowable_pressure = 2000\n";
+  const std::string rigid_and_soft =
+      "[[cases]]\nname = 'rigid'\ntrain_stiffness = 0\n"
+      "[[cases]]\nname = 'soft'\ntrain_stiffness = 30\n";
+  const auto value = [&](const std::string& stiffness, const char* check) {
+    const ProblemStatement one = read(cam("disc-cam-roller", constants + stiffness, pressure));
+    return check_of(buildability(one), check).report.value;
+  };
+  // Whatever the machine has beside its cases.
+  for (const char* const beside : {"", "train_stiffness = 1000\n"}) {
+    INFO("beside: " << beside);
+    const ProblemStatement problem =
+        read(cam("disc-cam-roller", constants + beside, pressure + rigid_and_soft));
+    const Buildability found = buildability(problem);
+    for (const char* const check : {"contact", "stress"}) {
+      const BuildableAnswer& rigid = check_of(found, std::string(check) + " in rigid");
+      const BuildableAnswer& soft = check_of(found, std::string(check) + " in soft");
+      CHECK(rigid.check->only_without == "train_stiffness");
+      CHECK(soft.check->only_with == "train_stiffness");
+      CHECK(rigid.report.value == Approx(value("", check)).epsilon(1e-9));
+      CHECK(soft.report.value == Approx(value("train_stiffness = 30\n", check)).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a train that is rigid at an end of its range is looked at as rigid, and not as elastic",
           "[elastic-contact]") {
+  const std::string constants =
+      "mass = 1.2\nspring_rate = 10\nspring_preload = 420\nface_width = 15\nspeed = 300\n";
+  const std::string range = "[ranges.train_stiffness]\nlower = 0\nupper = 500\n";
+  const std::string pressure = "[buildable]\nallowable_pressure = 2000\n";
+  const ProblemStatement problem =
+      read(cam("disc-cam-roller", constants + "base_radius = 60\n", range + pressure));
+  const Buildability found = buildability(problem);
+  for (const char* const name : {"contact", "stress"}) {
+    INFO(name);
+    std::vector<const BuildableAnswer*> both;
+    for (const BuildableAnswer& answer : found.checks) {
+      if (answer.check->name == name) both.push_back(&answer);
+    }
+    REQUIRE(both.size() == 2);
+    CHECK(both[0]->check->only_without == "train_stiffness");
+    CHECK(both[0]->built == Built::Holds);
+    CHECK(both[1]->built == Built::NotChecked);
+    CHECK_THAT(both[1]->why, Contains("begin at 0") && Contains("train_stiffness"));
+  }
+  // Limits of a search are those of one of the two.
+  const std::string variable = "[variables.train_stiffness]\nlower = 0\nupper = 900\nstart = 0\n";
+  for (const std::string& varied : {range, variable}) {
+    CHECK_THROWS_WITH(read(cam("disc-cam-roller", constants,
+                               varied +
+                                   "[variables.base_radius]\nlower = 40\nupper = 90\n"
+                                   "[objective]\nminimize = 'base_radius'\n" +
+                                   pressure + "require = true\n")),
+                      Contains("train_stiffness") && Contains("keep it at 0, or above 0"));
+  }
+}
+
+TEST_CASE("a stress is required to have contact, and waits for it, under every face and roller",
+          "[elastic-contact]") {
+  int faces = 0;
+  for (const Mechanism& mechanism : mechanisms()) {
+    const auto& checks = mechanism.checks;
+    const auto is_contact = [](const auto& check) { return check.name == "contact"; };
+    if (!std::ranges::any_of(checks, is_contact)) continue;
+    for (const BuildableCheck& check : checks) {
+      if (check.name != "stress") continue;
+      INFO(mechanism.name << ", " << check.response);
+      CHECK(std::ranges::count(check.after, "contact") == 1);
+      const auto& needs = find_response(mechanism, check.response).response->defined_while;
+      CHECK(std::ranges::any_of(needs, [](const ValidityLimit& limit) {
+        return limit.response.find("force") != std::string::npos ||
+               limit.response.find("torque") != std::string::npos;
+      }));
+      ++faces;
+    }
+  }
+  CHECK(faces > 5);
+}
+
+TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine alone",
+          "[elastic-contact][long]") {
   const std::string constants =
       "mass = 0.8\nbase_radius = 60\nend_share = 0.8\nspring_rate = 30\nspring_preload = 3000\n"
       "speed = 600\ntrain_stiffness = 700\nface_width = 15\n";

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "machines/servo_axis/servo_axis.h"
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -9,6 +7,9 @@
 #include <random>
 
 #include "machines/registry.h"
+#include "numerics/text/file_text.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/machines/system_fixture.h"
 
@@ -278,7 +279,7 @@ TEST_CASE("the motor's curve limits a shipped axis, and is proved to hold", "[se
   const auto& space = problem.space();
   const auto choices = std::vector<std::size_t>(space.choices.size(), 0);
   const optim::Problem stated = space.problem(choices);
-  const auto at = [&](const std::string& name) {
+  const auto at = [&](const std::string& name, double angle) {
     const ProblemStatement& statement = problem.statement();
     const ResponseName response = find_response(*statement.mechanism, name);
     ProblemStatement here = statement;
@@ -287,16 +288,18 @@ TEST_CASE("the motor's curve limits a shipped axis, and is proved to hold", "[se
     }
     for (const auto& curve : curves_of(here)) {
       if (curve.name == response.name) {
-        return curve.curve().trace({})->at({limit.worst_angle.value()})[0];
+        return curve.curve().trace({})->at({angle})[0];
       }
     }
     throw std::invalid_argument(name);
   };
-  const double speed = std::abs(at("motor_speed"));
+  const double worst = limit.worst_angle.value();
+  const double speed = std::abs(at("motor_speed", worst));
   CHECK(speed > 2800);
   const double line = 7.2 - 6.4 * (speed - 2800) / 2200;
-  CHECK(at("available_torque") == Approx(line).epsilon(1e-9));
-  CHECK(std::abs(at("motor_torque")) == Approx(0.9 * line).epsilon(1e-6));
+  CHECK(at("available_torque", worst) == Approx(line).epsilon(1e-9));
+  CHECK(std::abs(at("motor_torque", worst)) == Approx(0.9 * line).epsilon(1e-6));
+  CHECK(at("available_torque", 0) == 7.2);  // at rest
 }
 
 TEST_CASE("a move takes the time that its file states, and an axis may advance", "[servo-axis]") {
@@ -313,6 +316,52 @@ TEST_CASE("a move takes the time that its file states, and an axis may advance",
   }
   const auto found = optim::optimise(problem.space()).found;
   CHECK(found.assessment.verdict == optim::Verdict::Certified);
+}
+
+TEST_CASE("on a shaft too a move takes its time at every speed, and a cam keeps its angles",
+          "[servo-axis]") {
+  const std::string shaft =
+      "[constants]\nspeed = '60 rpm'\n[cams.axis]\nmechanism = 'servo-axis'\n"
+      "[cams.axis.constants]\nstroke = '90 deg'\n[cams.axis.program]\nsegments = [{name = 'go', "
+      "time = '0.2 s', law = '3-4-5'}, {name = 'wait', time = '0.1 s'}, {name = 'back', time = "
+      "'0.3 "
+      "s', law = '3-4-5'}, {name = 'rest'}]\n[cams.press]\nmechanism = 'disc-cam-roller'\n"
+      "[cams.press.constants]\nmass = '1 kg'\n[cams.press.program]\nsegments = [{name = 'down', "
+      "time "
+      "= '0.25 s', law = 'cycloidal'}, {name = 'up', law = 'cycloidal'}]\n";
+  const auto highest = [](const ProblemStatement& problem, const std::string& name) {
+    for (const auto& response : evaluate(problem)) {
+      if (response.name == name) return std::pair(response.highest, response.highest_at);
+    }
+    FAIL("no response " + name);
+    return std::pair(0.0, 0.0);
+  };
+  const ProblemStatement at_60 = read_problem(shaft, "shaft.toml");
+  ProblemStatement at_30 = at_60;
+  set_value(at_30, "speed=30 rpm");
+  const auto fast = highest(at_60, "axis.velocity"), slow = highest(at_30, "axis.velocity");
+  CHECK(slow.first == Approx(fast.first).epsilon(1e-12));
+  CHECK(slow.second == Approx(fast.second / 2).epsilon(1e-9));
+  // 90 deg in 0.25 s at 60 rpm, kept at 30 rpm.
+  CHECK(highest(at_30, "press.displacement").second ==
+        Approx(highest(at_60, "press.displacement").second).epsilon(1e-9));
+}
+
+TEST_CASE("speeds to choose from are begun with the least, in whatever order they stand",
+          "[servo-axis]") {
+  std::string text =
+      file_text(testing::source("problems/servo_axis/fastest_cycle.toml"), "problem");
+  const std::string range = "lower = \"100 rpm\"\nupper = \"400 rpm\"\nstart = \"150 rpm\"\n";
+  REQUIRE(text.find(range) != std::string::npos);
+  for (const char* const values : {"[100, 210, 300]", "[300, 210, 100]"}) {
+    INFO(values);
+    std::string chosen = text;
+    chosen.replace(chosen.find(range), range.size(), std::string("values = ") + values + "\n");
+    const BoundProblem problem(read_problem(chosen, "axis.toml"));
+    CHECK(problem.statement().variables.front().start == 100);
+    // 220.28 rpm is the fastest of all.
+    CHECK(optim::optimise(problem.space()).found.assessment.objective.value == Approx(210));
+  }
 }
 
 TEST_CASE("the fastest cycle of an axis is that of two equal moves at the matched ratio",
@@ -388,11 +437,6 @@ TEST_CASE("a motor whose torque falls before it may is not possible", "[servo-ax
   const Answers is(axis("servo-axis", "corner_speed = 6000\nmaximum_speed = 6000\n",
                         program_of("modified-sine")));
   CHECK(std::isnan(is["torque_rms"].value));
-  const ServoMotor<double> motor{1e-4, 2, 7, 300, 600, 3};
-  CHECK(motor.available_torque(-100.0) == 7);
-  CHECK(motor.available_torque(300.0) == 7);
-  CHECK(motor.available_torque(-450.0) == Approx(5));
-  CHECK(motor.available_torque(600.0) == Approx(3));
 }
 
 }  // namespace camlaw::problems::servo_axis_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/sheet_delivery/sheet_delivery.h"
+#include "machines/sheet_delivery.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/signature_feeder/signature_feeder.h"
+#include "machines/signature_feeder.h"
 
 #include <array>
 #include <catch2/catch.hpp>

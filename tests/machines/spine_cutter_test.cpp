@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 
 #include <algorithm>
 #include <array>

@@ -220,6 +220,48 @@ TEST_CASE("Bounds over a box hold the highest value and close on it") {
   CHECK(bounds.upper - bounds.lower < 1e-6);
 }
 
+TEST_CASE(
+    "A place of a range without a value is found, however narrow, and no limit is met there") {
+  // Not a number within 0.32 rpm of 333.3 rpm, where the follower is low: a curve, and its peak.
+  const std::string beside =
+      "[responses.beside]\nunit = '1'\nformula = 'sqrt((speed / (1 rpm) - 333.3)^2 + displacement "
+      "/ "
+      "(10 mm) - 0.1)'\n";
+  for (const char* const limit : {"upper = 1000", "lower = 0"}) {
+    INFO(limit);
+    const ProblemStatement ranged =
+        read(cam(kSpeeds, beside + "[[constraints]]\nresponse = 'beside'\n" + limit + "\n"));
+    const auto limits = standing(ranged);
+    REQUIRE(limits.size() == 1);
+    CHECK(std::isnan(limits[0].value));
+    CHECK_FALSE(limits[0].met);
+    REQUIRE(limits[0].worst_angle.has_value());
+    const double angle = *limits[0].worst_angle;
+    CHECK((angle < 40 || angle > 230));
+    const std::vector<PlaceInRange> worst =
+        worst_in_ranges(ranged, ranged.constraints[0].response, limits[0].worst_angle);
+    REQUIRE(worst.size() == 1);
+    CHECK(std::abs(worst[0].value - 333.3) < 0.32);
+  }
+}
+
+TEST_CASE("Of a number the place of a range without a value is found too") {
+  // Beside it, a root of which the range touches no such place is proved.
+  for (const double beside : {333.3, 40.0}) {
+    INFO(beside);
+    const ProblemStatement ranged = read(cam(
+        kSpeeds, fmt::format("[responses.beside]\nunit = '1'\nformula = 'sqrt((speed / (1 rpm) - "
+                             "{})^2 - 0.1)'\n[[constraints]]\nresponse = 'beside'\nupper = 1000\n",
+                             beside)));
+    const auto limits = standing(ranged);
+    REQUIRE(limits.size() == 1);
+    const bool has_gap = beside > 100;
+    CHECK(std::isnan(limits[0].value) == has_gap);
+    CHECK(limits[0].met == !has_gap);
+    CHECK(limits[0].proved == !has_gap);
+  }
+}
+
 TEST_CASE("From a place of a range the path uphill ends at a top, whatever waves lie beyond") {
   const optim::Bounds range{1, 5};
   for (const double w : {0.3, 2.0, 9.0, 31.0, 83.0}) {

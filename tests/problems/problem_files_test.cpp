@@ -9,7 +9,7 @@
 #include "kinematics/peaks.h"
 #include "machines/model/law_binding.h"
 #include "machines/registry.h"
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
 #include "optim/verdict/verdict.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 #include "problems/published/systems.h"
 
 namespace camlaw::problems::reproduction_test {

@@ -259,6 +259,44 @@ TEST_CASE("ranges are those that are stated, else the file's, else hundredths", 
   }
 }
 
+TEST_CASE("times that stay leave no derivative by the one speed whose angles a file has",
+          "[sensitivity][servo-axis]") {
+  const std::string axis =
+      "mechanism = 'servo-axis'\n[constants]\nstroke = '90 deg'\n%[program]\nsegments = [{name = "
+      "'go', time = '0.2 s', law = '3-4-5'}, {name = 'wait', time = '0.1 s'}, {name = 'back', time "
+      "= "
+      "'0.3 s', law = '3-4-5'}, {name = 'rest'}]\n[variables.gear_ratio]\nlower = 2\nupper = 20\n"
+      "[objective]\nminimize = 'torque_rms'\n";
+  const auto with = [&](const std::string& constants, const std::string& more = "") {
+    std::string text = axis;
+    text.replace(text.find('%'), 1, constants);
+    return read_problem(text + more, "axis.toml");
+  };
+  const ProblemStatement fixed = with("speed = '60 rpm'\n");
+  const LocalSensitivity local = local_sensitivity(fixed);
+  CHECK(std::none_of(local.parameters.begin(), local.parameters.end(),
+                     [](const auto& p) { return p.name == "speed"; }));
+  CHECK_THAT(local.left_out, Contains("speed is left out") && Contains("[variables.speed]"));
+  CHECK_THROWS_WITH(sensitivity_ranges(fixed, std::vector<std::string>{"speed=50:60 rpm"}),
+                    Contains("speed is left out"));
+  // Where the speed varies, the derivative is that of the times: rms torque as sqrt(speed).
+  const ProblemStatement follows =
+      with("", "[variables.speed]\nlower = '30 rpm'\nupper = '90 rpm'\nstart = '60 rpm'\n");
+  const LocalSensitivity varied = local_sensitivity(follows);
+  CHECK(varied.left_out.empty());
+  ProblemStatement faster = fixed, slower = fixed;
+  set_value(faster, "speed=60.6 rpm");
+  set_value(slower, "speed=59.4 rpm");
+  const auto rms = [](const ProblemStatement& problem) {
+    for (const auto& response : evaluate(problem)) {
+      if (response.name == "torque_rms") return response.value;
+    }
+    return 0.0;
+  };
+  CHECK(by(varied, "torque_rms", "speed").slope ==
+        Approx((rms(faster) - rms(slower)) / 1.2).epsilon(1e-3));
+}
+
 TEST_CASE("every shipped problem with an objective has sensitivities", "[sensitivity][heavy]") {
   for (const std::string& file : testing::shipped_problem_files()) {
     INFO(file);

@@ -451,7 +451,9 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
   const std::string words = in_words(read_problem(kComplete, "f.toml"));
   CHECK_THAT(words, StartsWith("Least cam radius of the spine cutter\n"));
   CHECK_THAT(words, Contains("The mechanism is spine-cutter: "));
-  CHECK_THAT(words, Contains("It has stroke = 45 mm, ") && Contains("mass = 2.5 kg"));
+  CHECK_THAT(words,
+             Contains("It has stroke = 45 mm and mass = 2.5 kg.\n") &&
+                 Contains("By default, as the file does not state them, it has block_speed = "));
   CHECK_THAT(words, !Contains("blades = ") && !Contains("cam_radius = "));
   CHECK_THAT(words, Contains("The motion law is polynomial-5 (crossover = 0.45).\n"));
   CHECK_THAT(words, Contains("Vary alpha between -10 and 0, starting at -3.\n"));

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "machines/spine_cutter/mechanism.h"
+#include "machines/model/machine.h"
 #include "numerics/text/units.h"
 #include "problems/published/spine_cutter/study.h"
 
@@ -20,12 +22,17 @@ struct Given {
 
 /// All parameters but the cam's radius, which the study works out for each law.
 std::vector<Given> all_givens() {
-  const auto& parameters = spine_cutter_parameters();
-  const auto& fields = MachineTraits<SpineCutter>::fields<double>;
+  using M = SpineCutter<double>;
+  static constexpr std::pair<const char*, double M::*> fields[] = {
+      {"cutter_diameter", &M::cutter_diameter}, {"blades", &M::blades}, {"stroke", &M::stroke},
+      {"block_speed", &M::block_speed},         {"depth", &M::depth},   {"mass", &M::mass},
+      {"pressure_angle", &M::pressure_angle}};
   std::vector<Given> result;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (fields[i] != &SpineCutter<double>::cam_radius)
-      result.push_back({&parameters[i], fields[i]});
+  for (const auto& [name, field] : fields) {
+    const auto& all = parameters_of<SpineCutter>();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [name = name](const auto& p) { return p.name == name; });
+    result.push_back({&*found, field});
   }
   return result;
 }

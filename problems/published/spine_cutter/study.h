@@ -8,7 +8,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
-#include "machines/spine_cutter/spine_cutter.h"
+#include "machines/spine_cutter.h"
 
 /// Which motion law should the spine cutter's cam have?
 namespace camlaw::problems {

@@ -63,8 +63,8 @@ TEST_CASE("torque, mean and surplus work of a Geneva drive are those of quadratu
   for (const double slots : {3.0, 4.0, 6.0, 8.0}) {
     for (const double inertia : {0.0, 0.3, 4.0}) {
       INFO(slots << " slots, " << inertia);
-      check_surplus(GenevaDrive<double, PlanarGeneva>{slots, 6, inertia, 40});
-      check_surplus(GenevaDrive<double, SphericalGeneva>{slots, 6, inertia, 40});
+      check_surplus(GenevaDrive<double, PlanarGeneva>{{}, slots, 6, inertia, 40});
+      check_surplus(GenevaDrive<double, SphericalGeneva>{{}, slots, 6, inertia, 40});
     }
   }
 }
@@ -73,9 +73,9 @@ TEST_CASE("without inertia the peak is the Geneva's velocity ratio", "[balancing
   // M_f beta' at its greatest: lambda / (1 - lambda), and tan(pi / n).
   for (const double n : {4.0, 6.0}) {
     const double lambda = std::sin(kPi / n);
-    CHECK(surplus_of(GenevaDrive<double, PlanarGeneva>{n, 6, 0, 40}).peak_torque ==
+    CHECK(surplus_of(GenevaDrive<double, PlanarGeneva>{{}, n, 6, 0, 40}).peak_torque ==
           Approx(40 * lambda / (1 - lambda)).epsilon(1e-12));
-    CHECK(surplus_of(GenevaDrive<double, SphericalGeneva>{n, 6, 0, 40}).peak_torque ==
+    CHECK(surplus_of(GenevaDrive<double, SphericalGeneva>{{}, n, 6, 0, 40}).peak_torque ==
           Approx(40 * std::tan(kPi / n)).epsilon(1e-12));
   }
 }

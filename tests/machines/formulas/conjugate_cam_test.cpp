@@ -82,6 +82,7 @@ TEST_CASE("of a pair the cam bears that pushes the carriage, and gives its power
 TEST_CASE("a crowned roller of a pair is pressed as the disc cam's that bears", "[cams]") {
   ConjugateCam<double> cam;
   cam.crown_radius = 0.2;
+  const auto pressure = [](const auto& roller) { return roller.ellipse().pressure; };
   for (double angle = 0.1; angle < 6.2; angle += 0.1) {
     const auto f = motion_at(cam, angle);
     const bool is_main = cam.follower().force(f) > 0;
@@ -94,14 +95,15 @@ TEST_CASE("a crowned roller of a pair is pressed as the disc cam's that bears", 
     const auto ellipse =
         contact_ellipse(force, across, 5.0, alone.roller().material.plane_modulus());
     if (force == 0) {
-      CHECK(cam.crown(CrownCurve::Stress, f) == 0);
+      CHECK(cam.of_pressed(f, pressure) == 0);
       continue;
     }
-    CHECK(cam.crown(CrownCurve::Stress, f) == Approx(ellipse.pressure).epsilon(1e-12));
-    CHECK(cam.crown(CrownCurve::HalfLength, f) == Approx(ellipse.half_length).epsilon(1e-12));
-    CHECK(cam.crown(CrownCurve::Fraction, f) ==
+    CHECK(cam.of_pressed(f, pressure) == Approx(ellipse.pressure).epsilon(1e-12));
+    CHECK(cam.of_pressed(f, [](const auto& r) { return r.ellipse().half_length; }) ==
+          Approx(ellipse.half_length).epsilon(1e-12));
+    CHECK(cam.of_pressed(f, [](const auto& r) { return r.crown_fraction(); }) ==
           Approx(ellipse.half_length / (0.5 * cam.face_width)).epsilon(1e-12));
-    CHECK(cam.crown(CrownCurve::MaxShear, f) ==
+    CHECK(cam.of_pressed(f, [](const auto& r) { return r.line_shear(); }) ==
           Approx(0.300283 * cam.contact_stress(f)).epsilon(1e-5));
   }
 }
@@ -149,12 +151,10 @@ TEST_CASE("the film of a pair is that of the roller on the cam that bears", "[ca
     const double sum = own.roller().curvature_sum(own.pitch_curve(g).curvature());
     const double film = 2.65 / sum * std::pow(0.08 * speed * sum / modulus, 0.7) *
                         std::pow(2e-8 * modulus, 0.54) * std::pow(pressed * sum / modulus, -0.13);
-    CHECK(cam.film(FilmCurve::Thickness, f) == Approx(film).epsilon(1e-5));
-    CHECK(cam.film(FilmCurve::Lambda, f) == Approx(film / 4e-7).epsilon(1e-5));
+    CHECK(cam.film(f).of_line() == Approx(film).epsilon(1e-5));
+    CHECK(cam.film(f).oil.roughness == 4e-7);
     // The crown: a point contact's film is thinner than that of the whole face.
-    CHECK(cam.film(FilmCurve::CrownThickness, f) < film);
-    CHECK(cam.film(FilmCurve::CrownLambda, f) ==
-          Approx(cam.film(FilmCurve::CrownThickness, f) / 4e-7).epsilon(1e-12));
+    CHECK(cam.film(f).of_crown() < film);
   }
   CHECK(of_main > 10);
   CHECK(of_second > 10);

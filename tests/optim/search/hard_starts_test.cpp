@@ -129,6 +129,28 @@ TEST_CASE("a search of combinations that is cut short calls nothing infeasible",
   CHECK(whole_search.x.at(0) == 1);
 }
 
+TEST_CASE("a limit that is level at the start is met in combinations too", "[optimise]") {
+  // A narrow hill, whose slope at the start is 0 in doubles: nothing leads to it from there.
+  const auto hill = [](Shape shape) {
+    return function<Interval>(
+        {1, 2},
+        [](const auto& u) { return exp(-100.0 * (square(u[0] - 0.63) + square(u[1] - 0.41))); },
+        shape);
+  };
+  for (const Shape shape : {Shape::Quasiconcave, Shape::General}) {
+    Problem problem;
+    problem.variables = {integer("k", 1, 2, 1), variable("p", 0, 1, 0.1), variable("q", 0, 1, 0.1)};
+    problem.objectives = {least(sum_of({0, 1, 2}, {1, 1, 1}))};
+    problem.constraints = {at_least("height", hill(shape), 0.5)};
+    const Found found = optimise(problem).found;
+    CHECK(found.assessment.verdict == Verdict::Certified);
+    // The nearest point of the circle of this height, towards (0, 0).
+    const double radius = std::sqrt(std::log(2.0) / 100);
+    CHECK(found.assessment.objective.value ==
+          Approx(1 + 0.63 + 0.41 - radius * std::sqrt(2.0)).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("combinations are searched from the start's outwards", "[optimise]") {
   std::vector<double> order;
   Problem problem;

@@ -181,13 +181,24 @@ TEST_CASE("what a division has shown when it is cut short still holds, and the a
   OptimiseOptions options;
   options.starts = 1;
   options.stop = &stop;
-  looks = 0;
-  stop = false;
-  const Assessment a = optimise(problem, options).found.assessment;
+  const auto stopped_after = [&](int looked) {
+    looks = 0;
+    most = looked;
+    stop = false;
+    return optimise(problem, options).found.assessment;
+  };
+  const Assessment a = stopped_after(1600);
   CHECK(a.verdict == Verdict::Certified);
   CHECK_FALSE(a.global);
   CHECK(a.best_possible.value() < -1.0316284535);
   CHECK_THAT(a.reason, Catch::Contains("elsewhere was cut short: stopped"));
+  // As soon as it has begun, where nothing has been shown yet.
+  for (const int looked : {0, 1, 2}) {
+    INFO(looked);
+    const Assessment early = stopped_after(looked);
+    CHECK_FALSE(early.global);
+    CHECK_THAT(early.reason, Catch::Contains("cut short: stopped") || Catch::StartsWith("stopped"));
+  }
 }
 
 }  // namespace camlaw::optim::subdivision_test

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "kinematics/law.h"
+#include "machines/model/given.h"
 #include "machines/model/possibility.h"
 #include "numerics/scalar/absolute.h"
 
@@ -31,16 +32,31 @@ struct RodPlace {
 /// efficiency is not above 0, the drive locks itself.
 template <class T>
 struct SheetDelivery {
-  T guide_ratio = number<T>(0.4);            ///< lambda = y_max / x_max
-  T rod_angle_max = pi<T>() / number<T>(3);  ///< alpha_max, rad
-  T slide_friction_A = number<T>(0.1);       ///< f_A', of the link in its guide
-  T slide_friction_B = number<T>(0.1);       ///< f_B', of the carriage in its guide
-  T joint_friction_A = number<T>(0.15);      ///< f_A
-  T joint_friction_B = number<T>(0.15);      ///< f_B
-  T joint_friction_O = number<T>(0.15);      ///< f_O, of the sprocket's shaft
-  T joint_radius_A = number<T>(0.1);         ///< r_A, over the rod's length
-  T joint_radius_B = number<T>(0.1);         ///< r_B, over the rod's length
-  T joint_radius_O = number<T>(0.1);         ///< r_O, over the sprocket's radius
+  Given<T> given = {};
+  T guide_ratio = given({"guide_ratio", "lambda", "1", "1",
+                         "offset of the guide over the length of its stretch", 0.4, 1e-3, 100});
+  T rod_angle_max = given({"rod_angle_max", "alpha_max", "deg", "rad",
+                           "angle of the rod at the greatest offset", 60, 0.1, 89});
+  T slide_friction_A =
+      given({"slide_friction_A", "f_A'", "1", "1",
+             "coefficient of friction of the chain's link in its guide", 0.1, 0, 10});
+  T slide_friction_B = given({"slide_friction_B", "f_B'", "1", "1",
+                              "coefficient of friction of the carriage in its guide", 0.1, 0, 10});
+  T joint_friction_A = given({"joint_friction_A", "f_A", "1", "1",
+                              "coefficient of friction in the joint of rod and link", 0.15, 0, 10});
+  T joint_friction_B =
+      given({"joint_friction_B", "f_B", "1", "1",
+             "coefficient of friction in the joint of rod and carriage", 0.15, 0, 10});
+  T joint_friction_O = given({"joint_friction_O", "f_O", "1", "1",
+                              "coefficient of friction in the sprocket's bearing", 0.15, 0, 10});
+  T joint_radius_A =
+      given({"joint_radius_A", "r_A", "1", "1",
+             "radius of the joint of rod and link over the rod's length", 0.1, 0, 1});
+  T joint_radius_B =
+      given({"joint_radius_B", "r_B", "1", "1",
+             "radius of the joint of rod and carriage over the rod's length", 0.1, 0, 1});
+  T joint_radius_O = given({"joint_radius_O", "r_O", "1", "1",
+                            "radius of the bearing over that of the sprocket", 0.1, 0, 1});
 
   auto conditions() const {
     return std::to_array<Condition<T>>(

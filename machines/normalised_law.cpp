@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "machines/normalised_law/normalised_law.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "machines/model/law_formula.h"
 #include "machines/model/mean_square.h"
 #include "machines/model/norm_kernel.h"
+#include "machines/model/usual_problem.h"
 
 namespace camlaw::problems {
 namespace {
@@ -17,30 +17,17 @@ namespace {
 /// What a law is looked at with: undamped followers of up to three natural periods.
 template <class T>
 struct Followers {
-  T first = number<T>(2), second = number<T>(3), third = number<T>(4);  ///< period ratios
-};
+  Given<T> given = {};
+  T first = given(ratio("period_ratio", "tau", 2));
+  T second = given(ratio("period_ratio_2", "tau_2", 3));
+  T third = given(ratio("period_ratio_3", "tau_3", 4));
 
-}  // namespace
-
-template <>
-struct MachineTraits<Followers> {
-  static const std::vector<MechanismParameter>& parameters() {
-    const auto ratio = [](const char* name, const char* symbol, double default_value) {
-      return MechanismParameter{
-          name,          symbol, "1", "1", "duration of the law over a follower's natural period",
-          default_value, 1e-3,   1000};
-    };
-    static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
-                                                     ratio("period_ratio_2", "tau_2", 3),
-                                                     ratio("period_ratio_3", "tau_3", 4)};
-    return all;
+ private:
+  static constexpr MachineParameter ratio(const char* name, const char* symbol, double value) {
+    return {name,  symbol, "1", "1", "duration of the law over a follower's natural period",
+            value, 1e-3,   1000};
   }
-  template <class T>
-  static constexpr std::array<T Followers<T>::*, 3> fields{
-      &Followers<T>::first, &Followers<T>::second, &Followers<T>::third};
 };
-
-namespace {
 
 using optim::Shape;
 
@@ -48,8 +35,8 @@ template <class F>
 MechanismResponse law_curve(const char* name, const char* meaning, std::optional<Quantity> quantity,
                             F motion) {
   static const Cycle cycle{"1", {{0, 1}}};
-  MechanismResponse response = curve_response<Followers>({name, "1", "1", meaning}, cycle,
-                                                         [motion](const auto&) { return motion; });
+  MechanismResponse response = curve_response<Followers>(
+      {name, "1", "1", meaning}, cycle, [motion](const auto&, const auto& m) { return motion(m); });
   response.of_law = quantity;
   return response;
 }
@@ -226,7 +213,7 @@ Mechanism normalised_law_mechanism() {
   return {.name = "law",
           .title = "a motion law alone, normalised",
           .source = "VDI 2143",
-          .parameters = MachineTraits<Followers>::parameters(),
+          .parameters = parameters_of<Followers>(),
           .responses = responses(),
           .peaks = {{"C_v", "velocity", P::Magnitude,
                      "peak velocity; also max_velocity, and B in older files"},
@@ -235,7 +222,12 @@ Mechanism normalised_law_mechanism() {
                     {"C_j", "jerk", P::Magnitude, "peak jerk; also max_jerk, and D in older files"},
                     {"C_Mdyn", "moment", P::Magnitude,
                      "peak dynamic moment; also max_dynamic_moment, and Cm in older files"}},
-          .form = Form::LawAlone};
+          .form = Form::LawAlone,
+          .usual = usual_problem({.objective = "C_a",
+                                  .limits = {{"C_v", kNone, 1.6}, {"C_j", kNone, 60}},
+                                  .others = {"C_Mdyn", "acceleration", "mean_square_acceleration",
+                                             "mean_square_jerk", "residual_amplitude"},
+                                  .law = "free"})};
 }
 
 }  // namespace camlaw::problems

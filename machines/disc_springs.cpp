@@ -1,71 +1,48 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 #include "machines/springs/disc_spring_stack.h"
-#include "machines/springs/springs.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// A stack that works between two deflections, with its fields in one row.
+/// A stack that works between two deflections.
 template <class T>
-struct DiscSprings : DiscSpring<T> {
-  T parallel, series, preload_deflection, working_deflection;
-  T density, surface_friction, edge_friction;
+struct DiscSprings {
+  Given<T> given = {};
+  T outer_diameter = given({"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5});
+  T inner_diameter = given({"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5});
+  T thickness = given({"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4});
+  T cone_height = given({"cone_height", "h_0", "mm", "m",
+                         "free height of a disc minus its thickness", 1.4, 1e-4, 1e4});
+  T parallel = given({"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true});
+  T series = given({"series", "i", "1", "1", "packets in series", 10, 1, 10000, true});
+  T preload_deflection =
+      given({"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5});
+  T working_deflection = given(
+      {"working_deflection", "s_2", "mm", "m", "greatest deflection of the stack", 10.5, 0, 1e5});
+  T youngs_modulus = given({"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4});
+  T poisson_ratio = given({"poisson_ratio", "mu", "1", "1", "Poisson's ratio", 0.3, 0, 0.5});
+  T density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
+  T thickness_ratio =
+      given({"thickness_ratio", "r_t", "1", "1",
+             "reduced thickness over thickness; below 1 with contact flats", 1, 0.5, 1});
+  T surface_friction = given({"surface_friction", "w_M", "1", "1",
+                              "fraction of force lost between nested discs", 0.01, 0, 0.5});
+  T edge_friction = given({"edge_friction", "w_R", "1", "1",
+                           "fraction of force lost at the loaded edges", 0.03, 0, 0.5});
 
+  DiscSpring<T> spring() const {
+    return {outer_diameter, inner_diameter, thickness,      cone_height,
+            youngs_modulus, poisson_ratio,  thickness_ratio};
+  }
   DiscSpringStack<T> stack() const {
-    return {*this, parallel, series, surface_friction, edge_friction};
+    return {spring(), parallel, series, surface_friction, edge_friction};
   }
   auto conditions() const { return stack().conditions(); }
 };
-
-}  // namespace
-
-template <>
-struct MachineTraits<DiscSprings> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array<T DiscSprings<T>::*, 14> fields{&DiscSprings<T>::outer_diameter,
-                                                              &DiscSprings<T>::inner_diameter,
-                                                              &DiscSprings<T>::thickness,
-                                                              &DiscSprings<T>::cone_height,
-                                                              &DiscSprings<T>::parallel,
-                                                              &DiscSprings<T>::series,
-                                                              &DiscSprings<T>::preload_deflection,
-                                                              &DiscSprings<T>::working_deflection,
-                                                              &DiscSprings<T>::youngs_modulus,
-                                                              &DiscSprings<T>::poisson_ratio,
-                                                              &DiscSprings<T>::density,
-                                                              &DiscSprings<T>::thickness_ratio,
-                                                              &DiscSprings<T>::surface_friction,
-                                                              &DiscSprings<T>::edge_friction};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5},
-      {"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5},
-      {"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4},
-      {"cone_height", "h_0", "mm", "m", "free height of a disc minus its thickness", 1.4, 1e-4,
-       1e4},
-      {"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true},
-      {"series", "i", "1", "1", "packets in series", 10, 1, 10000, true},
-      {"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5},
-      {"working_deflection", "s_2", "mm", "m", "greatest deflection of the stack", 10.5, 0, 1e5},
-      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4},
-      {"poisson_ratio", "mu", "1", "1", "Poisson's ratio", 0.3, 0, 0.5},
-      {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
-      {"thickness_ratio", "r_t", "1", "1",
-       "reduced thickness over thickness; below 1 with contact flats", 1, 0.5, 1},
-      {"surface_friction", "w_M", "1", "1", "fraction of force lost between nested discs", 0.01, 0,
-       0.5},
-      {"edge_friction", "w_R", "1", "1", "fraction of force lost at the loaded edges", 0.03, 0,
-       0.5}};
-  return all;
-}
-
-namespace {
 
 enum class At { Preload, Working };
 
@@ -197,12 +174,24 @@ Mechanism disc_springs_mechanism() {
           .source =
               "J. O. Almen, A. Laszlo, The uniform-section disk spring, Trans. ASME 58 "
               "(1936); DIN 2092, EN 16984",
-          .parameters = MachineTraits<DiscSprings>::parameters(),
+          .parameters = parameters_of<DiscSprings>(),
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
           .validity = {{"flattening", 1}},
-          .why_impossible = why_impossible_as<DiscSprings>};
+          .why_impossible = why_impossible_as<DiscSprings>,
+          .usual = usual_problem({.objective = "springs",
+                                  .variables = {{"series", 12, 20, 16},
+                                                {"preload_deflection", 0, 40, 5},
+                                                {"working_deflection", 0, 50, 10}},
+                                  .limits = {{"stroke", 8, kNone},
+                                             {"preload_force", 5500, kNone},
+                                             {"preload_flattening", 0.15, kNone},
+                                             {"flattening", kNone, 0.75},
+                                             {"stress_III", kNone, 1100}},
+                                  .others = {"working_force", "stress_II", "stress_range_III",
+                                             "free_length", "working_length", "mass"},
+                                  .constants = {{"parallel", 2}}})};
 }
 
 }  // namespace camlaw::problems

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/model/given.h"
 #include "machines/model/possibility.h"
 #include "numerics/scalar/scalar.h"
 
@@ -17,14 +18,18 @@ namespace camlaw {
 /// Valid for 0 < depth < cutter_diameter / 2.
 template <class T>
 struct SpineCutter {
-  T cutter_diameter = number<T>(0.050);       ///< D_f, m
-  T blades = number<T>(17);                   ///< z
-  T stroke = number<T>(0.040);                ///< S_f, m, one way
-  T block_speed = number<T>(0.3);             ///< V, m/s
-  T depth = number<T>(0.0004);                ///< h, m
-  T mass = number<T>(2.4);                    ///< m, kg, moved by the cam
-  T pressure_angle = pi<T>() / number<T>(6);  ///< v, rad, permissible
-  T cam_radius = number<T>(0.035);            ///< R, m, of the cam that is built
+  Given<T> given = {};
+  T cutter_diameter =
+      given({"cutter_diameter", "D_f", "mm", "m", "outer diameter of the cutter", 50, 1e-3, 1e4});
+  T blades = given({"blades", "z", "1", "1", "number of blades", 17, 1, 1e4, true});
+  T stroke = given({"stroke", "S_f", "mm", "m", "axial stroke, one way", 40, 1e-3, 1e4});
+  T block_speed =
+      given({"block_speed", "V", "m/s", "m/s", "speed of the book block", 0.3, 1e-6, 1e3});
+  T depth = given({"depth", "h", "mm", "m", "depth of the notches", 0.4, 1e-6, 1e4});
+  T mass = given({"mass", "m", "kg", "kg", "mass that the cam moves", 2.4, 1e-6, 1e6});
+  T pressure_angle =
+      given({"pressure_angle", "v", "deg", "rad", "permissible pressure angle", 30, 0.1, 89.9});
+  T cam_radius = given({"cam_radius", "R", "mm", "m", "radius of the cam", 35, 1e-3, 1e4});
 
   /// Whether the cutter reaches into the block, and less than half of it does.
   auto conditions() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinematics/law.h"
+#include "machines/model/given.h"
 #include "machines/model/possibility.h"
 
 namespace camlaw {
@@ -18,11 +19,15 @@ namespace camlaw {
 /// cylinders of the reversing signature feeder", NTUU KPI. It prints no speed: 60 rpm is ours.
 template <class T>
 struct SignatureFeeder {
-  T crank_radius = number<T>(0.092);               ///< r1, m
-  T centre_distance = number<T>(0.702);            ///< L, m, of crank and guide
-  T offset = number<T>(0.052);                     ///< e, m, from O2 to the rack's pitch line
-  T pinion_radius = number<T>(0.045);              ///< r_p, m, pitch radius
-  T crank_speed = number<T>(6.28318530717958648);  ///< omega_1, rad/s
+  Given<T> given = {};
+  T crank_radius = given({"crank_radius", "r1", "mm", "m", "radius of the crank", 92, 1e-3, 1e5});
+  T centre_distance = given({"centre_distance", "L", "mm", "m",
+                             "distance of the centres of crank and guide", 702, 1e-3, 1e5});
+  T offset = given({"offset", "e", "mm", "m",
+                    "distance of the guide's centre from the rack's pitch line", 52, 0, 1e5});
+  T pinion_radius = given(
+      {"pinion_radius", "r_p", "mm", "m", "pitch radius of the cylinder's pinion", 45, 1e-3, 1e5});
+  T crank_speed = given({"speed", "n", "rpm", "rad/s", "speed of the crank", 60, 1e-3, 1e6});
 
   /// Whether the rack stays in its guide all round, its pitch line also where it meshes with the
   /// pinion: e and r_p less than the crank pin's least distance from O2.

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "machines/model/mechanism.h"
+#include "optim/problem/problem.h"
 
-/// What is usually asked of each mechanism first: a problem to begin with, as data.
 namespace camlaw::problems {
 
-/// Numbers are in the listed units of the parameters and responses.
+/// What is usually asked of a machine first: a problem to begin with, as data. Numbers are in the
+/// listed units of the parameters and responses.
 struct UsualProblem {
   /// A constant whose default does not suit the problem.
   struct Constant {
@@ -33,7 +33,6 @@ struct UsualProblem {
     const char* law;
   };
 
-  const char* mechanism;
   const char* objective;
   optim::Sense sense = optim::Sense::Minimize;
   std::vector<Variable> variables = {};
@@ -45,12 +44,25 @@ struct UsualProblem {
   std::vector<Segment> segments = {};  ///< where a program does
 };
 
-/// The usual problem of a listed mechanism. Throws std::logic_error where there is none, which a
-/// test looks for.
-const UsualProblem& usual_problem(const Mechanism& mechanism);
+inline std::shared_ptr<const UsualProblem> usual_problem(UsualProblem problem) {
+  return std::make_shared<const UsualProblem>(std::move(problem));
+}
 
-/// A number for an input of checks, which has no default: something of the right size to be
-/// changed. Throws std::logic_error for an unknown input.
-double usual_input(std::string_view name);
+inline constexpr std::nullopt_t kNone = std::nullopt;  ///< no limit on this side
+
+/// Up, a dwell, back, a dwell.
+inline std::vector<UsualProblem::Segment> rise_and_return() {
+  return {{"rise", 110, "modified-sine"},
+          {"high", 50, nullptr},
+          {"return", 120, "cycloidal"},
+          {"low", 80, nullptr}};
+}
+
+/// A dwell on both sides of the motion to the next station.
+inline std::vector<UsualProblem::Segment> index_once(double dwell, double index) {
+  return {{"dwell", dwell, nullptr},
+          {"index", index, "modified-sine"},
+          {"rest", 360 - dwell - index, nullptr}};
+}
 
 }  // namespace camlaw::problems

@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "machines/signature_feeder/mechanism.h"
+#include "machines/signature_feeder.h"
 
 #include "machines/model/append.h"
 #include "machines/model/turn_responses.h"
+#include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
-#include "machines/signature_feeder/signature_feeder.h"
 
 namespace camlaw::problems {
-
-template <>
-struct MachineTraits<SignatureFeeder> {
-  static const std::vector<MechanismParameter>& parameters();
-  template <class T>
-  static constexpr std::array fields{
-      &SignatureFeeder<T>::crank_radius, &SignatureFeeder<T>::centre_distance,
-      &SignatureFeeder<T>::offset, &SignatureFeeder<T>::pinion_radius,
-      &SignatureFeeder<T>::crank_speed};
-};
-
-const std::vector<MechanismParameter>& MachineTraits<SignatureFeeder>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"crank_radius", "r1", "mm", "m", "radius of the crank", 92, 1e-3, 1e5},
-      {"centre_distance", "L", "mm", "m", "distance of the centres of crank and guide", 702, 1e-3,
-       1e5},
-      {"offset", "e", "mm", "m", "distance of the guide's centre from the rack's pitch line", 52, 0,
-       1e5},
-      {"pinion_radius", "r_p", "mm", "m", "pitch radius of the cylinder's pinion", 45, 1e-3, 1e5},
-      {"speed", "n", "rpm", "rad/s", "speed of the crank", 60, 1e-3, 1e6}};
-  return all;
-}
-
 namespace {
 
 using optim::Part;
@@ -115,7 +92,7 @@ Mechanism signature_feeder_mechanism() {
               "O. V. Romanchenko, Z. M. Prystavskyi, Synthesis of the coulisse-rack mechanism "
               "and determination of the kinematic characteristics of the delivery cylinders "
               "of the reversing signature feeder, NTUU KPI",
-          .parameters = MachineTraits<SignatureFeeder>::parameters(),
+          .parameters = parameters_of<SignatureFeeder>(),
           .responses = std::move(responses),
           .peaks = {{"peak_velocity", "drum_velocity", Part::Magnitude,
                      "greatest angular velocity of the cylinder"},
@@ -123,7 +100,15 @@ Mechanism signature_feeder_mechanism() {
                      "greatest angular acceleration of the cylinder"}},
           .moved_by = MovedBy::Nothing,
           .form = Form::SignatureFeeder,
-          .why_impossible = why_impossible_as<SignatureFeeder>};
+          .why_impossible = why_impossible_as<SignatureFeeder>,
+          .usual = usual_problem(
+              {.objective = "peak drum_acceleration",
+               .variables = {{"crank_radius", 60, 150, 92},
+                             {"centre_distance", 400, 900, 702},
+                             {"offset", 45, 200, 52}},
+               .limits = {{"drum_swing", 240, kNone}, {"greatest_guide_length", kNone, 800}},
+               .others = {"peak_velocity", "peak_acceleration", "drum_velocity", "rack_travel",
+                          "guide_swing"}})};
 }
 
 }  // namespace camlaw::problems
