@@ -29,7 +29,7 @@ int designs_to_look_at(const Problem& problem) {
 
 /// Whether a design keeps every limit without its tolerance.
 bool keeps_limits(const Setting& setting, const Trail& trail, Design x) {
-  return !(largest_violation(setting.problem, trail.sizes, x) > 0);
+  return !(largest_violation(setting.problem, trail.scales, x) > 0);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
   const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
   double least = kInfinity;
   if (trail.is_within_limits()) {
-    least = sign * trail.found.assessment.objective.value - trail.sizes.objective_tolerance;
+    least = sign * trail.found.assessment.objective.value - trail.scales.objective_tolerance;
   }
   std::optional<std::vector<double>> best;
   for (std::vector<double>& x : starts(problem, designs, setting.options.seed)) {

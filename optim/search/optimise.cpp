@@ -173,7 +173,7 @@ class Optimiser {
         found = std::move(proved);
       } else if (!deadline_.passed()) {
         // What was found without a proof may break a limit where only a proof looks.
-        found.assessment = assess(fixed, sizes(fixed, found.x), found.x, true);
+        found.assessment = assess(fixed, scales(fixed, found.x), found.x, true);
       }
       work_.add_work(found);
     }

@@ -413,7 +413,7 @@ Document answer_document(const Answer& answer) {
 }
 
 Table scaling_table(const optim::Problem& problem) {
-  const optim::Sizes sizes = optim::sizes(problem, problem.start());
+  const optim::Scales scales = optim::scales(problem, problem.start());
   Table table{.key = "scaling",
               .columns = {words("scaling", "of"), numbers("scale", "scale"),
                           numbers("tolerance", "tolerance"), words("unit", "unit")},
@@ -421,13 +421,13 @@ Table scaling_table(const optim::Problem& problem) {
   const auto digits = [](double value) { return Cell(in_digits(value), value); };
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
-        {problem.variables[i].name, digits(sizes.variables[i]), {}, problem.variables[i].unit});
+        {problem.variables[i].name, digits(scales.variables[i]), {}, problem.variables[i].unit});
   }
-  table.add({problem.objective().response.name + " (objective)", digits(sizes.objective),
-             digits(sizes.objective_tolerance), problem.objective().response.unit});
+  table.add({problem.objective().response.name + " (objective)", digits(scales.objective),
+             digits(scales.objective_tolerance), problem.objective().response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    table.add({problem.constraints[i].response.name, digits(sizes.constraints[i].size),
-               digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
+    table.add({problem.constraints[i].response.name, digits(scales.constraints[i].size),
+               digits(scales.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
   return table;
 }
