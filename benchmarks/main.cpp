@@ -47,8 +47,9 @@ bool run_records(int argc, char* argv[]) {
 }  // namespace
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
-/// --search, --cam-shape, --cams, --formulas and --fronts print those tables of speed alone, --known-fronts
-/// and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's regression sets.
+/// --search, --cam-shape, --cams, --formulas and --fronts print those tables of speed alone,
+/// --known-fronts and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's
+/// regression sets.
 /// --records FILE FIRST COUNT fits simulated records into a file, --record-table FILE... prints
 /// what such files hold. Any other arguments are Google Benchmark's (--benchmark_filter=peaks and
 /// so on).
@@ -81,8 +82,8 @@ int main(int argc, char* argv[]) {
     measures::print_even_fronts();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
-      wanted == "--formulas" || wanted == "--fronts" || wanted == "--known-fronts" || wanted == "--even-fronts" ||
-      wanted == "--scale" || wanted == "--accuracy") {
+      wanted == "--formulas" || wanted == "--fronts" || wanted == "--known-fronts" ||
+      wanted == "--even-fronts" || wanted == "--scale" || wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();
