@@ -183,14 +183,25 @@ void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& tr
   prove_best(watched, setting, trail);
 }
 
+/// How many starts ended at designs as good as the best.
+int agreed(const std::vector<double>& ends, double best, double size) {
+  return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
+    return std::abs(end - best) <= 1e-6 * std::max(std::abs(best), size);
+  }));
+}
+
 /// Of a search from several starts: where the box holds a better design than all of them led to, it
-/// goes on from there.
-void search_around(const Setting& setting, Trail& trail) {
+/// goes on from there. Where a look takes a search over the cycle at each place, only if most of
+/// the starts ended elsewhere than at the best, or at no optimum.
+void search_around(const Setting& setting, const std::vector<double>& ends, Trail& trail) {
   constexpr int kTimes = 3;
   const OptimiseOptions& how = setting.options;
   const bool is_wide = !how.starts && how.divides && count_of_starts(setting) > 1;
   const Assessment& a = trail.found.assessment;
   if (!is_wide || trail.is_infeasible()) return;
+  const int alike = agreed(ends, a.objective.value, trail.scales.objective);
+  const bool is_agreed = is_settled(a) && 2 * alike > static_cast<int>(ends.size());
+  if (is_agreed && !is_quick(setting.problem)) return;
   for (int i = 0; i < kTimes && !setting.deadline.passed(); ++i) {
     if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
     const auto x = better_elsewhere(setting, trail);
@@ -216,13 +227,6 @@ void keep_start(const Setting& setting, Trail& trail) {
   const Assessment own = assess(problem, there, start, false);
   if (!is_feasible(own) || !better(problem, own, found.assessment)) return;
   trail.take(start, there, assess(problem, there, start, setting.proves()));
-}
-
-/// How many starts ended at designs as good as the best.
-int agreed(const std::vector<double>& ends, double best, double size) {
-  return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
-    return std::abs(end - best) <= 1e-6 * std::max(std::abs(best), size);
-  }));
 }
 
 /// Says what the search adds to the reason of the assessment.
@@ -287,7 +291,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   const bool is_begun = !known.empty() && known.front().end != StartEnd::NotBegun;
   if (!is_begun && is_judged_without_search(setting, trail)) return;
   search_starts(setting, trail, ends, std::move(known));
-  search_around(setting, trail);
+  search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))

@@ -20,11 +20,8 @@ bool is_quick(const Response& response) {
 int designs_to_look_at(const Problem& problem) {
   constexpr std::size_t kFew = 10, kFewOfSearches = 4;
   constexpr int kQuick = 501, kSearched = 385;
-  const bool quick = is_quick(problem.objective().response) &&
-                     std::all_of(problem.constraints.begin(), problem.constraints.end(),
-                                 [](const Constraint& c) { return is_quick(c.response); });
-  if (problem.variables.size() > (quick ? kFew : kFewOfSearches)) return 0;
-  return quick ? kQuick : kSearched;
+  if (problem.variables.size() > (is_quick(problem) ? kFew : kFewOfSearches)) return 0;
+  return is_quick(problem) ? kQuick : kSearched;
 }
 
 /// Whether a design keeps every limit without its tolerance.
@@ -33,6 +30,12 @@ bool keeps_limits(const Setting& setting, const Trail& trail, Design x) {
 }
 
 }  // namespace
+
+bool is_quick(const Problem& problem) {
+  return is_quick(problem.objective().response) &&
+         std::all_of(problem.constraints.begin(), problem.constraints.end(),
+                     [](const Constraint& c) { return is_quick(c.response); });
+}
 
 std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
                                                     const Trail& trail) try {
