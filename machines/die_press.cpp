@@ -53,12 +53,12 @@ struct PublishedLineContact {
 /// The contact of cam and rollers in the drive of a flat die-cutting press: a cam parts two rollers
 /// on wedging levers that raise the platen, a spring keeps them on the cam.
 ///
-/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Source: "Study of
-/// the elastic deformation amount of the flat die-cutting press parts being in constant contact",
-/// Ukrainian Academy of Printing. The first three fields are a load as the paper gives it, a force
-/// on the cam and a spring force; stroke and what follows it make the load from a law. The paper
-/// prints no mass, stroke, speed or spring: those here give the cosine law an inertia force of
-/// 754 N, near its printed 750 N.
+/// Fields in SI units; T is a scalar, most often Expression, X is T or a series over it. Source:
+/// "Study of the elastic deformation amount of the flat die-cutting press parts being in constant
+/// contact", Ukrainian Academy of Printing. The first three fields are a load as the paper gives
+/// it, a force on the cam and a spring force; stroke and what follows it make the load from a law.
+/// The paper prints no mass, stroke, speed or spring: those here give the cosine law an inertia
+/// force of 754 N, near its printed 750 N.
 template <class T>
 struct DiePress {
   Given<T> given = {};

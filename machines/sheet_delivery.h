@@ -25,9 +25,9 @@ struct RodPlace {
 /// speed along a curved guide; the carriage B runs straight. The guide's offset follows a law, y =
 /// y_max s(x), over one stretch x from 0 to 1, and y_max = l sin(alpha_max) for the rod's length l.
 ///
-/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Equations (Nn)
-/// are those of docs/theory.md, "Sheet delivery"; source: "Analytical study of the efficiency of
-/// sheet-delivery conveyors with curvilinear chain guides", Polihrafiia i vydavnycha sprava,
+/// Fields in SI units; T is a scalar, most often Expression, X is T or a series over it. Equations
+/// (Nn) are those of docs/theory.md, "Sheet delivery"; source: "Analytical study of the efficiency
+/// of sheet-delivery conveyors with curvilinear chain guides", Polihrafiia i vydavnycha sprava,
 /// received 29.12.1982. Valid for 0 < alpha_max < 90 degrees and s within 0 and 1; where an
 /// efficiency is not above 0, the drive locks itself.
 template <class T>

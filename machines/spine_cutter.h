@@ -13,8 +13,8 @@ namespace camlaw {
 /// block and sinks into it, while a fixed face cam strokes it axially and back once a revolution
 /// (two stretches of half a revolution, no dwell; a spring closes the pair).
 ///
-/// Fields in SI units; T is double, Dual or Interval. Equations (n) are those of docs/theory.md,
-/// "Spine cutter"; source: Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70).
+/// Fields in SI units; T is a scalar, most often Expression. Equations (n) are those of
+/// docs/theory.md, "Spine cutter"; source: Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70).
 /// Valid for 0 < depth < cutter_diameter / 2.
 template <class T>
 struct SpineCutter {

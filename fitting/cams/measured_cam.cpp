@@ -24,33 +24,33 @@
 namespace camlaw::problems {
 namespace {
 
-/// The scales of a machine by name, in mm.
-using Scales = std::function<double(const char*)>;
+/// The sizes of a machine by name, in mm.
+using Sizes = std::function<double(const char*)>;
 
 struct KnownFollower {
   Form form;
-  std::function<MeasuredFollower(const Scales&)> make;
+  std::function<MeasuredFollower(const Sizes&)> make;
   Rotation rotation = Rotation::Counterclockwise;
 };
 
-OscillatingRoller arm_of(const Scales& size) {
+OscillatingRoller arm_of(const Sizes& size) {
   return {size("roller_radius"), size("arm_length"), size("pivot_distance")};
 }
 
 const std::vector<KnownFollower>& known_followers() {
   static const std::vector<KnownFollower> known{
       {Form::DiscRoller,
-       [](const Scales& size) {
+       [](const Sizes& size) {
          return TranslatingRoller{size("roller_radius"), size("offset")};
        }},
       {Form::DiscKnifeEdge,
-       [](const Scales& size) {
+       [](const Sizes& size) {
          return TranslatingRoller{0, size("offset")};
        }},
-      {Form::DiscFlat, [](const Scales&) { return TranslatingFace{}; }},
+      {Form::DiscFlat, [](const Sizes&) { return TranslatingFace{}; }},
       {Form::DiscTrailingRoller, arm_of},
       {Form::DiscLeadingRoller, arm_of, Rotation::Clockwise},
-      {Form::DiscFlatArm, [](const Scales& size) {
+      {Form::DiscFlatArm, [](const Sizes& size) {
          return OscillatingFace{size("pivot_distance"), size("face_offset")};
        }}};
   return known;
@@ -229,7 +229,7 @@ Possible<MeasuredCam> with_samples(MeasuredCam cam) {
 MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
                      std::complex<double> centre) {
   const KnownFollower& known = follower_of(machine);
-  const Scales scales = [&](const char* name) { return constant_of(machine, name); };
+  const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
   const SampleTable own = profile_columns(table);
   Polar read = points_of(own);
   const double rounded = read.resolution;
@@ -237,7 +237,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
   move_centre(read, centre);
   const Condensed points = in_order(std::move(read), radius_of(own) != nullptr);
   MeasuredCam cam{
-      MeasuredLift(profile_of(points, rounded), known.make(scales), known.rotation), {}, {}};
+      MeasuredLift(profile_of(points, rounded), known.make(sizes), known.rotation), {}, {}};
   cam.each = points.each;
   cam.left_out = points.left_out;
   cam.lacking = own.left_out;

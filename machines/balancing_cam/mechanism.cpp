@@ -26,7 +26,7 @@ MechanismResponse curve(ResponseAbout about, F formula) {
 
 /// One of the cam, from formula(cam, pitch, turn, section, angle).
 template <template <class> class M, class F>
-MechanismResponse cam_curve(ResponseAbout about, F formula) {
+MechanismResponse roller_curve(ResponseAbout about, F formula) {
   return curve<M>(std::move(about),
                   [formula](const auto& turn, std::size_t section, const auto& phi) {
                     const auto cam = turn.machine().cam();
@@ -105,32 +105,33 @@ std::vector<MechanismResponse> turn_curves() {
                [](const auto& turn, At section, const auto& phi) {
                  return turn.machine().cam().pressure_angle(turn.roller(section, phi));
                }),
-      cam_curve<M>(
+      roller_curve<M>(
           {"pitch_curvature", "1/mm", "1/m", "curvature of the pitch curve, positive where convex"},
           [](const auto&, const auto& pitch, const auto&, At, const auto&) {
             return pitch.curvature();
           }),
-      cam_curve<M>({"undercut", "1", "1",
-                    "roller radius over the pitch curve's radius of curvature; at 1 the profile is "
-                    "undercut"},
-                   [](const auto& cam, const auto& pitch, const auto&, At, const auto&) {
-                     return cam.roller().undercut(pitch.curvature());
-                   }),
-      cam_curve<M>(
+      roller_curve<M>(
+          {"undercut", "1", "1",
+           "roller radius over the pitch curve's radius of curvature; at 1 the profile is "
+           "undercut"},
+          [](const auto& cam, const auto& pitch, const auto&, At, const auto&) {
+            return cam.roller().undercut(pitch.curvature());
+          }),
+      roller_curve<M>(
           {"contact_stress", "MPa", "Pa",
            "greatest Hertz pressure, if the roller were always on the cam"},
           [](const auto& cam, const auto& pitch, const auto& turn, At section, const auto& phi) {
             const auto force = turn.roller_force(turn.displacement(section, phi));
             return cam.roller().stress(force * pitch.speed() / pitch.y, pitch.curvature());
           }),
-      cam_curve<M>({"profile_x", "mm", "m", "the profile in the cam, along its zero line"},
-                   [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                     return turned_back(pitch.inside(cam.roller_radius), phi).first;
-                   }),
-      cam_curve<M>({"profile_y", "mm", "m", "the profile in the cam, across its zero line"},
-                   [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                     return turned_back(pitch.inside(cam.roller_radius), phi).second;
-                   })};
+      roller_curve<M>({"profile_x", "mm", "m", "the profile in the cam, along its zero line"},
+                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+                        return turned_back(pitch.inside(cam.roller_radius), phi).first;
+                      }),
+      roller_curve<M>({"profile_y", "mm", "m", "the profile in the cam, across its zero line"},
+                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+                        return turned_back(pitch.inside(cam.roller_radius), phi).second;
+                      })};
 }
 
 /// A number from formula(machine, surplus), for the surplus work that its cam is cut for.

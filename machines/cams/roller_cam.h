@@ -11,9 +11,10 @@
 namespace camlaw {
 
 /// A disc cam with a translating roller follower, offset or in line (docs/theory.md, "Roller on a
-/// disc cam"). Fields in SI units; T is double, Dual or Interval, X joins it with the motion's
-/// scalar. The follower moves along y at x = offset; the cam turns so that a positive offset lowers
-/// the pressure angle of the rise. The other rotation is the other sign of the offset.
+/// disc cam"). Fields in SI units; T is a scalar, most often Expression, X joins it with the
+/// motion's scalar. The follower moves along y at x = offset; the cam turns so that a positive
+/// offset lowers the pressure angle of the rise. The other rotation is the other sign of the
+/// offset.
 ///
 /// Valid while |offset| is less than the prime radius, base_radius + roller_radius; with friction
 /// in the guide, while the roller stays outside it, stroke at most overhang.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/model/responses.h"
 #include "machines/follower_train/follower_train.h"
 #include "machines/model/box_traces.h"
 #include "machines/model/law_number.h"
+#include "machines/model/responses.h"
 
 /// Curves of an elastic follower train over its rise, or over the turn of a cam: what has happened
 /// before decides them, so that the law is needed as a whole.

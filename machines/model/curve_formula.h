@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "kinematics/law.h"
@@ -34,9 +33,9 @@ struct PlaceRows {
 class CurveFormula {
  public:
   virtual ~CurveFormula() = default;
-  /// Whether the curve goes to infinity with a pulse of the acceleration or the jerk. Of one that
-  /// is not linear in them nothing is known there.
-  virtual bool follows_pulse() const { return true; }
+  /// Whether the curve goes to infinity with a pulse of the acceleration or the jerk. Of a formula
+  /// that a file states nothing is known there.
+  virtual bool follows_pulse() const = 0;
   virtual Series<double, 3> plain(const PlaceSeries<double, 3>& place) const = 0;
   /// The value alone at each of many places.
   virtual std::vector<double> values(const PlaceRows& places) const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -40,7 +41,7 @@ struct MachineParameter {
 ///   Given<T> given = {};
 ///   T stroke = given({"stroke", "h", "mm", "m", "stroke of the follower", 20, 1e-6, 1e5});
 /// so that a parameter is stated once. The first field is `given` itself; the order of the others
-/// is that in which people read them. Each machine is M<T>{given}.
+/// is that in which people read them. A machine is made by M<T>{given}.
 template <class T>
 class Given {
  public:
@@ -64,6 +65,7 @@ class Given {
     if (unset_) return number<T>(0);
     if (seen_ != nullptr) seen_->push_back(parameter);
     const std::size_t i = next_++;
+    assert(values_.empty() || i < values_.size());
     if (i < values_.size()) return factors_[i].template as<T>() * values_[i];
     return UnitFactor(parameter.unit, parameter.stored).template as<T>() *
            number<T>(parameter.default_value);

@@ -5,12 +5,12 @@
 #include <array>
 #include <type_traits>
 
-#include "machines/model/responses.h"
 #include "machines/model/arguments.h"
 #include "machines/model/cycle_mean.h"
 #include "machines/model/decisions.h"
 #include "machines/model/law_formula.h"
 #include "machines/model/pulse.h"
+#include "machines/model/responses.h"
 
 namespace camlaw::problems {
 namespace {

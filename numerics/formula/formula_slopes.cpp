@@ -27,6 +27,21 @@ T power_slope(const T& x, double p) {
   return p == 0 ? number<T>(0) : number<T>(p) * power(x, p - 1);
 }
 
+/// Whether an operation hands all of what it is owed to one of its operands.
+bool is_choice(Operation operation) {
+  switch (operation) {
+    case Operation::Greater:
+    case Operation::Lesser:
+    case Operation::BySide:
+    case Operation::Along:
+    case Operation::WherePositive:
+    case Operation::UnlessZero:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 bool FormulaSlopes::knows(const Formula& formula) {
@@ -62,7 +77,7 @@ void FormulaSlopes::go_through(std::span<const T> u, T* results) const {
 }
 
 template <class T>
-void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed) const {
+void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed, bool* handed) const {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -70,6 +85,14 @@ void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed) co
   const T &a = results[step.a], &b = results[step.b], &own = results[step.result];
   T &to_a = owed[step.a], &to_b = owed[step.b];
   const T one = number<T>(1);
+  // The operand that is chosen is handed all.
+  const auto hand_on = [&](std::uint32_t to, const T& what) {
+    owed[to] = owed[to] + what;
+    handed[to] = true;
+  };
+  const bool chooses = is_choice(step.operation);
+  if (!chooses) handed[step.a] = true;
+  if (!chooses && operands(step.operation) > 1) handed[step.b] = true;
   switch (step.operation) {
     case Operation::Add:
       to_a = to_a + due;
@@ -122,30 +145,19 @@ void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed) co
     case Operation::Absolute:
       to_a = value_of(a) < 0 ? to_a - due : to_a + due;
       return;
-    case Operation::Greater: {
-      T& chosen = std::isnan(value_of(b)) || value_of(a) < value_of(b) ? to_b : to_a;
-      chosen = chosen + due;
-      return;
-    }
-    case Operation::Lesser: {
-      T& chosen = std::isnan(value_of(b)) || value_of(a) > value_of(b) ? to_b : to_a;
-      chosen = chosen + due;
-      return;
-    }
-    case Operation::BySide: {
-      T& chosen = value_of(a) < 0 ? owed[step.c] : to_b;
-      chosen = chosen + due;
-      return;
-    }
+    case Operation::Greater:
+      return hand_on(std::isnan(value_of(b)) || value_of(a) < value_of(b) ? step.b : step.a, due);
+    case Operation::Lesser:
+      return hand_on(std::isnan(value_of(b)) || value_of(a) > value_of(b) ? step.b : step.a, due);
+    case Operation::BySide:
+      return hand_on(value_of(a) < 0 ? step.c : step.b, due);
     case Operation::Along:
       if (value_of(a) == 0) return;
-      to_b = (value_of(a) < 0) == (value_of(b) < 0) ? to_b + due : to_b - due;
-      return;
+      return hand_on(step.b, (value_of(a) < 0) == (value_of(b) < 0) ? due : T(-due));
     case Operation::WherePositive:
-      to_b = to_b + due;
-      return;
+      return hand_on(step.b, due);
     case Operation::UnlessZero:
-      if (value_of(a) != 0) to_b = to_b + due;
+      if (value_of(a) != 0) hand_on(step.b, due);
       return;
     case Operation::Input:
     case Operation::Constant:
@@ -159,6 +171,8 @@ void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed) co
 template <class T>
 T FormulaSlopes::operator()(std::span<const T> u, std::span<T> slopes) const {
   thread_local std::vector<T> room;
+  thread_local std::unique_ptr<bool[]> marks;
+  thread_local std::size_t marked = 0;
   const std::size_t size = constants_.size();
   room.resize(std::max(room.size(), 2 * size));
   T *results = room.data(), *owed = results + size;
@@ -166,14 +180,21 @@ T FormulaSlopes::operator()(std::span<const T> u, std::span<T> slopes) const {
                  [](double x) { return number<T>(x); });
   go_through(u, results);
   std::fill_n(owed, size, number<T>(0));
+  if (marked < size) {
+    marks = std::make_unique<bool[]>(size);
+    marked = size;
+  }
+  bool* const handed = marks.get();
+  std::fill_n(handed, size, false);
   std::fill(slopes.begin(), slopes.end(), number<T>(0));
   const T value = results[size - 1];
   owed[size - 1] = number<T>(1);
+  handed[size - 1] = true;
   for (auto step = varying_.rbegin(); step != varying_.rend(); ++step) {
     if (step->operation == Operation::Input) {
       slopes[step->a] = owed[step->result];
-    } else if (!is_number(owed[step->result], 0)) {  // what adds nothing owes nothing
-      hand_back(*step, results, owed);
+    } else if (handed[step->result]) {  // else it is in no chosen branch
+      hand_back(*step, results, owed, handed);
     }
   }
   return value;

@@ -44,7 +44,7 @@ class FormulaSlopes {
   void go_through(std::span<const T> u, T* results) const;
   /// Adds what a step's operands owe to its result to what is owed to them.
   template <class T>
-  void hand_back(const Varying& step, const T* results, T* owed) const;
+  void hand_back(const Varying& step, const T* results, T* owed, bool* handed) const;
 
   std::vector<std::size_t> uses_;
   std::vector<Varying> varying_;

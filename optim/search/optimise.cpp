@@ -126,7 +126,8 @@ class Optimiser {
     work_.add_work(search.found);
     const Assessment& a = search.found.assessment;
     best_.parts.push_back({part.options, search.found.x, a.objective.value, a.verdict,
-                           a.verdict == Verdict::Infeasible ? a.blamed : a.active});
+                           a.verdict == Verdict::Infeasible ? a.blamed : a.active,
+                           search.complete && (search.enumerated || search.bounds_hold)});
     if (started_ && !better(part.problem, search.found.assessment, best_.found.assessment)) return;
     started_ = true;
     best_.options = std::move(part.options);

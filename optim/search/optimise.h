@@ -78,6 +78,8 @@ struct PartFound {
   double objective;
   Verdict verdict;
   std::vector<std::string> active;  ///< what holds it, or of an infeasible one what cannot be met
+  /// Whether its integers were all tried, or left out by bounds that hold everywhere.
+  bool is_settled = true;
 };
 
 /// The answer to a problem.

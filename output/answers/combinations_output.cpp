@@ -139,7 +139,8 @@ void judge(const Answer& answer, JudgedPart& part) {
   optim::Assessment a =
       optim::assess(problem, scales, x, true, optim::teller_at(problem, scales, x));
   part.found.objective = a.objective.value;
-  part.found.verdict = a.verdict;
+  const bool is_local = a.verdict == optim::Verdict::Certified && !part.found.is_settled;
+  part.found.verdict = is_local ? optim::Verdict::Feasible : a.verdict;
   part.found.active = std::move(a.active);
   part.limits = std::move(a.limits);
   part.is_broken = !has_design(part.found);
@@ -155,10 +156,11 @@ std::vector<JudgedPart> judged_parts(const Answer& answer) {
     if (has_design(found) && found.options == answer.optimum.options) {
       part.found.objective = own.objective.value;
       part.found.x = answer.optimum.found.x;
-      // That other combinations are not settled is not said of this one.
-      if (own.verdict != optim::Verdict::Feasible) part.found.verdict = own.verdict;
+      part.found.verdict = own.verdict;
       part.limits = own.limits;
       part.is_broken = !has_design(part.found);
+      // That other combinations are not settled is not said of this one.
+      if (own.verdict == optim::Verdict::Feasible) judge(answer, part);
     } else if (has_design(found)) {
       judge(answer, part);
     }

@@ -340,7 +340,7 @@ Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& de
   };
   for (std::size_t i = 0; i < sided.limits.size(); ++i) {
     add(i, sided.limits[i], sided.others[i], prices[i], are_tried);
-    if (sided.others[i]) add(i, *sided.others[i], sided.limits[i], "", true);
+    if (sided.others[i]) add(i, *sided.others[i], sided.limits[i], "", are_tried);
   }
   const bool has_two = std::any_of(sided.others.begin(), sided.others.end(),
                                    [](const auto& other) { return other.has_value(); });

@@ -10,6 +10,7 @@
 #include "optim/verdict/unknown_prices.h"
 #include "output/answers/price_step.h"
 #include "output/document/formatting.h"
+#include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
 
@@ -76,12 +77,23 @@ double rounded_up(double by) {
   return std::ceil(steps - kRounding) * unit;
 }
 
+/// "the limit on undercut"; of one with two sides "the upper limit on", and of one on the size of a
+/// curve "both limits on".
+std::string limit_words(const problems::ProblemStatement& problem, const optim::Easing& easing) {
+  for (const problems::ConstraintStatement& c : problem.constraints) {
+    if (c.response.name != easing.name || !c.lower || !c.upper) continue;
+    if (*c.lower == -*c.upper) return "both limits on " + easing.name;
+    return fmt::format("the {} limit on {}", easing.is_upper ? "upper" : "lower", easing.name);
+  }
+  return "the limit on " + easing.name;
+}
+
 /// "easing the upper bound of base_radius by 1.2 mm".
-std::string easing_words(const optim::Easing& easing) {
+std::string easing_words(const problems::ProblemStatement& problem, const optim::Easing& easing) {
   const std::string what =
       easing.is_bound
           ? fmt::format("the {} bound of {}", easing.is_upper ? "upper" : "lower", easing.name)
-          : "the limit on " + easing.name;
+          : limit_words(problem, easing);
   return fmt::format("easing {} by {}", what,
                      with_unit(in_digits(rounded_up(easing.by), 4), easing.unit));
 }
@@ -89,9 +101,12 @@ std::string easing_words(const optim::Easing& easing) {
 /// What the design shown does not meet, as easings; empty where one of them has no number.
 std::vector<optim::Easing> missed_limits(const Answer& answer) {
   std::vector<optim::Easing> missed;
-  for (const optim::LimitReport& limit : answer.limits()) {
-    if (limit.met) continue;
-    if (limit.is_equation || !std::isfinite(limit.margin)) return {};
+  const std::vector<optim::LimitReport> limits = answer.limits();
+  const auto others = problems::other_sides(
+      answer.bound.at(answer.optimum.options, answer.optimum.found.x), limits);
+  const auto is_added = [&](const optim::LimitReport& limit) {
+    if (limit.met) return true;
+    if (limit.is_equation || !std::isfinite(limit.margin)) return false;
     missed.push_back({.name = limit.name,
                       .unit = limit.unit,
                       .is_bound = false,
@@ -99,6 +114,10 @@ std::vector<optim::Easing> missed_limits(const Answer& answer) {
                       .bound = limit.bound,
                       .by = -limit.margin,
                       .x = answer.optimum.found.x});
+    return true;
+  };
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (!is_added(limits[i]) || (others[i] && !is_added(*others[i]))) return {};
   }
   return missed;
 }
@@ -123,6 +142,18 @@ bool is_beyond_validity(const problems::ProblemStatement& problem, const optim::
          std::any_of(problem.constraints.begin(), problem.constraints.end(), asks_for_it);
 }
 
+/// Whether the machine does not accept what the eased bound lets a parameter be.
+bool is_refused(const problems::ProblemStatement& problem, const optim::Easing& easing) {
+  if (!easing.is_bound) return false;
+  const double eased = easing.bound + (easing.is_upper ? easing.by : -easing.by);
+  return std::any_of(problem.variables.begin(), problem.variables.end(),
+                     [&](const problems::VariableStatement& v) {
+                       if (v.of_law || v.name != easing.name) return false;
+                       const auto& parameter = problem.mechanism->parameters[v.parameter];
+                       return eased < parameter.low || eased > parameter.high;
+                     });
+}
+
 struct Cures {
   std::vector<optim::Easing> easings;
   bool alone = true;  ///< each is enough; else all together
@@ -132,7 +163,8 @@ Cures cures_of(const Answer& answer) {
   const optim::Found& found = answer.optimum.found;
   if (found.assessment.verdict != optim::Verdict::Infeasible || found.x.empty()) return {};
   const auto is_beyond = [&](const optim::Easing& easing) {
-    return is_beyond_validity(answer.bound.statement(), easing);
+    return is_beyond_validity(answer.bound.statement(), easing) ||
+           is_refused(answer.bound.statement(), easing);
   };
   std::vector<optim::Easing> alone = answer.easings;
   std::erase_if(alone, is_beyond);
@@ -167,7 +199,8 @@ std::string cure_words(const Answer& answer) {
   if (!alone) {
     constexpr std::size_t kEasing = 7;  // "easing "
     std::vector<std::string> parts;
-    for (const optim::Easing& easing : all) parts.push_back(easing_words(easing).substr(kEasing));
+    for (const optim::Easing& easing : all)
+      parts.push_back(easing_words(answer.bound.statement(), easing).substr(kEasing));
     return fmt::format(
         "what would let every limit be met, by the design above\n  easing {} together{}\n",
         problems::listed(parts), failing_words(still_failing(answer, all.front())));
@@ -175,8 +208,8 @@ std::string cure_words(const Answer& answer) {
   std::string text = all.size() == 1 ? "what would let every limit be met\n"
                                      : "what would let every limit be met, each alone\n";
   for (const optim::Easing& easing : all) {
-    text +=
-        fmt::format("  {}{}\n", easing_words(easing), failing_words(still_failing(answer, easing)));
+    text += fmt::format("  {}{}\n", easing_words(answer.bound.statement(), easing),
+                        failing_words(still_failing(answer, easing)));
   }
   return text;
 }

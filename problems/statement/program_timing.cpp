@@ -26,18 +26,6 @@ bool counts_time(const Entry& table) {
          (acceleration != nullptr && is_by_time(*acceleration, Rate::Acceleration));
 }
 
-/// Whether anything but a segment's whole time needs the time of a turn.
-bool has_rates_by_time(const Entry& program) {
-  return std::any_of(segment_tables(program).begin(), segment_tables(program).end(),
-                     [](const Entry& segment) {
-                       const auto& points = point_tables(segment);
-                       return counts_time(segment) ||
-                              std::any_of(points.begin(), points.end(), [](const Entry& point) {
-                                return counts_time(point) || find(point, "time") != nullptr;
-                              });
-                     });
-}
-
 std::vector<ProgramTiming::Segment> timed_segments(const Entry& program) {
   std::vector<ProgramTiming::Segment> result;
   const auto& segments = segment_tables(program);
@@ -170,6 +158,17 @@ void set_speed(const Entry& cycle, double speed, std::size_t parameter, ProblemS
 }
 
 }  // namespace
+
+bool has_rates_by_time(const Entry& program) {
+  return std::any_of(segment_tables(program).begin(), segment_tables(program).end(),
+                     [](const Entry& segment) {
+                       const auto& points = point_tables(segment);
+                       return counts_time(segment) ||
+                              std::any_of(points.begin(), points.end(), [](const Entry& point) {
+                                return counts_time(point) || find(point, "time") != nullptr;
+                              });
+                     });
+}
 
 std::optional<std::size_t> speed_of(const Mechanism& mechanism) {
   const auto& all = mechanism.parameters;

@@ -18,6 +18,9 @@ std::optional<std::size_t> speed_of(const Mechanism& mechanism);
 /// program is another one.
 bool holds_angles_of_speed(const ProblemStatement& problem);
 
+/// Whether anything but a segment's whole time needs the time of a turn.
+bool has_rates_by_time(const Entry& program);
+
 /// What a program says of times: `cycle_time`, `times_at`, or times by the machine's `speed`. None
 /// where it says nothing. A `cycle_time` sets the speed, unless the file states that too. Throws
 /// std::invalid_argument where the two differ, where the speed varies and no speed is given at

@@ -230,7 +230,10 @@ void put_speed(Entry& file, const ProblemStatement& problem, const MechanismPara
     if (!cam.alone->timing) continue;
     Entry& program = *find_entry(*find_entry(*find_entry(file, "cams"), cam.name), "program");
     drop(program, "cycle_time");
-    if (holds_angles_of_speed(*cam.alone) || find(program, "times_at") != nullptr) continue;
+    const bool has_times = !cam.alone->timing->segments.empty() || has_rates_by_time(program);
+    if (!has_times || holds_angles_of_speed(*cam.alone) || find(program, "times_at") != nullptr) {
+      continue;
+    }
     const std::string held = fmt::format("{:.17g} rpm", cam.alone->timing->speed);
     put_entry(program, made_text(program, "times_at", held, place));
   }

@@ -200,6 +200,18 @@ TEST_CASE("a machine's derivatives by a pass back are those by passes forward",
   CHECK(unbounded < known / 10);
 }
 
+TEST_CASE("a slope that is 0 times one without a bound is not told as 0", "[formula]") {
+  const Formula square = Formula::record(1, [](std::span<const Expression> u) {
+    const Expression root = sqrt(u[0]);
+    return root * root - u[0] * u[0];
+  });
+  const std::vector<double> at{0};
+  std::vector<double> back(1);
+  const FormulaSlopes slopes(square);
+  slopes(std::span<const double>(at), std::span<double>(back));
+  CHECK_FALSE(std::isfinite(back[0]));
+}
+
 TEST_CASE("slopes over a box are within those of passes forward and hold those at its points",
           "[machine][formula]") {
   std::mt19937_64 random(14);

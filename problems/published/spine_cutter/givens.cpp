@@ -15,31 +15,32 @@ namespace camlaw::problems {
 namespace {
 
 /// A parameter that the study takes, and its place in the machine.
-struct Given {
+struct StudyInput {
   const MechanismParameter* parameter;
   double SpineCutter<double>::*field;
 };
 
 /// All parameters but the cam's radius, which the study works out for each law.
-std::vector<Given> all_givens() {
+std::vector<StudyInput> all_givens() {
   using M = SpineCutter<double>;
   static constexpr std::pair<const char*, double M::*> fields[] = {
       {"cutter_diameter", &M::cutter_diameter}, {"blades", &M::blades}, {"stroke", &M::stroke},
       {"block_speed", &M::block_speed},         {"depth", &M::depth},   {"mass", &M::mass},
       {"pressure_angle", &M::pressure_angle}};
-  std::vector<Given> result;
+  std::vector<StudyInput> result;
   for (const auto& [name, field] : fields) {
     const auto& all = parameters_of<SpineCutter>();
     const auto found = std::find_if(all.begin(), all.end(),
                                     [name = name](const auto& p) { return p.name == name; });
+    if (found == all.end()) throw std::logic_error(std::string("the cutter has no ") + name);
     result.push_back({&*found, field});
   }
   return result;
 }
 
-Given find_given(const std::string& name) {
+StudyInput find_given(const std::string& name) {
   std::vector<std::string> known;
-  for (const Given& given : all_givens()) {
+  for (const StudyInput& given : all_givens()) {
     const auto& [parameter, field] = given;
     if (name == parameter->name || name == parameter->symbol) return given;
     known.push_back(fmt::format("{} ({})", parameter->name, parameter->symbol));
