@@ -302,7 +302,7 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
   document.add(table);
   const bool is_judged = answer.optimum.found.assessment.verdict == optim::Verdict::Certified;
   const bool has_feasible = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
-    return part.verdict == optim::Verdict::Feasible;
+    return part.found.verdict == optim::Verdict::Feasible;
   });
   if (is_judged && has_feasible) {
     document.say(

@@ -140,6 +140,68 @@ upper = 1
   CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
 }
 
+namespace {
+
+/// A spring that holds the roller on a fast cam, with a stress that it may not pass.
+std::string stress_below(const std::string& most) {
+  return R"toml(mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+mass = "3 kg"
+base_radius = "42 mm"
+roller_radius = "12 mm"
+speed = "320 rpm"
+load = "0 N"
+face_width = "14 mm"
+[[program.segments]]
+name = "rise"
+angle = "90 deg"
+law = "modified-sine"
+[[program.segments]]
+name = "high"
+angle = "70 deg"
+[[program.segments]]
+name = "return"
+angle = "110 deg"
+law = "cycloidal"
+[[program.segments]]
+name = "low"
+[variables.spring_preload]
+lower = "0 N"
+upper = "800 N"
+start = "300 N"
+[variables.spring_rate]
+lower = "1 N/mm"
+upper = "40 N/mm"
+start = "20 N/mm"
+[objective]
+minimize = "peak_stress"
+[[constraints]]
+response = "follower_force"
+lower = "20 N"
+[[constraints]]
+response = "contact_stress"
+upper = ")toml" +
+         most + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("limits contradict one another where a stress has no value beyond them", "[program]") {
+  // Without its limit the least stress that a spring allows is between 200 and 300 MPa. A lower
+  // limit, eased, would be met best where the roller leaves the cam, with no stress at all.
+  const Folder folder;
+  for (const char* most : {"100 MPa", "150 MPa"}) {
+    const ParsedJson result = ended(folder, stress_below(most));
+    INFO(most);
+    CHECK(result["verdict"] == "infeasible");
+    CHECK(result["reason"] == "follower_force and contact_stress contradict one another");
+    CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
+  }
+  const ParsedJson result = ended(folder, stress_below("300 MPa"));
+  CHECK(result["verdict"] == "certified");
+}
+
 TEST_CASE("of an objective that is not a number a result states none", "[program]") {
   const Folder folder;
   const ParsedJson result = ended(folder, R"toml([machine]
