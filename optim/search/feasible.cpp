@@ -44,10 +44,17 @@ Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
   if (!strict) return least;
   const Setting within{setting.original, *strict,       setting.options,
                        setting.deadline, setting.depth, setting.plan};
+  // Where the way has ended there may be no slopes; the stated start is away from there.
   const bool has_values = std::isfinite(worst_violation(least.blame.limits));
-  const Design from = least.attempt.x.empty() || !has_values ? start : Design(least.attempt.x);
-  Least other = least_violation_as_posed(from, within, trail);
-  return is_told(other) ? other : least;
+  const bool goes_on = has_values && !least.attempt.x.empty();
+  const std::vector<double> end =
+      goes_on ? least.attempt.x : std::vector(start.begin(), start.end());
+  for (const std::vector<double>& from : {end, setting.original.start()}) {
+    Least other = least_violation_as_posed(from, within, trail);
+    if (is_told(other)) return other;
+    if (setting.deadline.passed()) break;
+  }
+  return least;
 }
 
 /// Takes the place itself, where it meets every limit, else where a search from it leads.
