@@ -47,8 +47,9 @@ bool run_records(int argc, char* argv[]) {
 }  // namespace
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
-/// --search, --cam-shape, --cams and --fronts print those tables of speed alone, --known-fronts
-/// and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's regression sets.
+/// --search, --cam-shape, --cams, --formulas and --fronts print those tables of speed alone,
+/// --known-fronts and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's
+/// regression sets.
 /// --records FILE FIRST COUNT fits simulated records into a file, --record-table FILE... prints
 /// what such files hold. Any other arguments are Google Benchmark's (--benchmark_filter=peaks and
 /// so on).
@@ -69,6 +70,7 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--search") measures::print_search_table();
   if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
   if (all || wanted == "--cams") measures::print_cam_table();
+  if (all || wanted == "--formulas") measures::print_formula_table();
   if (all || wanted == "--fronts") measures::print_front_table();
   if (wanted == "--known-fronts") measures::print_known_fronts();
   if (wanted == "--even-fronts") measures::print_even_fronts();
@@ -80,8 +82,8 @@ int main(int argc, char* argv[]) {
     measures::print_even_fronts();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
-      wanted == "--fronts" || wanted == "--known-fronts" || wanted == "--even-fronts" ||
-      wanted == "--scale" || wanted == "--accuracy") {
+      wanted == "--formulas" || wanted == "--fronts" || wanted == "--known-fronts" ||
+      wanted == "--even-fronts" || wanted == "--scale" || wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();

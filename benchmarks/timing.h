@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 /// Timing for the tables: medians of repetitions, so that a busy machine moves them little.
@@ -14,6 +15,14 @@ double seconds(Work&& work, int passes = 1) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < passes; ++i) work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The same of the processor's time for this program, which other programs move less.
+template <class Work>
+double processor_seconds(Work&& work, int passes = 1) {
+  const std::clock_t start = std::clock();
+  for (int i = 0; i < passes; ++i) work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// The value that part `q` of the values lies below: 0.5 for the median.
@@ -33,6 +42,7 @@ void print_study_table();
 void print_search_table();
 void print_cam_shape_table();
 void print_cam_table();
+void print_formula_table();
 void print_front_table();
 
 /// Adds the measures of a file to Google Benchmark's list.

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// Sizes of the terms that each derivative adds up.
+/// Scales of the terms that each derivative adds up.
 PlainDerivatives term_sizes(const Piece<double>& piece, double x) {
-  Piece<double> sizes;
-  sizes.polynomial = piece.polynomial;
-  for (double& c : sizes.polynomial) c = std::abs(c);
+  Piece<double> scales;
+  scales.polynomial = piece.polynomial;
+  for (double& c : scales.polynomial) c = std::abs(c);
   PlainDerivatives result{};
-  add_polynomial(sizes.polynomial, std::abs(x - piece.origin), result);
+  add_polynomial(scales.polynomial, std::abs(x - piece.origin), result);
   for (const auto& h : piece.harmonics) {
     double amplitude = std::abs(h.sine) + std::abs(h.cosine);
     for (double& size : result) {

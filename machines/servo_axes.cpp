@@ -235,19 +235,16 @@ using optim::Part;
 
 /// Units and names that differ between loads that turn and loads that slide.
 struct AxisWords {
-  const char *place, *place_stored, *velocity, *acceleration, *jerk;
-  const char *output, *output_unit, *output_meaning;
+  const char *place, *place_stored, *output, *output_unit, *output_meaning;
 };
-constexpr AxisWords kTurning{
-    "deg",    "rad",           "rad/s", "rad/s2",
-    "rad/s3", "output_torque", "N m",   "torque that the gear delivers to the load"};
-constexpr AxisWords kLinear{"mm",   "m",
-                            "m/s",  "m/s2",
-                            "m/s3", "output_force",
-                            "N",    "force that screw or pinion exerts on the load"};
+constexpr AxisWords kTurning{"deg", "rad", "output_torque", "N m",
+                             "torque that the gear delivers to the load"};
+constexpr AxisWords kLinear{"mm", "m", "output_force", "N",
+                            "force that screw or pinion exerts on the load"};
 
 template <template <class> class M>
 std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
+  const std::string unit = w.place_stored;
   const auto curve = [](ResponseAbout about, auto formula) {
     return curve_response<M>(std::move(about), turn_of_the_cam(),
                              [formula](const auto& axis, const auto& motion) {
@@ -257,11 +254,11 @@ std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
   std::vector<MechanismResponse> all{
       curve({"displacement", w.place, w.place_stored, "travel of the load"},
             [](const auto&, const auto& y) { return y.s; }),
-      curve({"velocity", w.velocity, w.velocity, "velocity of the load"},
+      curve({"velocity", unit + "/s", unit + "/s", "velocity of the load"},
             [](const auto&, const auto& y) { return y.v; }),
-      curve({"acceleration", w.acceleration, w.acceleration, "acceleration of the load"},
+      curve({"acceleration", unit + "/s2", unit + "/s2", "acceleration of the load"},
             [](const auto&, const auto& y) { return y.a; }),
-      curve({"jerk", w.jerk, w.jerk, "jerk of the load"},
+      curve({"jerk", unit + "/s3", unit + "/s3", "jerk of the load"},
             [](const auto&, const auto& y) { return y.j; }),
       curve({w.output, w.output_unit, w.output_unit, w.output_meaning},
             [](const auto& drive, const auto& y) { return drive.output(y); }),

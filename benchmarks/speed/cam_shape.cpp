@@ -22,13 +22,13 @@ void print_cam_shape_table() {
   for (const int n : {1000, 2000, 4000, 7000, 10000}) {
     const optim::Problem problem = problems::cam_shape(n);
     const std::vector<double> start = problem.start();
-    const optim::Sizes sizes = optim::sizes(problem, start);
+    const optim::Scales scales = optim::scales(problem, start);
     std::vector<double> solve, judge;
     optim::Attempt attempt;
     for (int i = 0; i < 3; ++i) {
       solve.push_back(seconds(
-          [&] { attempt = optim::exchange(problem, sizes, start, optim::ipopt_solver(), {}); }));
-      judge.push_back(seconds([&] { optim::assess(problem, sizes, attempt.x, true); }));
+          [&] { attempt = optim::exchange(problem, scales, start, optim::ipopt_solver(), {}); }));
+      judge.push_back(seconds([&] { optim::assess(problem, scales, attempt.x, true); }));
     }
     const double s = median(solve), v = median(judge);
     if (first == 0) first = s / n;

@@ -2,8 +2,10 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "benchmarks/timing.h"
@@ -12,6 +14,8 @@
 #include "machines/cams/roller_cam.h"
 #include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/expression.h"
+#include "numerics/formula/formula_slopes.h"
+#include "numerics/scalar/dual.h"
 
 /// One design of a disc cam with a roller: every response at 720 angles.
 namespace camlaw::benchmarks {
@@ -89,7 +93,7 @@ std::vector<T> parameters(const RollerCam<T>& cam) {
 constexpr std::size_t kParameters = 11;
 
 /// The formulas of a cam in line without friction or load, as the machine's curves record them.
-FormulaBlocks recorded() {
+std::vector<Formula> formulas() {
   std::vector<Formula> formulas;
   for (std::size_t k = 0; k < kResponses; ++k) {
     formulas.push_back(
@@ -103,7 +107,114 @@ FormulaBlocks recorded() {
           return responses(cam, Motion<Expression>{m[0], m[1], m[2], m[3]})[k];
         }));
   }
-  return FormulaBlocks(formulas, kParameters);
+  return formulas;
+}
+
+FormulaBlocks recorded() { return FormulaBlocks(formulas(), kParameters); }
+
+/// Gradients of every response at each of the 720 angles by some variables: the first of them are
+/// the cam's sizes, the others move its motion, each by slopes of its own.
+class CamGradients {
+ public:
+  CamGradients(const std::vector<Formula>& formulas, std::size_t variables, const Cycle& cycle)
+      : formulas_(formulas), cycle_(cycle), of_motion_(variables - kSizes) {
+    for (const Formula& formula : formulas) slopes_.emplace_back(formula);
+    gradient_.resize(variables);
+    for (std::size_t i = 0; i < of_motion_.size(); ++i) {
+      const double x = 0.3 + 0.01 * static_cast<double>(i);
+      of_motion_[i] = {x, 2 * x, 3 * x * x, 5 * x};
+    }
+  }
+
+  /// By passes forward, each with the slopes of four variables; returns a sum of all entries.
+  double forward(const std::vector<double>& parameters) {
+    return all(parameters, [&](std::size_t k, std::span<const double> u) {
+      for (std::size_t block = 0; block < gradient_.size(); block += kDualWidth) {
+        std::vector<Dual> seeded(u.begin(), u.end());
+        for (std::size_t i = block; i < block + kDualWidth; ++i) {
+          const int lane = static_cast<int>(i - block);
+          if (i < kSizes) {
+            seeded[i].v[lane] = 1;
+          } else {
+            for (std::size_t m = 0; m < 4; ++m) {
+              seeded[kParameters + m].v[lane] = of_motion_[i - kSizes][m];
+            }
+          }
+        }
+        const Dual result = formulas_[k](std::span<const Dual>(seeded));
+        for (int lane = 0; lane < kDualWidth; ++lane) {
+          gradient_[block + static_cast<std::size_t>(lane)] = result.v[lane];
+        }
+      }
+    });
+  }
+
+  /// By one pass back, and the motion's slopes.
+  double back(const std::vector<double>& parameters) {
+    std::array<double, kParameters + 4> by;
+    return all(parameters, [&](std::size_t k, std::span<const double> u) {
+      slopes_[k](u, std::span<double>(by));
+      std::copy_n(by.begin(), kSizes, gradient_.begin());
+      for (std::size_t i = 0; i < of_motion_.size(); ++i) {
+        double sum = 0;
+        for (std::size_t m = 0; m < 4; ++m) sum += by[kParameters + m] * of_motion_[i][m];
+        gradient_[kSizes + i] = sum;
+      }
+    });
+  }
+
+ private:
+  static constexpr std::size_t kSizes = 4;
+
+  template <class Gradient>
+  double all(const std::vector<double>& parameters, const Gradient& gradient) {
+    std::vector<double> u = parameters;
+    u.resize(kParameters + 4);
+    double sum = 0;
+    for (std::size_t i = 0; i < kAngles; ++i) {
+      u[kParameters] = cycle_.s[i], u[kParameters + 1] = cycle_.v[i];
+      u[kParameters + 2] = cycle_.a[i], u[kParameters + 3] = cycle_.j[i];
+      for (std::size_t k = 0; k < kResponses; ++k) {
+        gradient(k, std::span<const double>(u));
+        for (const double entry : gradient_) sum += entry;
+      }
+    }
+    return sum;
+  }
+
+  const std::vector<Formula>& formulas_;
+  const Cycle& cycle_;
+  std::vector<std::array<double, 4>> of_motion_;
+  std::vector<FormulaSlopes> slopes_;
+  std::vector<double> gradient_;
+};
+
+/// The gradients' times, and the values' for comparison, all of them formula by formula.
+void print_gradient_table() {
+  Cycle cycle;
+  const RollerCam<double> cam;
+  cycle.all(cam);
+  const std::vector<Formula> all = formulas();
+  fmt::print(
+      "gradients of the same, angle by angle and formula by formula\n\n| variables | forward, us "
+      "| back, us | back over forward |\n|--:|--:|--:|--:|\n");
+  for (const std::size_t variables : {4, 8, 40}) {
+    CamGradients gradients(all, variables, cycle);
+    std::vector<double> forward, back, ratios;
+    double sums[] = {0, 0};
+    for (int i = 0; i < 15; ++i) {
+      forward.push_back(1e6 *
+                        processor_seconds([&] { sums[0] = gradients.forward(parameters(cam)); }));
+      back.push_back(1e6 * processor_seconds([&] { sums[1] = gradients.back(parameters(cam)); }));
+      ratios.push_back(back.back() / forward.back());
+    }
+    if (!(std::abs(sums[0] - sums[1]) <= 1e-9 * std::abs(sums[0]))) {
+      throw std::runtime_error("gradients forward and back differ");
+    }
+    fmt::print("| {} | {:.0f} | {:.0f} | {:.2f} |\n", variables, median(forward), median(back),
+               median(ratios));
+  }
+  fmt::print("\n");
 }
 
 void Cycle::all(const FormulaBlocks& blocks, std::size_t set, const RollerCam<double>& cam) {
@@ -149,6 +260,7 @@ void print_cam_table() {
         median(ratios[k]));
   }
   fmt::print("\n");
+  print_gradient_table();
 }
 
 void register_cams() {

@@ -24,33 +24,33 @@
 namespace camlaw::problems {
 namespace {
 
-/// The sizes of a machine by name, in mm.
-using Sizes = std::function<double(const char*)>;
+/// The scales of a machine by name, in mm.
+using Scales = std::function<double(const char*)>;
 
 struct KnownFollower {
   Form form;
-  std::function<MeasuredFollower(const Sizes&)> make;
+  std::function<MeasuredFollower(const Scales&)> make;
   Rotation rotation = Rotation::Counterclockwise;
 };
 
-OscillatingRoller arm_of(const Sizes& size) {
+OscillatingRoller arm_of(const Scales& size) {
   return {size("roller_radius"), size("arm_length"), size("pivot_distance")};
 }
 
 const std::vector<KnownFollower>& known_followers() {
   static const std::vector<KnownFollower> known{
       {Form::DiscRoller,
-       [](const Sizes& size) {
+       [](const Scales& size) {
          return TranslatingRoller{size("roller_radius"), size("offset")};
        }},
       {Form::DiscKnifeEdge,
-       [](const Sizes& size) {
+       [](const Scales& size) {
          return TranslatingRoller{0, size("offset")};
        }},
-      {Form::DiscFlat, [](const Sizes&) { return TranslatingFace{}; }},
+      {Form::DiscFlat, [](const Scales&) { return TranslatingFace{}; }},
       {Form::DiscTrailingRoller, arm_of},
       {Form::DiscLeadingRoller, arm_of, Rotation::Clockwise},
-      {Form::DiscFlatArm, [](const Sizes& size) {
+      {Form::DiscFlatArm, [](const Scales& size) {
          return OscillatingFace{size("pivot_distance"), size("face_offset")};
        }}};
   return known;
@@ -229,7 +229,7 @@ Possible<MeasuredCam> with_samples(MeasuredCam cam) {
 MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
                      std::complex<double> centre) {
   const KnownFollower& known = follower_of(machine);
-  const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
+  const Scales scales = [&](const char* name) { return constant_of(machine, name); };
   const SampleTable own = profile_columns(table);
   Polar read = points_of(own);
   const double rounded = read.resolution;
@@ -237,7 +237,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
   move_centre(read, centre);
   const Condensed points = in_order(std::move(read), radius_of(own) != nullptr);
   MeasuredCam cam{
-      MeasuredLift(profile_of(points, rounded), known.make(sizes), known.rotation), {}, {}};
+      MeasuredLift(profile_of(points, rounded), known.make(scales), known.rotation), {}, {}};
   cam.each = points.each;
   cam.left_out = points.left_out;
   cam.lacking = own.left_out;

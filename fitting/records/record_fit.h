@@ -10,7 +10,7 @@
 #include "optim/fit/least_squares.h"
 #include "problems/statement/statement.h"
 
-/// Sizes of a machine (friction, stiffness, mass, ...) from a curve of it that was recorded over
+/// Scales of a machine (friction, stiffness, mass, ...) from a curve of it that was recorded over
 /// the cycle, such as its torque (docs/optimisation.md, "Fits to recorded curves").
 namespace camlaw::problems {
 

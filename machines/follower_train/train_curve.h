@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/cam_curve.h"
+#include "machines/model/responses.h"
 #include "machines/follower_train/follower_train.h"
 #include "machines/model/box_traces.h"
 #include "machines/model/law_number.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <type_traits>
 
-#include "machines/cams/cam_curve.h"
+#include "machines/model/responses.h"
 #include "machines/model/arguments.h"
 #include "machines/model/cycle_mean.h"
 #include "machines/model/decisions.h"

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/recorded_kernel.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <set>
 
 #include "numerics/formula/blocks/formula_blocks.h"
+#include "numerics/formula/formula_ranges.h"
+#include "numerics/formula/formula_slopes.h"
 #include "numerics/scalar/dual.h"
 #include "optim/problem/automatic.h"
 
@@ -15,11 +20,76 @@ std::vector<Interval> intervals(std::span<const double> values) {
   return std::vector<Interval>(values.begin(), values.end());
 }
 
+bool all_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Derivatives by a pass back through the record, and ranges of all slopes by one pass. Where a
+/// derivative has no bound, and of formulas with roots, passes forward count: they leave out what
+/// does not move.
+class RecordedKernel final : public optim::Kernel {
+ public:
+  explicit RecordedKernel(const Recorded& recorded)
+      : is_possible_(recorded.is_possible), arguments_(recorded.arguments), forward_(recorded) {
+    if (!FormulaSlopes::knows(recorded.formula)) return;
+    slopes_.emplace(recorded.formula);
+    ranges_.emplace(recorded.formula);
+  }
+
+  double value(std::span<const double> u) const override { return forward_.value(u); }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    if (slopes_ && is_possible(u)) {
+      const double value = (*slopes_)(u, g);
+      if (all_finite(g)) return value;
+    }
+    return forward_.gradient(u, g);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    if (slopes_ && is_possible(u)) {
+      const double value = slopes_->hessian(u, g, h);
+      if (all_finite(g) && all_finite(h)) return value;
+    }
+    return forward_.hessian(u, g, h);
+  }
+  optim::Bounds enclose(std::span<const double> u) const override { return forward_.enclose(u); }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override;
+  bool is_enclosed() const override { return true; }
+
+ private:
+  bool is_possible(std::span<const double> u) const {
+    return !is_possible_ || is_possible_(u.first(arguments_));
+  }
+
+  IsPossible is_possible_;
+  std::size_t arguments_;
+  optim::AutomaticKernel<Recorded, Interval, Series<Interval, 2>> forward_;
+  std::optional<FormulaSlopes> slopes_;
+  std::optional<FormulaRanges> ranges_;
+};
+
+optim::BoxRange RecordedKernel::range(std::span<const optim::Bounds> box) const {
+  if (!ranges_) return forward_.range(box);
+  std::vector<Interval> inputs, slopes(box.size());
+  std::vector<double> middle;
+  for (const optim::Bounds& bounds : box) {
+    inputs.emplace_back(bounds.lower, bounds.upper);
+    middle.push_back(value_of(inputs.back()));
+  }
+  optim::BoxRange result = Kernel::range(box);
+  if (!is_possible(middle)) return result;
+  result.value = optim::bounds_of((*ranges_)(inputs, slopes));
+  // Where the value is not known, its slopes say nothing.
+  if (!std::isfinite(result.value.lower) && !std::isfinite(result.value.upper)) return result;
+  std::transform(slopes.begin(), slopes.end(), result.slopes.begin(),
+                 [](const Interval& slope) { return optim::bounds_of(slope); });
+  return result;
+}
+
 }  // namespace
 
 std::shared_ptr<const optim::Kernel> recorded_kernel(Recorded recorded) {
-  using Kernel = optim::AutomaticKernel<Recorded, Interval, Series<Interval, 2>>;
-  return std::make_shared<Kernel>(std::move(recorded));
+  return std::make_shared<RecordedKernel>(recorded);
 }
 
 RecordedCurveFormula::RecordedCurveFormula(const Formula& formula, std::span<const double> machine,

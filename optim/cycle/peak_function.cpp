@@ -111,23 +111,23 @@ Function peak_function(const Response& response, Part part, std::size_t variable
           peak_shape(response.shape(), part)};
 }
 
-SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes) {
+SizedProblem with_peaks_as_numbers(const Problem& problem, const Scales& scales) {
   const std::size_t n = problem.variables.size();
   const auto number = [&](const Response& curve, Part part) {
     return Response{curve.name, curve.unit, peak_function(curve, part, n)};
   };
-  SizedProblem result{problem, sizes};
+  SizedProblem result{problem, scales};
   for (Objective& objective : result.problem.objectives) {
     if (!objective.response.is_curve()) continue;
     objective.response = number(objective.response, objective.part);
     objective.part = Part::Value;
   }
   result.problem.constraints.clear();
-  result.sizes.constraints.clear();
+  result.scales.constraints.clear();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const auto add = [&](Constraint side) {
       result.problem.constraints.push_back(std::move(side));
-      result.sizes.constraints.push_back(sizes.constraints[i]);
+      result.scales.constraints.push_back(scales.constraints[i]);
     };
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) {

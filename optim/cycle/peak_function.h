@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::optim {
 
@@ -14,11 +14,11 @@ Function peak_function(const Response& response, Part part, std::size_t variable
 
 struct SizedProblem {
   Problem problem;
-  Sizes sizes;
+  Scales scales;
 };
 
 /// The problem with each peak and each side of a limit on a curve as a number of the design, and
-/// the sizes of what it has then.
-SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes);
+/// the scales of what it has then.
+SizedProblem with_peaks_as_numbers(const Problem& problem, const Scales& scales);
 
 }  // namespace camlaw::optim

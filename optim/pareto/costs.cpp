@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/pareto/costs.h"
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::optim {
 

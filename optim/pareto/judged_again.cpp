@@ -36,11 +36,11 @@ std::string both(const std::string& name, double stated, double found, double si
   return fmt::format("{} is stated as {}, but evaluates to {}", name, shown(stated), shown(found));
 }
 
-/// Sizes that hold no tolerance: they are worked out only where numbers differ.
-Sizes without_tolerances(const Problem& problem) {
-  Sizes sizes{};
-  sizes.constraints.resize(problem.constraints.size());
-  return sizes;
+/// Scales that hold no tolerance: they are worked out only where numbers differ.
+Scales without_tolerances(const Problem& problem) {
+  Scales scales{};
+  scales.constraints.resize(problem.constraints.size());
+  return scales;
 }
 
 void compare_variables(const Problem& multi, Design x, std::vector<std::string>& found) {
@@ -61,7 +61,7 @@ void compare_objectives(const Problem& multi, const FrontPoint& point,
       return agree(point.objectives[i], value, tolerance) && agree(point.costs[i], cost, tolerance);
     };
     if (same(kSaidRounding * std::abs(value))) continue;
-    const double tolerance = sizes(multi.alone(i), point.x).objective_tolerance;
+    const double tolerance = scales(multi.alone(i), point.x).objective_tolerance;
     if (same(std::max(tolerance, kSaidRounding * std::abs(value)))) continue;
     const bool of_cost = agree(point.objectives[i], value, tolerance);
     const double stated = of_cost ? as_cost(o, point.costs[i]) : point.objectives[i];
@@ -97,13 +97,14 @@ void compare_limits(const Problem& multi, const FrontPoint& point,
         fmt::format("{} limits are stated, but the problem has {}", point.limits.size(), count));
     return;
   }
-  const auto differing = [&](const Sizes& sizes, bool prove) {
+  const auto differing = [&](const Scales& scales, bool prove) {
     std::vector<std::string> words;
-    const std::vector<LimitReport> reports = limit_reports(problem, sizes, point.x, prove);
+    const std::vector<LimitReport> reports = limit_reports(problem, scales, point.x, prove);
     for (std::size_t i = 0; i < count; ++i) {
       const Standing& stated = point.limits[i];
-      if (stated.name == reports[i].name && stands_so(stated, problem.constraints[i], point.x,
-                                                      reports[i], sizes.constraints[i].tolerance)) {
+      if (stated.name == reports[i].name &&
+          stands_so(stated, problem.constraints[i], point.x, reports[i],
+                    scales.constraints[i].tolerance)) {
         continue;
       }
       const double size = size_of(reports[i]);
@@ -117,7 +118,7 @@ void compare_limits(const Problem& multi, const FrontPoint& point,
     return words;
   };
   if (differing(without_tolerances(problem), false).empty()) return;
-  const Sizes own = judged_at(problem, sizes(problem, point.x), point.x);
+  const Scales own = judged_at(problem, scales(problem, point.x), point.x);
   if (differing(own, false).empty()) return;
   const std::vector<std::string> words = differing(own, true);
   found.insert(found.end(), words.begin(), words.end());
@@ -145,8 +146,8 @@ Assessment assessed_on_front(const Problem& multi, Design x, std::size_t sought)
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (i != sought) problem.constraints.push_back(at_most(multi.objectives[i], own[i]));
   }
-  const Sizes own_sizes = sizes(problem, x);
-  return assess(problem, own_sizes, x, true, teller_at(problem, own_sizes, x));
+  const Scales own_scales = scales(problem, x);
+  return assess(problem, own_scales, x, true, teller_at(problem, own_scales, x));
 }
 
 FrontPoint judged_again(const Problem& multi, const FrontPoint& point) {

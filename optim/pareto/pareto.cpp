@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/scouting.h"
 
@@ -53,7 +53,7 @@ double default_tolerance(const ProblemSpace& space, std::size_t objective, const
   if (best == nullptr) return 0;
   try {
     const Problem problem = space.problem(space.options(best->part)).alone(objective);
-    const double tolerance = sizes(problem, best->x).objective_tolerance;
+    const double tolerance = scales(problem, best->x).objective_tolerance;
     return std::isfinite(tolerance) ? tolerance : 0;
   } catch (const std::exception&) {
     return 0;  // of a model that throws nearby: all differences count

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
 #include "optim/pareto/measures.h"
@@ -53,7 +53,7 @@ std::vector<double> design_of(const Genome& genome, const std::vector<double>& g
 struct Unlimited {
   const Problem& multi;
   const Problem& problem;
-  const Sizes& sizes;
+  const Scales& scales;
 
   /// More than any cost that is worth having: what passes a limit is worse than all that does not.
   static constexpr double kBeyond = 1e100;
@@ -84,10 +84,10 @@ struct Unlimited {
   /// Largest violation by size beyond what is tolerated; not above 0 where every limit is met.
   double worst_excess(Design x) const {
     if (multi.constraints.empty()) return 0;
-    const double worst = largest_violation(problem, sizes, x);
+    const double worst = largest_violation(problem, scales, x);
     if (std::isnan(worst)) return kInfinity;
     double tolerated = kInfinity;
-    for (const ConstraintSize& c : sizes.constraints) {
+    for (const ConstraintScale& c : scales.constraints) {
       tolerated = std::min(tolerated, c.tolerance / c.size);
     }
     return worst > tolerated ? worst : 0;
@@ -105,8 +105,8 @@ Outcome scout(const Task& task, const Problem& multi) {
     return outcome;
   }
   const Problem problem = multi.alone(0);
-  const Sizes its_sizes = sizes(problem, problem.start());
-  const Unlimited unlimited{multi, problem, its_sizes};
+  const Scales its_scales = scales(problem, problem.start());
+  const Unlimited unlimited{multi, problem, its_scales};
   const Evolution evolution{.lower = genome.lower,
                             .upper = genome.upper,
                             .integers = genome.integer,

@@ -8,7 +8,7 @@
 #include <exception>
 #include <limits>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/part_front.h"
 #include "optim/pareto/scout.h"
@@ -271,7 +271,7 @@ std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points)
 
 FrontPoint looked_at(const Problem& multi, std::size_t part, Design x) {
   const Problem problem = multi.alone(0);
-  const std::vector<LimitReport> limits = limit_reports(problem, sizes(problem, x), x, true);
+  const std::vector<LimitReport> limits = limit_reports(problem, scales(problem, x), x, true);
   FrontPoint point = point_of(multi, part, x);
   point.limits = standings(limits, limits.size());
   point.solver = "none";

@@ -132,7 +132,7 @@ void search_along(const Setting& setting, Trail& trail) {
     }
     if (!cost && !trail.at_edge.x.empty()) return;  // nothing is known of a nearer one
     x = trail.last = next.x;
-    Sizes there = sizes(problem, x);
+    Scales there = scales(problem, x);
     Assessment judged = assess(problem, there, x, false);
     const bool is_last = cost && *cost <= kDear * there.objective;
     // Of two designs of this search the later one lies closer to the edge: it is to be better.
@@ -165,14 +165,14 @@ void keep_from_edge(const Setting& setting, Trail& trail) {
   const SettledAtEdge& edge = trail.at_edge;
   if (edge.x.empty() || trail.is_at_edge() || setting.deadline.passed()) return;
   if (is_settled(found.assessment)) return;
-  Sizes there = sizes(problem, edge.x);
+  Scales there = scales(problem, edge.x);
   Assessment own = assess(problem, there, edge.x, setting.proves());
   if (!is_taken(problem, own, found.assessment, edge.cost)) return;
   trail.take(edge.x, std::move(there), std::move(own));
 }
 
 std::string words_at_edge(const Setting& setting, const Trail& trail) {
-  const std::string why = unproved(setting.original, trail.sizes, trail.found.assessment);
+  const std::string why = unproved(setting.original, trail.scales, trail.found.assessment);
   return "the design lies beside the edge of where the model has numbers; the conditions of "
          "optimality hold at this distance from the edge, and nearer to it a design may be better" +
          (why.empty() ? "" : "; " + why);

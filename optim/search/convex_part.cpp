@@ -60,16 +60,16 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
   const std::vector<double> own = setting.problem.start();
   // Where every limit is convex, the optimum of that part is where the first start has led.
   const bool leaves_out = convex.constraints.size() < setting.problem.constraints.size();
-  Sizes own_sizes = sizes(convex, own);
+  Scales own_scales = scales(convex, own);
   if (trail.found.starts > 2 || !leaves_out) {
     convex.objectives = {towards(own, start, variable_scales(convex))};
-    own_sizes.objective = 1;
+    own_scales.objective = 1;
   }
   SolverOptions how;
   how.time_limit = setting.deadline.left();
   how.stop = setting.options.stop;
   const Attempt led =
-      exchange(convex, own_sizes, own, *plan(convex, "auto").solvers.front(), how, Aim::Optimum);
+      exchange(convex, own_scales, own, *plan(convex, "auto").solvers.front(), how, Aim::Optimum);
   trail.count(led);
   if (is_interruption(led.error)) throw Interrupted();
   if (led.status == Status::Unbounded) return {start.begin(), start.end()};

@@ -85,7 +85,7 @@ std::optional<EasedProblem> without_bound(const Problem& problem, const std::str
 /// Whether the problem's own objective, which the search for an easing leaves out, has a value: a
 /// limit that it requires may be a looser one on what is eased.
 bool has_objective(const Problem& problem, Design x) {
-  return std::isfinite(objective_report(problem, sizes(problem, x), x, false).value);
+  return std::isfinite(objective_report(problem, scales(problem, x), x, false).value);
 }
 
 Problem begun_at(Problem problem, const std::vector<double>& x) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/problem/interrupted.h"
 #include "optim/search/interruptible.h"
 #include "optim/verdict/subdivision.h"
@@ -21,7 +21,7 @@ void say_cut(const Deadline& deadline, Assessment& a) {
 
 /// The lower bound of an answer by dividing the box; none where the model throws on the way. Throws
 /// Interrupted.
-std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
+std::optional<Subdivision> division_of(const Problem& problem, const Scales& there,
                                        const Found& found, const Deadline& deadline) {
   try {
     return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
@@ -40,7 +40,7 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   OptimiseOptions once = how;
   once.starts = 1;
   const Problem guarded = interruptible(problem, deadline);
-  const Assessment own = assess(guarded, sizes(guarded, x), x, true);
+  const Assessment own = assess(guarded, scales(guarded, x), x, true);
   // A long first step may lead into the valley that was found before: then another method tries.
   Found found = search_continuous(again, once, deadline, Depth::Whole);
   if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
@@ -67,7 +67,7 @@ bool look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
     const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
     if (!stands || a.global) break;
     if (deadline.passed()) return false;
-    const Sizes there = sizes(guarded, found.x);
+    const Scales there = scales(guarded, found.x);
     const auto division = division_of(guarded, there, found, deadline);
     if (!division) break;
     if (!division->better) {

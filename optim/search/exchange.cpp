@@ -17,12 +17,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// The solver's tolerance, tight enough for every constraint's own.
-SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOptions options) {
+SolverOptions tightened(const Problem& problem, const Scales& scales, SolverOptions options) {
   constexpr double kTightest = 1e-11;
-  for (const ConstraintSize& c : sizes.constraints) {
+  for (const ConstraintScale& c : scales.constraints) {
     options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
   }
-  const double wanted = 0.1 * sizes.objective_tolerance / sizes.objective;
+  const double wanted = 0.1 * scales.objective_tolerance / scales.objective;
   if (problem.objective().tolerance) options.tolerance = std::min(options.tolerance, wanted);
   options.tolerance = std::max(options.tolerance, kTightest);
   return options;
@@ -144,31 +144,31 @@ double take(const Problem& problem, const Program& program, const Solution& solu
 
 /// Whether a polished design may take the solver's place: Newton's method goes to saddles as well.
 /// What the solver left may pass limits by a little, and look better by what that is worth.
-bool is_no_worse(const Problem& problem, const Sizes& sizes, Design polished, Design solved,
+bool is_no_worse(const Problem& problem, const Scales& scales, Design polished, Design solved,
                  Aim aim, bool settled) {
   constexpr double kShare = 1e-6;
   if (aim == Aim::LeastViolation) {
-    const double before = largest_violation(problem, sizes, solved);
-    return largest_violation(problem, sizes, polished) <= before * (1 + kShare);
+    const double before = largest_violation(problem, scales, solved);
+    return largest_violation(problem, scales, polished) <= before * (1 + kShare);
   }
   const Objective& objective = problem.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   const double before = objective_value(objective, solved);
-  const double slack = kShare * std::max(std::abs(before), sizes.objective);
+  const double slack = kShare * std::max(std::abs(before), scales.objective);
   const bool worse = sign * objective_value(objective, polished) > sign * before + slack;
   if (settled && worse) return false;
-  return kkt(problem, sizes, polished).second_order;
+  return kkt(problem, scales, polished).second_order;
 }
 
-void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
+void run(const Problem& problem, const Scales& scales, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
   double share = 0.1;  // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
-  WorkingSet working(problem, sizes, aim);
+  WorkingSet working(problem, scales, aim);
   working.begin_at(attempt.x);
-  SolverOptions left = tightened(problem, sizes, options);
+  SolverOptions left = tightened(problem, scales, options);
   std::optional<WarmStart> warm;
   while (true) {
     const Program program = working.program(attempt.x);
@@ -191,8 +191,8 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
-      auto better = polished(problem, sizes, attempt.x, wanted);
-      if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {
+      auto better = polished(problem, scales, attempt.x, wanted);
+      if (better && is_no_worse(problem, scales, *better, attempt.x, aim, settled)) {
         attempt.x = std::move(*better);
         attempt.status = Status::Solved;
         return;
@@ -207,7 +207,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     if (settled) return;
     const bool refined = share < 0.1 && aim == Aim::Optimum && !sharp;
-    if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
+    if (refined && kkt(problem, scales, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;
       attempt.message =
@@ -225,25 +225,25 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   }
 }
 
-/// Does work(problem, sizes) with the problem as a method takes it: one that searches the whole box
-/// wants no rows more than there are limits, and no smoothness; it gets peaks as numbers.
+/// Does work(problem, scales) with the problem as a method takes it: one that searches the whole
+/// box wants no rows more than there are limits, and no smoothness; it gets peaks as numbers.
 template <class Work>
-auto as_taken(const Problem& problem, const Sizes& sizes, const Solver& solver, Work work) {
-  if (!solver.is_global()) return work(problem, sizes);
-  const SizedProblem numbers = with_peaks_as_numbers(problem, sizes);
-  return work(numbers.problem, numbers.sizes);
+auto as_taken(const Problem& problem, const Scales& scales, const Solver& solver, Work work) {
+  if (!solver.is_global()) return work(problem, scales);
+  const SizedProblem numbers = with_peaks_as_numbers(problem, scales);
+  return work(numbers.problem, numbers.scales);
 }
 
 }  // namespace
 
-Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
+Attempt exchange(const Problem& problem, const Scales& scales, Design start, const Solver& solver,
                  const SolverOptions& options, Aim aim) {
   Attempt attempt;
   attempt.x.assign(start.begin(), start.end());
   draw_into_box(problem, attempt.x);
   try {
-    as_taken(problem, sizes, solver, [&](const Problem& taken, const Sizes& its_sizes) {
-      run(taken, its_sizes, solver, options, aim, attempt);
+    as_taken(problem, scales, solver, [&](const Problem& taken, const Scales& its_scales) {
+      run(taken, its_scales, solver, options, aim, attempt);
     });
   } catch (...) {  // what the model throws between solves
     attempt.status = Status::Failed;
@@ -253,10 +253,10 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
   return attempt;
 }
 
-std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,
+std::optional<std::string> refusal(const Problem& problem, const Scales& scales, Design start,
                                    const Solver& solver) {
-  auto why = as_taken(problem, sizes, solver, [&](const Problem& taken, const Sizes& its_sizes) {
-    WorkingSet working(taken, its_sizes, Aim::Optimum);
+  auto why = as_taken(problem, scales, solver, [&](const Problem& taken, const Scales& its_scales) {
+    WorkingSet working(taken, its_scales, Aim::Optimum);
     working.begin_at(start);
     return solver.refusal(working.program(start));
   });

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/problem/problem.h"
 #include "optim/solvers/solver.h"
 #include "optim/verdict/kkt.h"
@@ -15,7 +15,7 @@
 namespace camlaw::optim {
 
 /// What is searched for: the objective's optimum, or the design whose largest violation, counted in
-/// the constraints' sizes, is least.
+/// the constraints' scales, is least.
 enum class Aim { Optimum, LeastViolation };
 
 /// How a search ended.
@@ -34,11 +34,11 @@ struct Attempt {
 
 /// Searches from `start`. Peaks are found after each solve; angles where a limit is passed, or a
 /// peak stands above the bound that the solver worked with, join the program, until none does.
-Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
+Attempt exchange(const Problem& problem, const Scales& scales, Design start, const Solver& solver,
                  const SolverOptions& options, Aim aim = Aim::Optimum);
 
 /// Why a solver cannot take the problem; empty where it can.
-std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,
+std::optional<std::string> refusal(const Problem& problem, const Scales& scales, Design start,
                                    const Solver& solver);
 
 }  // namespace camlaw::optim

@@ -24,7 +24,7 @@ Least least_violation_as_posed(Design start, const Setting& setting, Trail& trai
   for (const Solver* solver : least_violation_plan(setting.problem)) {
     least.attempt = attempt(start, *solver, setting, trail, Aim::LeastViolation);
     if (least.attempt.x.empty() || setting.deadline.passed()) return {};
-    least.blame = assess_least_violation(setting.problem, trail.sizes, least.attempt.x,
+    least.blame = assess_least_violation(setting.problem, trail.scales, least.attempt.x,
                                          told_as(least.attempt.told));
     if (is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible) break;
   }
@@ -61,7 +61,7 @@ Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
 Least least_violation_at(const std::vector<double>& x, const Setting& setting, Trail& trail) {
   try {
     Least least;
-    least.blame = assess(setting.problem, trail.sizes, x, false);
+    least.blame = assess(setting.problem, trail.scales, x, false);
     if (!is_feasible(least.blame)) return least_violation_from(x, setting, trail);
     least.attempt.x = x;
     least.attempt.status = Status::Solved;
@@ -82,14 +82,14 @@ Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) 
   constexpr double kGain = 1e-6;
   if (least.blame.global || setting.depth == Depth::Node) return least;
   const std::string thrown = trail.thrown;
-  for (const auto& x : least_violating(setting.problem, trail.sizes, least.attempt.x, kTried,
+  for (const auto& x : least_violating(setting.problem, trail.scales, least.attempt.x, kTried,
                                        setting.options.seed)) {
     if (is_feasible(least.blame) || setting.deadline.passed()) break;
     Least other = least_violation_at(x, setting, trail);
     trail.thrown = thrown;
     if (other.attempt.x.empty()) continue;
-    const double gain = largest_violation(setting.problem, trail.sizes, least.attempt.x) -
-                        largest_violation(setting.problem, trail.sizes, other.attempt.x);
+    const double gain = largest_violation(setting.problem, trail.scales, least.attempt.x) -
+                        largest_violation(setting.problem, trail.scales, other.attempt.x);
     if (is_feasible(other.blame) || gain > kGain) least = std::move(other);
   }
   if (setting.deadline.passed() && !is_feasible(least.blame)) {  // not everywhere
@@ -101,7 +101,7 @@ Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) 
 
 /// Begins the problem at a design, and holds the variables that stand at their bounds there; none
 /// where no variable does.
-std::optional<Problem> held_at_bounds(Problem problem, Design x, const Sizes& sizes) {
+std::optional<Problem> held_at_bounds(Problem problem, Design x, const Scales& scales) {
   constexpr double kAt = 1e-7;  // of a typical change: as near as solvers come
   bool any = false;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -109,7 +109,7 @@ std::optional<Problem> held_at_bounds(Problem problem, Design x, const Sizes& si
     v.start = x[i];
     if (v.lower == v.upper) continue;
     for (const double bound : {v.lower, v.upper}) {
-      if (!(std::abs(x[i] - bound) <= kAt * sizes.variables[i])) continue;
+      if (!(std::abs(x[i] - bound) <= kAt * scales.variables[i])) continue;
       v.lower = v.upper = v.start = bound;
       any = true;
       break;
@@ -122,7 +122,7 @@ std::optional<Problem> held_at_bounds(Problem problem, Design x, const Sizes& si
 /// that leaves the bound does not come back: so one is made that holds the variables which stand at
 /// theirs.
 void search_along_bounds(Design x, const Setting& setting, Trail& trail, Reached& reached) {
-  const auto along = held_at_bounds(setting.original, x, trail.sizes);
+  const auto along = held_at_bounds(setting.original, x, trail.scales);
   if (!along || setting.deadline.passed()) return;
   OptimiseOptions once = setting.options;
   once.solver = "auto";

@@ -9,17 +9,17 @@
 namespace camlaw::optim {
 namespace {
 
-/// Searches from where a search has ended, in the sizes of that place, where they are others. A
+/// Searches from where a search has ended, in the scales of that place, where they are others. A
 /// linear problem is solved once more in any case, with the peaks of that place as its first rows:
 /// that sharpens the multipliers, and takes less than another method.
 void search_rescaled(std::vector<double> x, const Solver& solver, const Setting& setting,
                      Trail& trail, Reached& reached) {
   constexpr int kTimes = 3;
   for (int i = 0; i < kTimes; ++i) {
-    Sizes there = sizes(setting.problem, x);
+    Scales there = scales(setting.problem, x);
     const bool sharpens = i == 0 && solver.solves_linear_programs();
-    if (!differ(there, trail.sizes) && !sharpens) return;
-    trail.sizes = std::move(there);
+    if (!differ(there, trail.scales) && !sharpens) return;
+    trail.scales = std::move(there);
     const Attempt tried = attempt(x, solver, setting, trail, reached);
     const bool ended = tried.error || tried.x.empty() || setting.deadline.passed();
     if (ended || is_settled(reached.latest)) return;
@@ -41,7 +41,7 @@ Assessment search_from_start(Design start, const Setting& setting, Trail& trail)
   Reached reached;
   std::vector<double> x(start.begin(), start.end());
   if (trail.found.solves > 0)
-    trail.sizes = sizes(setting.problem, x);  // of the first they are known
+    trail.scales = scales(setting.problem, x);  // of the first they are known
   for (const Solver* solver : setting.plan.solvers) {
     const Attempt tried = attempt(x, *solver, setting, trail, reached);
     if (tried.error || setting.deadline.passed()) break;
@@ -49,7 +49,7 @@ Assessment search_from_start(Design start, const Setting& setting, Trail& trail)
       x = tried.x;  // polished by the next
       continue;
     }
-    // Where all iterations led to no design within the limits, other sizes lead to none either.
+    // Where all iterations led to no design within the limits, other scales lead to none either.
     const bool in_vain = tried.status == Status::IterationLimit && !trail.knows_design();
     trail.in_vain = trail.in_vain || in_vain;
     const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded && !in_vain;

@@ -130,12 +130,12 @@ bool is_one_of_several(const Constraint& limit, const Assessment& answer) {
 
 }  // namespace
 
-std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes) {
+std::optional<Hopeless> hopeless_limit(const Problem& problem, const Scales& scales) {
   const std::vector<double> start = problem.start();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     if (auto found = undefined_for_all(c, problem, start)) return found;
-    const double tolerance = sizes.constraints[i].tolerance;
+    const double tolerance = scales.constraints[i].tolerance;
     const Bounds within{c.lower ? *c.lower - tolerance : -kInfinity,
                         c.upper ? *c.upper + tolerance : kInfinity};
     if ((c.upper && settled_value(c.response, true, problem, start) > within.upper) ||

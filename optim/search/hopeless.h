@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/assessment.h"
 
 /// Limits that no design meets: known without a search, or found to be enough by leaving out
@@ -21,7 +21,7 @@ struct Hopeless {
 
 /// Looks for a limit that nothing moves which varies, or that is passed at a place of the cycle at
 /// which the curve is enclosed as the same for every design. None where there is none.
-std::optional<Hopeless> hopeless_limit(const Problem& problem, const Sizes& sizes);
+std::optional<Hopeless> hopeless_limit(const Problem& problem, const Scales& scales);
 
 /// The answer to a problem with fewer limits.
 using SearchAgain = std::function<Assessment(const Problem&)>;

@@ -12,7 +12,7 @@ namespace camlaw::optim {
 bool is_interruption(const std::exception_ptr& error);
 
 /// The same problem, whose responses throw Interrupted once the deadline has passed. Whatever is
-/// worked out of a problem, from sizes to proofs, comes from its responses: so all of it ends in
+/// worked out of a problem, from scales to proofs, comes from its responses: so all of it ends in
 /// time, without each loop asking. The stop flag of the deadline must outlive the copy.
 Problem interruptible(Problem problem, const Deadline& deadline);
 /// The same of one response.

@@ -12,20 +12,20 @@ namespace camlaw::optim {
 namespace {
 
 /// Whether two places are so near that searches from them lead to the same, as a rule.
-bool are_near(const Problem& problem, const Sizes& sizes, Design a, Design b) {
+bool are_near(const Problem& problem, const Scales& scales, Design a, Design b) {
   constexpr double kNear = 0.1;  // of the range, or of ten typical changes
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double range = problem.variables[i].upper - problem.variables[i].lower;
-    const double whole = std::isfinite(range) ? range : 10 * sizes.variables[i];
+    const double whole = std::isfinite(range) ? range : 10 * scales.variables[i];
     if (std::abs(a[i] - b[i]) > kNear * whole) return false;
   }
   return true;
 }
 
 /// Infinite where the model gives no number, or throws.
-double violation_at(const Problem& problem, const Sizes& sizes, Design x) {
+double violation_at(const Problem& problem, const Scales& scales, Design x) {
   try {
-    return largest_violation(problem, sizes, x);
+    return largest_violation(problem, scales, x);
   } catch (...) {
     if (is_interruption(std::current_exception())) throw;
     return kInfinity;
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> on_faces(const Problem& problem,
 
 }  // namespace
 
-std::vector<std::vector<double>> least_violating(const Problem& problem, const Sizes& sizes,
+std::vector<std::vector<double>> least_violating(const Problem& problem, const Scales& scales,
                                                  Design known, std::size_t count,
                                                  std::uint64_t seed) {
   constexpr int kPlaces = 128;
@@ -64,7 +64,7 @@ std::vector<std::vector<double>> least_violating(const Problem& problem, const S
   std::vector<std::pair<double, std::vector<double>>> places;
   for (const auto& all : {even, by_magnitude, on_faces(problem, even)}) {
     for (const std::vector<double>& x : all) {
-      const double violation = violation_at(problem, sizes, x);
+      const double violation = violation_at(problem, scales, x);
       if (std::isfinite(violation)) places.emplace_back(violation, x);
     }
   }
@@ -73,9 +73,9 @@ std::vector<std::vector<double>> least_violating(const Problem& problem, const S
   std::vector<std::vector<double>> result;
   for (const auto& [violation, x] : places) {
     if (result.size() == count) break;
-    const bool is_new = !are_near(problem, sizes, known, x) &&
+    const bool is_new = !are_near(problem, scales, known, x) &&
                         std::none_of(result.begin(), result.end(), [&, &place = x](const auto& r) {
-                          return are_near(problem, sizes, r, place);
+                          return are_near(problem, scales, r, place);
                         });
     if (is_new) result.push_back(x);
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::optim {
 
@@ -14,7 +14,7 @@ namespace camlaw::optim {
 /// where the limits leave no convex set, the one that it came to first may not be the least. On a
 /// face a law may have lost a phase, so that its curves are others than anywhere beside it.
 /// `known`: where a search has ended already; nothing near it is wanted.
-std::vector<std::vector<double>> least_violating(const Problem& problem, const Sizes& sizes,
+std::vector<std::vector<double>> least_violating(const Problem& problem, const Scales& scales,
                                                  Design known, std::size_t count,
                                                  std::uint64_t seed);
 

@@ -29,10 +29,10 @@ namespace camlaw::optim {
 namespace {
 
 /// Where a limit is passed whatever the design, there is no need to search.
-void blame(const Hopeless& hopeless, const Problem& problem, const Sizes& sizes, Found& found) {
+void blame(const Hopeless& hopeless, const Problem& problem, const Scales& scales, Found& found) {
   found.x = problem.start();
   found.starts = found.agreed = found.planned_starts = 1;
-  found.assessment = assess(problem, sizes, found.x, false);
+  found.assessment = assess(problem, scales, found.x, false);
   found.assessment.verdict = Verdict::Infeasible;
   found.assessment.blamed = {hopeless.limit};
   found.assessment.reason = fmt::format("{} cannot be met: {}", hopeless.limit, hopeless.why);
@@ -41,17 +41,17 @@ void blame(const Hopeless& hopeless, const Problem& problem, const Sizes& sizes,
 
 /// Judges the one design of a problem in which nothing varies.
 void judge_alone(const Problem& problem, Trail& trail) {
-  trail.sizes = sizes(problem, {});
+  trail.scales = scales(problem, {});
   Found& found = trail.found;
   found.starts = found.agreed = 1;
   found.status = Status::Solved;
-  found.assessment = assess(problem, trail.sizes, {}, true);
+  found.assessment = assess(problem, trail.scales, {}, true);
   if (is_feasible(found.assessment)) return;
-  const Assessment least = assess_least_violation(problem, trail.sizes, {});
+  const Assessment least = assess_least_violation(problem, trail.scales, {});
   if (least.verdict == Verdict::Infeasible) {
     found.assessment = least;
-  } else if (const auto hopeless = hopeless_limit(problem, trail.sizes)) {
-    blame(*hopeless, problem, trail.sizes, found);
+  } else if (const auto hopeless = hopeless_limit(problem, trail.scales)) {
+    blame(*hopeless, problem, trail.scales, found);
   }
 }
 
@@ -77,7 +77,7 @@ bool leaves_nothing(const Setting& setting, const Trail& trail) {
   if (!how.divides) return false;
   const Problem guarded = interruptible(setting.original, setting.deadline);
   const std::vector<double>& x = trail.found.x;
-  const Sizes there = sizes(guarded, x);
+  const Scales there = scales(guarded, x);
   const auto division = subdivided(
       guarded, there, x, [&] { return setting.deadline.passed(); }, kFewBoxes);
   if (!division || division->better) return false;
@@ -102,7 +102,7 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
     const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
     const std::vector<double> start =
         as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
-    trail.sizes = sizes(setting.problem, start);
+    trail.scales = scales(setting.problem, start);
     const Assessment end = search_from_start(start, setting, trail);
     if (is_feasible(end)) result.objective = end.objective.value;
     if (number == 0 && leaves_nothing(setting, trail)) result.end = StartEnd::BestOfAll;
@@ -158,7 +158,7 @@ void search_starts(const Setting& setting, Trail& trail, std::vector<double>& en
 
 /// Whether the answer is where the search began, or says itself that its conditions may hold by
 /// chance, and no lower bound speaks for it.
-bool is_doubtful(const Problem& problem, const Sizes& sizes, const Found& found) {
+bool is_doubtful(const Problem& problem, const Scales& scales, const Found& found) {
   const Assessment& a = found.assessment;
   if (!is_feasible(a) || a.global) return false;
   if (!a.sign.empty()) return true;
@@ -166,7 +166,7 @@ bool is_doubtful(const Problem& problem, const Sizes& sizes, const Found& found)
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Variable& v = problem.variables[i];
     const bool inside = v.lower == v.upper || (start[i] > v.lower && start[i] < v.upper);
-    if (!inside || std::abs(found.x[i] - start[i]) > 1e-9 * sizes.variables[i]) return false;
+    if (!inside || std::abs(found.x[i] - start[i]) > 1e-9 * scales.variables[i]) return false;
   }
   return true;
 }
@@ -175,7 +175,7 @@ bool is_doubtful(const Problem& problem, const Sizes& sizes, const Found& found)
 void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& trail) {
   constexpr int kStarts = 4;
   if (trail.found.starts > 1 || setting.deadline.passed()) return;
-  if (!is_doubtful(setting.problem, trail.sizes, trail.found)) return;
+  if (!is_doubtful(setting.problem, trail.scales, trail.found)) return;
   const auto more = starts(setting.problem, kStarts, setting.options.seed);
   for (std::size_t i = 1; i < more.size() && !setting.deadline.passed(); ++i) {
     search_from_start(more[i], setting, trail);
@@ -183,19 +183,30 @@ void search_elsewhere(WatchedProblem& watched, const Setting& setting, Trail& tr
   prove_best(watched, setting, trail);
 }
 
+/// How many starts ended at designs as good as the best.
+int agreed(const std::vector<double>& ends, double best, double size) {
+  return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
+    return std::abs(end - best) <= 1e-6 * std::max(std::abs(best), size);
+  }));
+}
+
 /// Of a search from several starts: where the box holds a better design than all of them led to, it
-/// goes on from there.
-void search_around(const Setting& setting, Trail& trail) {
+/// goes on from there. Where a look takes a search over the cycle at each place, only if most of
+/// the starts ended elsewhere than at the best, or at no optimum.
+void search_around(const Setting& setting, const std::vector<double>& ends, Trail& trail) {
   constexpr int kTimes = 3;
   const OptimiseOptions& how = setting.options;
   const bool is_wide = !how.starts && how.divides && count_of_starts(setting) > 1;
   const Assessment& a = trail.found.assessment;
   if (!is_wide || trail.is_infeasible()) return;
+  const int alike = agreed(ends, a.objective.value, trail.scales.objective);
+  const bool is_agreed = is_settled(a) && 2 * alike > static_cast<int>(ends.size());
+  if (is_agreed && !is_quick(setting.problem)) return;
   for (int i = 0; i < kTimes && !setting.deadline.passed(); ++i) {
     if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
     const auto x = better_elsewhere(setting, trail);
     if (!x) return;
-    const Sizes there = sizes(setting.problem, *x);
+    const Scales there = scales(setting.problem, *x);
     trail.take(*x, there, assess(setting.problem, there, *x, false));
     search_from_start(*x, setting, trail);
   }
@@ -212,17 +223,10 @@ void keep_start(const Setting& setting, Trail& trail) {
   const double gain =
       sign * (found.assessment.objective.value - objective_value(problem.objective(), start));
   if (is_feasible(found.assessment) && !(gain > 0)) return;  // as nearly always
-  const Sizes there = sizes(problem, start);
+  const Scales there = scales(problem, start);
   const Assessment own = assess(problem, there, start, false);
   if (!is_feasible(own) || !better(problem, own, found.assessment)) return;
   trail.take(start, there, assess(problem, there, start, setting.proves()));
-}
-
-/// How many starts ended at designs as good as the best.
-int agreed(const std::vector<double>& ends, double best, double size) {
-  return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](double end) {
-    return std::abs(end - best) <= 1e-6 * std::max(std::abs(best), size);
-  }));
 }
 
 /// Says what the search adds to the reason of the assessment.
@@ -246,7 +250,7 @@ std::string words_of_search(const Setting& setting, const Trail& trail) {
 
 void conclude_search(const Setting& setting, const std::vector<double>& ends, Trail& trail) {
   Found& found = trail.found;
-  found.agreed += agreed(ends, found.assessment.objective.value, trail.sizes.objective);
+  found.agreed += agreed(ends, found.assessment.objective.value, trail.scales.objective);
   Assessment& a = found.assessment;
   const bool is_looked_at = setting.proves() && !setting.deadline.passed();
   if (is_looked_at && a.verdict == Verdict::Feasible && !is_settled(a)) {
@@ -263,17 +267,17 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
     judge_alone(problem, trail);
     return true;
   }
-  trail.sizes = sizes(problem, problem.start());
+  trail.scales = scales(problem, problem.start());
   if (setting.options.solver != "auto") {  // of which the plan takes what accepts the problem
     const Solver& first = *setting.plan.solvers.front();
-    const auto why = refusal(problem, trail.sizes, problem.start(), first);
+    const auto why = refusal(problem, trail.scales, problem.start(), first);
     if (why) {
       trail.fail(*why);
       return true;
     }
   }
-  const auto hopeless = hopeless_limit(problem, trail.sizes);
-  if (hopeless) blame(*hopeless, problem, trail.sizes, trail.found);
+  const auto hopeless = hopeless_limit(problem, trail.scales);
+  if (hopeless) blame(*hopeless, problem, trail.scales, trail.found);
   return hopeless.has_value();
 }
 
@@ -287,7 +291,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   const bool is_begun = !known.empty() && known.front().end != StartEnd::NotBegun;
   if (!is_begun && is_judged_without_search(setting, trail)) return;
   search_starts(setting, trail, ends, std::move(known));
-  search_around(setting, trail);
+  search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))
@@ -310,11 +314,11 @@ void end_in_haste(const Setting& setting, Trail& trail) {
   const Deadline rest(1 + 0.05 * setting.deadline.spent(), nullptr);  // s
   const ProofTime time(rest);
   const Problem plain = remembered(setting.original);
-  const bool sized = trail.sizes.constraints.size() == plain.constraints.size();
+  const bool sized = trail.scales.constraints.size() == plain.constraints.size();
   Found& found = trail.found;
   if (!found.x.empty()) judge_in_haste(plain, found.x, found.assessment);
   const auto take = [&](const std::vector<double>& x) {
-    Assessment a = sized ? assess_in_haste(plain, trail.sizes, x) : assess_in_haste(plain, x);
+    Assessment a = sized ? assess_in_haste(plain, trail.scales, x) : assess_in_haste(plain, x);
     if (!found.x.empty() && !better(plain, a, found.assessment)) return;
     found.x = x;
     found.assessment = std::move(a);

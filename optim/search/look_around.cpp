@@ -20,19 +20,22 @@ bool is_quick(const Response& response) {
 int designs_to_look_at(const Problem& problem) {
   constexpr std::size_t kFew = 10, kFewOfSearches = 4;
   constexpr int kQuick = 501, kSearched = 385;
-  const bool quick = is_quick(problem.objective().response) &&
-                     std::all_of(problem.constraints.begin(), problem.constraints.end(),
-                                 [](const Constraint& c) { return is_quick(c.response); });
-  if (problem.variables.size() > (quick ? kFew : kFewOfSearches)) return 0;
-  return quick ? kQuick : kSearched;
+  if (problem.variables.size() > (is_quick(problem) ? kFew : kFewOfSearches)) return 0;
+  return is_quick(problem) ? kQuick : kSearched;
 }
 
 /// Whether a design keeps every limit without its tolerance.
 bool keeps_limits(const Setting& setting, const Trail& trail, Design x) {
-  return !(largest_violation(setting.problem, trail.sizes, x) > 0);
+  return !(largest_violation(setting.problem, trail.scales, x) > 0);
 }
 
 }  // namespace
+
+bool is_quick(const Problem& problem) {
+  return is_quick(problem.objective().response) &&
+         std::all_of(problem.constraints.begin(), problem.constraints.end(),
+                     [](const Constraint& c) { return is_quick(c.response); });
+}
 
 std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
                                                     const Trail& trail) try {
@@ -42,7 +45,7 @@ std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
   const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
   double least = kInfinity;
   if (trail.is_within_limits()) {
-    least = sign * trail.found.assessment.objective.value - trail.sizes.objective_tolerance;
+    least = sign * trail.found.assessment.objective.value - trail.scales.objective_tolerance;
   }
   std::optional<std::vector<double>> best;
   for (std::vector<double>& x : starts(problem, designs, setting.options.seed)) {

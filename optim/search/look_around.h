@@ -8,6 +8,9 @@
 
 namespace camlaw::optim {
 
+/// Whether objective and limits are numbers that are no searches over the cycle themselves.
+bool is_quick(const Problem& problem);
+
 /// A design within the limits that is better than what a search has found, by more than the
 /// objective's tolerance: the best of 500 that fill the box where objective and limits are numbers
 /// that are no searches themselves, of up to ten variables; of 384 where some are searches over the

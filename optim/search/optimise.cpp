@@ -235,7 +235,7 @@ class Optimiser {
     if ((is_design && found.assessment.verdict != Verdict::Failed) || deadline_.passed())
       return found;
     // What was found without a proof may break a limit where only a proof looks.
-    Assessment own = assess(fixed, sizes(fixed, design.x), design.x, true);
+    Assessment own = assess(fixed, scales(fixed, design.x), design.x, true);
     if (found.assessment.verdict == Verdict::Infeasible && !is_feasible(own)) return found;
     found.x = design.x;
     found.assessment = std::move(own);

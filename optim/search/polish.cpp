@@ -13,7 +13,7 @@ namespace camlaw::optim {
 namespace {
 
 constexpr int kMostVariables = 300;
-constexpr double kHolds = 1e-9;  // over the sizes: a limit with less does not hold the design
+constexpr double kHolds = 1e-9;  // over the scales: a limit with less does not hold the design
 
 /// The limits that push, as equations, and the Lagrangian's second derivatives: one linear system.
 /// Its solution is the step of the design, by typical changes; empty where there is none.
@@ -26,7 +26,7 @@ std::optional<Eigen::VectorXd> newton_step(const SecondOrderPoint& point, const 
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + m, n + m);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m);
   K.topLeftCorner(n, n) = lagrangian_hessian(point, weighed.limits, weighed.multipliers);
-  right.head(n) = -objective_gradient(point.problem, point.sizes, point.x, point.layout);
+  right.head(n) = -objective_gradient(point.problem, point.scales, point.x, point.layout);
   for (Eigen::Index k = 0; k < m; ++k) {
     const ActiveLimit& limit = weighed.limits[pushing[static_cast<std::size_t>(k)]];
     for (const auto& [variable, slope] : limit.gradient) {
@@ -50,13 +50,13 @@ std::vector<double> moved(const SecondOrderPoint& point, const Eigen::VectorXd& 
     const Variable& v = point.problem.variables[i];
     if (point.layout.row[i] < 0) continue;
     x[i] =
-        std::clamp(x[i] + step[point.layout.row[i]] * point.sizes.variables[i], v.lower, v.upper);
+        std::clamp(x[i] + step[point.layout.row[i]] * point.scales.variables[i], v.lower, v.upper);
   }
   return x;
 }
 
 /// Steps with the limits of one width until the conditions hold to rounding or cease to improve.
-std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes,
+std::optional<std::vector<double>> polished(const Problem& problem, const Scales& scales,
                                             Design start, Optimality optimality, double width) {
   constexpr int kSteps = 8;
   constexpr double kDone = 1e-11, kGood = 1e-8, kMet = 0.1;
@@ -65,11 +65,11 @@ std::optional<std::vector<double>> polished(const Problem& problem, const Sizes&
   std::vector<double> best, x(start.begin(), start.end());
   double residual = kInfinity;
   for (int step = 0; step < kSteps; ++step) {
-    const Weighed weighed = weigh(problem, sizes, x, optimality, layout, Net{width});
-    const bool met = free || worst_violation(limit_reports(problem, sizes, x, false)) <= kMet;
+    const Weighed weighed = weigh(problem, scales, x, optimality, layout, Net{width});
+    const bool met = free || worst_violation(limit_reports(problem, scales, x, false)) <= kMet;
     if (met && weighed.residual < residual) best = x, residual = weighed.residual;
     if (residual <= kDone) break;
-    const SecondOrderPoint point{problem, sizes, x, layout};
+    const SecondOrderPoint point{problem, scales, x, layout};
     const auto delta = newton_step(point, weighed);
     if (!delta || delta->head(layout.rows).cwiseAbs().maxCoeff() > 1) break;
     x = moved(point, *delta);
@@ -80,13 +80,13 @@ std::optional<std::vector<double>> polished(const Problem& problem, const Sizes&
 
 }  // namespace
 
-std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<std::vector<double>> polished(const Problem& problem, const Scales& scales, Design x,
                                             Optimality optimality) {
   constexpr double kWidths[] = {1e-6, 1e-3};
   const int rows = lay_out(problem, optimality).rows;
   if (rows > kMostVariables || rows == 0) return {};
   for (const double width : kWidths) {
-    if (auto found = polished(problem, sizes, x, optimality, width)) return found;
+    if (auto found = polished(problem, scales, x, optimality, width)) return found;
   }
   return {};
 }

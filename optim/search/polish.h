@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/kkt.h"
 
 namespace camlaw::optim {
@@ -14,7 +14,7 @@ namespace camlaw::optim {
 /// of fixed angles takes many programs for. The design where the conditions hold to rounding and
 /// every limit is met; of LeastViolation the design of least violation. Empty where the steps do
 /// not lead to one, and for more than 300 variables.
-std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<std::vector<double>> polished(const Problem& problem, const Scales& scales, Design x,
                                             Optimality optimality = Optimality::Objective);
 
 }  // namespace camlaw::optim

@@ -41,16 +41,16 @@ const Solver& finisher(const Setting& setting) {
   return first.is_sharp() ? first : *setting.plan.solvers.back();
 }
 
-/// Conditions that held in the sizes of a search may not hold in those of the design it led to:
+/// Conditions that held in the scales of a search may not hold in those of the design it led to:
 /// then the search goes on from there.
-void settle_in_own_sizes(const Setting& setting, Trail& trail) {
+void settle_in_own_scales(const Setting& setting, Trail& trail) {
   if (!trail.is_within_limits()) return;
   Assessment& best = trail.found.assessment;
-  Sizes own = sizes(setting.problem, trail.found.x);
-  const bool known = is_settled(best) && !differ(own, trail.sizes);
-  trail.sizes = std::move(own);
+  Scales own = scales(setting.problem, trail.found.x);
+  const bool known = is_settled(best) && !differ(own, trail.scales);
+  trail.scales = std::move(own);
   if (known) return;
-  best = assess(setting.problem, trail.sizes, trail.found.x, false, told_as(trail.told));
+  best = assess(setting.problem, trail.scales, trail.found.x, false, told_as(trail.told));
   const Solver& solver = finisher(setting);
   if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
   Reached reached;
@@ -58,15 +58,15 @@ void settle_in_own_sizes(const Setting& setting, Trail& trail) {
 }
 
 /// Judges the best design, with proofs. What its solve has told may not do where other designs and
-/// other sizes were looked at since: then a linear problem is solved once more from there.
+/// other scales were looked at since: then a linear problem is solved once more from there.
 Assessment judged_best(const Setting& setting, const Trail& trail) {
   const auto with = [&](const Teller& told) {
-    return assess(setting.problem, trail.sizes, trail.found.x, true, told);
+    return assess(setting.problem, trail.scales, trail.found.x, true, told);
   };
   Assessment judged = with(told_as(trail.told));
   const bool wanting = is_feasible(judged) && !judged.global;
   if (!is_linear(setting.problem) || !wanting || setting.deadline.passed()) return judged;
-  Assessment again = with(teller_at(setting.problem, trail.sizes, trail.found.x));
+  Assessment again = with(teller_at(setting.problem, trail.scales, trail.found.x));
   return again.verdict == Verdict::Certified ? again : judged;
 }
 
@@ -82,7 +82,7 @@ void search_again(const Setting& setting, Trail& trail) {
     trail.message = again.message;
   }
   trail.found.assessment =
-      assess(setting.problem, trail.sizes, trail.found.x, false, told_as(trail.told));
+      assess(setting.problem, trail.scales, trail.found.x, false, told_as(trail.told));
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
   Found& found = trail.found;
   Reached reached;
   for (int round = 0; !trail.is_infeasible(); ++round) {
-    settle_in_own_sizes(setting, trail);
+    settle_in_own_scales(setting, trail);
     if (!trail.is_within_limits() && !setting.deadline.passed())
       find_feasible(setting, trail, reached);
     if (!trail.is_within_limits() || !setting.proves()) return;

@@ -25,7 +25,7 @@ class WatchedProblem {
   std::vector<std::vector<double>> angles_;  ///< of the objective and of each constraint
 };
 
-/// Proves the best design, in its own sizes; where the proof finds an angle that breaks a limit,
+/// Proves the best design, in its own scales; where the proof finds an angle that breaks a limit,
 /// searches again.
 void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail);
 

@@ -3,7 +3,7 @@
 
 namespace camlaw::optim {
 
-bool differ(const Sizes& a, const Sizes& b) {
+bool differ(const Scales& a, const Scales& b) {
   constexpr double kFactor = 10;
   const auto far = [](double p, double q) { return p > kFactor * q || q > kFactor * p; };
   if (far(a.objective, b.objective)) return true;

@@ -95,16 +95,16 @@ void visit(Archive& archive, P& push) {
 }
 
 template <class Archive, class C>
-requires std::is_same_v<std::remove_const_t<C>, ConstraintSize>
+requires std::is_same_v<std::remove_const_t<C>, ConstraintScale>
 void visit(Archive& archive, C& one) {
   auto& [size, tolerance, default_tolerance] = one;
   archive(size), archive(tolerance), archive(default_tolerance);
 }
 
 template <class Archive, class S>
-requires std::is_same_v<std::remove_const_t<S>, Sizes>
-void visit(Archive& archive, S& sizes) {
-  auto& [variables, own, objective, objective_tolerance, objective_typical, constraints] = sizes;
+requires std::is_same_v<std::remove_const_t<S>, Scales>
+void visit(Archive& archive, S& scales) {
+  auto& [variables, own, objective, objective_tolerance, objective_typical, constraints] = scales;
   archive(variables), archive(own), archive(objective), archive(objective_tolerance);
   archive(objective_typical), archive(constraints);
 }
@@ -112,9 +112,9 @@ void visit(Archive& archive, S& sizes) {
 template <class Archive, class T>
 requires std::is_same_v<std::remove_const_t<T>, Trail>
 void visit(Archive& archive, T& trail) {
-  auto& [found, message, told, sizes, last, thrown, at_edge, in_vain, unbounded, design_elsewhere,
+  auto& [found, message, told, scales, last, thrown, at_edge, in_vain, unbounded, design_elsewhere,
          none_elsewhere] = trail;
-  archive(found), archive(message), archive(told), archive(sizes), archive(last), archive(thrown);
+  archive(found), archive(message), archive(told), archive(scales), archive(last), archive(thrown);
   archive(at_edge.x), archive(at_edge.cost), archive(in_vain), archive(unbounded),
       archive(design_elsewhere), archive(none_elsewhere);
 }

@@ -6,12 +6,12 @@
 
 namespace camlaw::optim {
 
-std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim) {
+std::vector<Push> told_at(const Problem& problem, const Scales& scales, Design x, Aim aim) {
   const bool optimum = aim == Aim::Optimum;
   for (const Solver* solver :
        optimum ? plan(problem, "auto").solvers : least_violation_plan(problem)) {
     if (!solver->is_sharp()) continue;
-    Attempt attempt = exchange(problem, sizes, x, *solver, {}, aim);
+    Attempt attempt = exchange(problem, scales, x, *solver, {}, aim);
     if (is_interruption(attempt.error)) std::rethrow_exception(attempt.error);
     if (!attempt.told.empty()) return std::move(attempt.told);
   }
@@ -43,8 +43,8 @@ void find_functions(const Problem& problem, std::vector<Push>& pushes) {
   std::erase_if(pushes, [](const Push& push) { return !push.variable && !push.function; });
 }
 
-Teller teller_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim) {
-  return [&problem, &sizes, x, aim] { return told_at(problem, sizes, x, aim); };
+Teller teller_at(const Problem& problem, const Scales& scales, Design x, Aim aim) {
+  return [&problem, &scales, x, aim] { return told_at(problem, scales, x, aim); };
 }
 
 }  // namespace camlaw::optim

@@ -35,11 +35,11 @@ SolverOptions solver_options(const Solver& solver, const Setting& setting, const
 /// Whether a design is better, or as good to 1e-6 (by passing limits within their tolerance a
 /// design may look better than the optimum) and the conditions of optimality hold where they did
 /// not.
-bool improves(const Problem& problem, const Sizes& sizes, const Assessment& fresh,
+bool improves(const Problem& problem, const Scales& scales, const Assessment& fresh,
               const Assessment& old) {
   const double a = fresh.objective.value, b = old.objective.value;
   const bool alike = is_feasible(fresh) && is_feasible(old) &&
-                     std::abs(a - b) <= 1e-6 * std::max(std::abs(b), sizes.objective);
+                     std::abs(a - b) <= 1e-6 * std::max(std::abs(b), scales.objective);
   if (alike && is_settled(fresh) != is_settled(old)) return is_settled(fresh);
   return better(problem, fresh, old);
 }
@@ -68,7 +68,7 @@ void Trail::join(const Problem& problem, Trail next) {
   const bool says_none = next.is_infeasible() && !is_within_limits();
   const bool is_better =
       !next.found.x.empty() &&
-      (found.x.empty() || improves(problem, next.sizes, next.found.assessment, found.assessment));
+      (found.x.empty() || improves(problem, next.scales, next.found.assessment, found.assessment));
   Found work = found;
   work.add_work(next.found);
   if (says_none || is_better) {
@@ -81,17 +81,17 @@ void Trail::join(const Problem& problem, Trail next) {
   found.iterations = work.iterations;
   found.evaluations = work.evaluations;
   found.solves = work.solves;
-  if (!next.sizes.variables.empty()) sizes = std::move(next.sizes);
+  if (!next.scales.variables.empty()) scales = std::move(next.scales);
   if (!next.last.empty()) last = std::move(next.last);
   if (!next.thrown.empty()) thrown = std::move(next.thrown);
   in_vain = in_vain || next.in_vain;
   unbounded = unbounded || next.unbounded;
 }
 
-void Trail::take(std::vector<double> x, Sizes its_sizes, Assessment assessment) {
+void Trail::take(std::vector<double> x, Scales its_scales, Assessment assessment) {
   found.x = std::move(x);
   found.assessment = std::move(assessment);
-  sizes = std::move(its_sizes);
+  scales = std::move(its_scales);
   told.clear();
 }
 
@@ -111,7 +111,7 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
   SolverOptions how = solver_options(solver, setting, trail.found);
   if (trail.in_vain && aim == Aim::Optimum && !trail.knows_design())
     how.max_iterations = 1 + how.max_iterations / kShare;
-  Attempt result = exchange(setting.problem, trail.sizes, start, solver, how, aim);
+  Attempt result = exchange(setting.problem, trail.scales, start, solver, how, aim);
   trail.count(result);
   if (!result.x.empty()) trail.last = result.x;
   if (is_interruption(result.error)) throw Interrupted();
@@ -137,10 +137,11 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
   trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
   if (tried.x.empty()) return;
   tell(false);
-  reached.latest = assess(setting.problem, trail.sizes, tried.x, false, told_as(tried.told));
-  if (improves(setting.problem, trail.sizes, reached.latest, reached.best))
+  reached.latest = assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
+  if (improves(setting.problem, trail.scales, reached.latest, reached.best))
     reached.best = reached.latest;
-  if (!found.x.empty() && !improves(setting.problem, trail.sizes, reached.latest, found.assessment))
+  if (!found.x.empty() &&
+      !improves(setting.problem, trail.scales, reached.latest, found.assessment))
     return;
   found.x = tried.x;
   trail.told = tried.told;

@@ -48,7 +48,7 @@ struct Trail {
   Found found;                    ///< the best design, and the work of all attempts
   std::string message = {};       ///< of the solve that led to the best design
   std::vector<Push> told = {};    ///< by that solve
-  Sizes sizes = {};               ///< those in which problems are scaled and designs judged
+  Scales scales = {};             ///< those in which problems are scaled and designs judged
   std::vector<double> last = {};  ///< where the last attempt ended
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw
   SettledAtEdge at_edge = {};     ///< none while its x is empty
@@ -67,7 +67,7 @@ struct Trail {
   /// Whether the best design is the one of `at_edge`.
   bool is_at_edge() const { return !at_edge.x.empty() && found.x == at_edge.x; }
   /// Makes a design that no solve has led to the best one; what a solve told belonged to another.
-  void take(std::vector<double> x, Sizes its_sizes, Assessment assessment);
+  void take(std::vector<double> x, Scales its_scales, Assessment assessment);
   /// Records that the search gave no answer.
   void fail(const std::string& why);
 };

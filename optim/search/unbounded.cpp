@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::optim {
 namespace {
@@ -20,7 +20,7 @@ bool is_far_better(const Problem& problem, Design x) {
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   const double before = objective_value(objective, start);
   const double gain = sign * (before - objective_value(objective, x));
-  const double typical = sizes(problem, start).objective_typical;
+  const double typical = scales(problem, start).objective_typical;
   return std::isfinite(typical) && gain > kFar * std::max(std::abs(before), typical);
 }
 

@@ -61,7 +61,7 @@ void search_from_valid(const Setting& setting, Trail& trail) {
     return;
   }
   if (valid.assessment.verdict != Verdict::Infeasible) return;
-  const Sizes there = sizes(problem, valid.x);
+  const Scales there = scales(problem, valid.x);
   Assessment& best = trail.found.assessment;
   trail.found.x = valid.x;
   best = valid.assessment;
@@ -177,7 +177,7 @@ void seek_numbers(const Setting& setting, Trail& trail) {
   const Problem& problem = setting.problem;
   const Assessment& found = trail.found.assessment;
   if (has_numbers(trail.found) && !better(problem, met.assessment, found)) return;
-  const Sizes there = sizes(problem, met.x);
+  const Scales there = scales(problem, met.x);
   trail.take(met.x, there, assess(problem, there, met.x, setting.proves()));
 }
 

@@ -84,9 +84,9 @@ std::size_t places_at_first(std::size_t breaks) {
   return (breaks - 1) * static_cast<std::size_t>(steps_at_first(breaks) + 1);
 }
 
-WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
+WorkingSet::WorkingSet(const Problem& problem, const Scales& scales, Aim aim)
     : problem_(problem),
-      sizes_(sizes),
+      scales_(scales),
       aim_(aim),
       auxiliary_(aim == Aim::LeastViolation || problem.objective().response.is_curve()) {
   const Objective& objective = problem.objective();
@@ -96,8 +96,8 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
                         sign,
                         0,
                         true,
-                        sizes.objective,
-                        sizes.objective_tolerance,
+                        scales.objective,
+                        scales.objective_tolerance,
                         {},
                         {},
                         {}});
@@ -109,7 +109,7 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) continue;
-    const ConstraintSize& size = sizes.constraints[i];
+    const ConstraintScale& size = scales.constraints[i];
     const auto add = [&](double sign, double bound) {
       add_side({&c.response, sign, bound, false, size.size, size.tolerance, i, {}, {}}, known);
     };
@@ -165,14 +165,14 @@ void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, Lin
   const RestWeights weights = weights_of(side, x);
   std::size_t number = 0;
   for (const Rest& rest : weights.rests()) {
-    const double size = typical_change(rest.leading, x, sizes_.variables);
+    const double size = typical_change(rest.leading, x, scales_.variables);
     if (size > 0 && std::isfinite(size))
       rests_.push_back({rest.leading, side.sign, size, *side.constraint, number});
     ++number;
   }
   const auto is_moved = [&](const Function& function, double weight) {
     if (side.of_peak || is_eased(side.constraint)) return true;
-    const double slope = typical_change(function, x, sizes_.variables);
+    const double slope = typical_change(function, x, scales_.variables);
     return !vanishes(slope / (side.size * weight));
   };
   const bool tells_rows = tells(curve);
@@ -257,7 +257,7 @@ Row WorkingSet::number_row(std::size_t constraint) const {
   return {.function = c.response.function(),
           .lower = c.lower.value_or(-kInfinity),
           .upper = c.upper.value_or(kInfinity),
-          .size = sizes_.constraints[constraint].size,
+          .size = scales_.constraints[constraint].size,
           .constraint = constraint};
 }
 
@@ -319,14 +319,14 @@ std::vector<std::size_t> WorkingSet::row_groups() const {
 
 double WorkingSet::auxiliary_start(Design x) const {
   if (aim_ == Aim::Optimum) return objective_value(problem_.objective(), x);
-  return std::max(0.0, largest_violation(problem_, sizes_, x));
+  return std::max(0.0, largest_violation(problem_, scales_, x));
 }
 
 Program WorkingSet::program(Design start) const {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < problem_.variables.size(); ++i) {
     const Variable& v = problem_.variables[i];
-    columns.push_back({v.lower, v.upper, start[i], sizes_.variables[i]});
+    columns.push_back({v.lower, v.upper, start[i], scales_.variables[i]});
   }
   std::vector<Row> rows;
   add_rows(rows);
@@ -338,11 +338,11 @@ Program WorkingSet::program(Design start) const {
   const Objective& objective = problem_.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   if (!auxiliary_) {
-    return Program(std::move(columns), objective.response.function(), sign, sizes_.objective,
+    return Program(std::move(columns), objective.response.function(), sign, scales_.objective,
                    std::move(rows));
   }
-  columns.push_back({-kInfinity, kInfinity, auxiliary_start(start), sizes_.objective});
-  return Program(std::move(columns), variable_function(auxiliary), sign, sizes_.objective,
+  columns.push_back({-kInfinity, kInfinity, auxiliary_start(start), scales_.objective});
+  return Program(std::move(columns), variable_function(auxiliary), sign, scales_.objective,
                  std::move(rows));
 }
 

@@ -8,7 +8,7 @@
 
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/rest_weights.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/linear_rows.h"
 #include "optim/solvers/program.h"
 
@@ -55,7 +55,7 @@ struct RestRow {
 /// The program's rows and the places that they stand for.
 class WorkingSet {
  public:
-  WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim);
+  WorkingSet(const Problem& problem, const Scales& scales, Aim aim);
 
   /// Even places in each smooth stretch of a design's curves, and the leading coefficients of
   /// limits at their rests. What no variable moves there is left out.
@@ -88,7 +88,7 @@ class WorkingSet {
   Row number_row(std::size_t constraint) const;
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   Aim aim_;
   bool auxiliary_;
   std::vector<CurveSide> sides_;

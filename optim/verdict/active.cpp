@@ -13,8 +13,8 @@ namespace {
 /// Collects the limits of one design.
 class Collector {
  public:
-  Collector(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality, Net net)
-      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), net_(net), maxima_(x) {}
+  Collector(const Problem& problem, const Scales& scales, Design x, Optimality optimality, Net net)
+      : problem_(problem), scales_(scales), x_(x), optimality_(optimality), net_(net), maxima_(x) {}
 
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
@@ -40,7 +40,7 @@ class Collector {
  private:
   void take_violation() {
     if (optimality_ == Optimality::LeastViolation)
-      violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
+      violation_ = std::max(0.0, largest_violation(problem_, scales_, x_));
   }
 
   /// Whether a limit may be passed by the violation that is least.
@@ -61,7 +61,7 @@ class Collector {
         push.constraint ? bound_of_constraint(push) : level_of(push);
     if (!bound) return {};
     // The objective's peak is an auxiliary variable in its size, which may be another by now.
-    const double size = push.constraint ? push.size : sizes_.objective;
+    const double size = push.constraint ? push.size : scales_.objective;
     ActiveLimit limit = gradient_of(*push.function, {push.sign, *bound, size, kInfinity});
     limit.constraint = push.constraint;
     limit.at_rest = push.at_rest;
@@ -95,7 +95,7 @@ class Collector {
     const Objective& objective = problem_.objective();
     const Curve& curve = objective.response.curve();
     const Trace& trace = maxima_.trace(curve);
-    const double reach = std::max(net_.width * sizes_.objective, 2 * sizes_.objective_tolerance);
+    const double reach = std::max(net_.width * scales_.objective, 2 * scales_.objective_tolerance);
     std::vector<Extreme> up, down;
     if (objective.part != Part::Lowest) up = maxima_.maxima(curve, 1);
     if (objective.part != Part::Highest) down = maxima_.maxima(curve, -1);
@@ -103,7 +103,7 @@ class Collector {
     for (const Extreme& e : up) peak = std::max(peak, e.value);
     for (const Extreme& e : down) peak = std::max(peak, -e.value);
     const auto add = [&](double sign, const std::vector<Extreme>& peaks) {
-      const Level level{sign, sign * peak, sizes_.objective, reach};
+      const Level level{sign, sign * peak, scales_.objective, reach};
       add_places({objective.response, trace, trace.breaks(), level, {}, {}}, peaks);
     };
     if (objective.part != Part::Lowest) add(1, up);
@@ -112,7 +112,7 @@ class Collector {
 
   void add_constraint(std::size_t i) {
     const Constraint& c = problem_.constraints[i];
-    const ConstraintSize& size = sizes_.constraints[i];
+    const ConstraintScale& size = scales_.constraints[i];
     const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
     const bool equation = c.is_equation();
     const double eased = c.is_strict ? 0 : violation_ * size.size;
@@ -158,7 +158,7 @@ class Collector {
   /// The leading coefficients that stand near zero, or on the wrong side of it.
   void add_rests(const std::vector<Rest>& rests, const Level& level, std::size_t constraint) {
     for (const Rest& rest : rests) {
-      const double size = typical_change(rest.leading, x_, sizes_.variables);
+      const double size = typical_change(rest.leading, x_, scales_.variables);
       if (!(size > 0) || !std::isfinite(size)) continue;
       const double reach = std::max(net_.width, 2 * kRestTolerance) * size;
       const Level own{level.sign, 0, size, reach};
@@ -286,7 +286,7 @@ class Collector {
     limit.margin = level.sign * (level.bound - value) / level.size;
     for (std::size_t k = 0; k < g.size(); ++k) {
       const std::size_t variable = f.inputs()[k];
-      const double slope = level.sign * g[k] * sizes_.variables[variable] / level.size;
+      const double slope = level.sign * g[k] * scales_.variables[variable] / level.size;
       if (slope != 0) limit.gradient.emplace_back(variable, slope);
     }
     return limit;
@@ -306,8 +306,8 @@ class Collector {
     const Variable& v = problem_.variables[i];
     ActiveLimit limit;
     limit.gradient = {{i, sign}};
-    limit.margin = sign * ((sign > 0 ? v.upper : v.lower) - x_[i]) / sizes_.variables[i];
-    limit.size = sizes_.variables[i];
+    limit.margin = sign * ((sign > 0 ? v.upper : v.lower) - x_[i]) / scales_.variables[i];
+    limit.size = scales_.variables[i];
     limit.sign = sign;
     limit.variable = i;
     return limit;
@@ -317,7 +317,7 @@ class Collector {
   static constexpr double kRestTolerance = 1e-6;
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   Design x_;
   Optimality optimality_;
   Net net_;
@@ -329,14 +329,14 @@ class Collector {
 
 }  // namespace
 
-std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<ActiveLimit> active_limits(const Problem& problem, const Scales& scales, Design x,
                                        Optimality optimality, Net net) {
-  return Collector(problem, sizes, x, optimality, net).collect();
+  return Collector(problem, scales, x, optimality, net).collect();
 }
 
-std::vector<ActiveLimit> told_limits(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<ActiveLimit> told_limits(const Problem& problem, const Scales& scales, Design x,
                                      Optimality optimality, const std::vector<Push>& told) {
-  return Collector(problem, sizes, x, optimality, Net{0}).collect(told);
+  return Collector(problem, scales, x, optimality, Net{0}).collect(told);
 }
 
 }  // namespace camlaw::optim

@@ -44,12 +44,12 @@ struct Net {
 /// bounds, and of curves the local maxima and the ends of smooth stretches. Near a rest a limit is
 /// judged divided by the power with which it vanishes there, at the rest by its leading coefficient
 /// (docs/optimisation.md, "Limits that vanish"). What no variable moves is not a limit.
-std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<ActiveLimit> active_limits(const Problem& problem, const Scales& scales, Design x,
                                        Optimality optimality, Net net);
 
 /// The limits that were told, whatever their margin, but those that the problem does not have and
 /// those that no variable moves.
-std::vector<ActiveLimit> told_limits(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<ActiveLimit> told_limits(const Problem& problem, const Scales& scales, Design x,
                                      Optimality optimality, const std::vector<Push>& told);
 
 }  // namespace camlaw::optim

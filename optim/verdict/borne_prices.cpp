@@ -8,16 +8,16 @@ namespace camlaw::optim {
 namespace {
 
 constexpr double kTrialStep = 1e-6;  // of a limit's size
-constexpr double kPriced = 1e-4;     // multipliers over the sizes: less is as good as nothing
+constexpr double kPriced = 1e-4;     // multipliers over the scales: less is as good as nothing
 
 /// Steps along one limit's gradient after the other. What a step moves is looked up, so that each
 /// costs what its own variables touch, and the gradient of an objective that is not linear.
 class PriceTrial {
  public:
-  PriceTrial(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+  PriceTrial(const Problem& problem, const Scales& scales, Design x, const Layout& layout,
              const Weighed& weighed)
       : problem_(problem),
-        sizes_(sizes),
+        scales_(scales),
         x_(x),
         weighed_(weighed),
         pushing_on_(problem.variables.size()),
@@ -41,7 +41,7 @@ class PriceTrial {
     const ActiveLimit& limit = weighed_.limits[j];
     const double square = square_of(limit);
     const double room = limit.constraint
-                            ? sizes_.constraints[*limit.constraint].tolerance / limit.size
+                            ? scales_.constraints[*limit.constraint].tolerance / limit.size
                             : kTrialStep;
     const double step = std::min(kTrialStep, room) / square;
     constexpr double kLong = 1;
@@ -69,7 +69,7 @@ class PriceTrial {
     for (const auto& [variable, slope] : limit.gradient) {
       const Variable& v = problem_.variables[variable];
       double& y = y_[variable];
-      y += step * slope * sizes_.variables[variable];
+      y += step * slope * scales_.variables[variable];
       if (!limit.variable) y = std::clamp(y, v.lower, v.upper);
       change_[variable] = y - x_[variable];
       if (change_[variable] == 0) continue;
@@ -95,7 +95,7 @@ class PriceTrial {
     const ActiveLimit& limit = weighed_.limits[j];
     double rise = 0;
     for (const auto& [variable, slope] : limit.gradient)
-      rise += slope * change_[variable] / sizes_.variables[variable];
+      rise += slope * change_[variable] / scales_.variables[variable];
     // Other bounds leave the step no room.
     if (!(std::abs(rise) > kMuch * std::abs(wanted_rise))) return true;
     const auto is_like = [](double there, double here) {
@@ -133,7 +133,7 @@ class PriceTrial {
     } else {
       slope = slope_along(objective_, at);
     }
-    return sign * slope / sizes_.objective;
+    return sign * slope / scales_.objective;
   }
 
   /// The slope of the Lagrangian without limit j.
@@ -150,7 +150,7 @@ class PriceTrial {
   }
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   Design x_;
   const Weighed& weighed_;
   std::vector<std::vector<std::size_t>> pushing_on_;  ///< limits with a multiplier, by variable
@@ -164,9 +164,9 @@ class PriceTrial {
 
 }  // namespace
 
-std::vector<std::size_t> unborne_prices(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<std::size_t> unborne_prices(const Problem& problem, const Scales& scales, Design x,
                                         const Layout& layout, const Weighed& weighed) {
-  PriceTrial trial(problem, sizes, x, layout, weighed);
+  PriceTrial trial(problem, scales, x, layout, weighed);
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];

@@ -13,7 +13,7 @@ namespace camlaw::optim {
 /// differs from that at the design by more than half, or is not a number, or the step is longer
 /// than typical changes of the variables (docs/optimisation.md, "Prices"). The indexes into the
 /// limits.
-std::vector<std::size_t> unborne_prices(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<std::size_t> unborne_prices(const Problem& problem, const Scales& scales, Design x,
                                         const Layout& layout, const Weighed& weighed);
 
 }  // namespace camlaw::optim

@@ -43,41 +43,41 @@ Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limi
 
 /// How far a variable may be expected to move, in typical changes: by its own magnitude, in however
 /// narrow a box; of a least violation through the whole box, and the violation itself down to zero.
-std::vector<double> reaches(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<double> reaches(const Problem& problem, const Scales& scales, Design x,
                             const Layout& layout, Optimality optimality) {
   std::vector<double> result(static_cast<std::size_t>(layout.rows), 1.0);
   if (optimality == Optimality::LeastViolation)
-    result[static_cast<std::size_t>(layout.auxiliary)] = largest_violation(problem, sizes, x);
+    result[static_cast<std::size_t>(layout.auxiliary)] = largest_violation(problem, scales, x);
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Variable& v = problem.variables[i];
     if (layout.row[i] < 0) continue;
     const double range = v.upper - v.lower;
     const bool through_box = optimality == Optimality::LeastViolation && std::isfinite(range);
     result[static_cast<std::size_t>(layout.row[i])] =
-        (through_box ? range : sizes.own[i]) / sizes.variables[i];
+        (through_box ? range : scales.own[i]) / scales.variables[i];
   }
   return result;
 }
 
 /// A limit's margin beyond what rounding leaves of it: its value is a difference of terms of the
 /// size of the slopes times the variables.
-double margin_beyond_rounding(const ActiveLimit& limit, const Sizes& sizes, Design x) {
+double margin_beyond_rounding(const ActiveLimit& limit, const Scales& scales, Design x) {
   constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
   double terms = 0;
   for (const auto& [variable, slope] : limit.gradient)
-    terms += std::abs(slope * x[variable] / sizes.variables[variable]);
+    terms += std::abs(slope * x[variable] / scales.variables[variable]);
   return std::max(0.0, std::abs(limit.margin) - kRounding * terms);
 }
 
 /// How far the conditions are from holding with the multipliers; `left` is what these leave of the
 /// objective's gradient.
-double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+double residual_of(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
                    const Layout& layout, const std::vector<ActiveLimit>& limits,
                    const std::vector<double>& multipliers, const Eigen::VectorXd& left) {
   double open = 0;
   for (std::size_t j = 0; j < limits.size(); ++j)
-    open += std::abs(multipliers[j]) * margin_beyond_rounding(limits[j], sizes, x);
-  const auto reach = reaches(problem, sizes, x, layout, optimality);
+    open += std::abs(multipliers[j]) * margin_beyond_rounding(limits[j], scales, x);
+  const auto reach = reaches(problem, scales, x, layout, optimality);
   double largest = 0, sum = 0;
   for (std::size_t i = 0; i < reach.size(); ++i) {
     const double entry = std::abs(left[static_cast<Eigen::Index>(i)]) * reach[i];
@@ -86,17 +86,17 @@ double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimal
   }
   // By the sum a least violation is bounded from below (docs/optimisation.md, (LV3)).
   const bool least = optimality == Optimality::LeastViolation;
-  const double residual = least ? (sum + open) / largest_violation(problem, sizes, x)
-                                : std::max(largest, open) / objective_measure(problem, sizes, x);
+  const double residual = least ? (sum + open) / largest_violation(problem, scales, x)
+                                : std::max(largest, open) / objective_measure(problem, scales, x);
   // A slope that is not a number shows nothing; std::max passes over it, the sums do not.
   return std::isfinite(sum + open) && residual >= 0 ? residual : kInfinity;
 }
 
 /// The objective's gradient above the rows of limits with a margin.
-Eigen::VectorXd target_of(const Problem& problem, const Sizes& sizes, Design x,
+Eigen::VectorXd target_of(const Problem& problem, const Scales& scales, Design x,
                           const Layout& layout, Eigen::Index rows) {
   Eigen::VectorXd target = Eigen::VectorXd::Zero(rows);
-  target.head(layout.rows) = objective_gradient(problem, sizes, x, layout);
+  target.head(layout.rows) = objective_gradient(problem, scales, x, layout);
   return target;
 }
 
@@ -149,10 +149,10 @@ Eigen::VectorXd refined(const Told& told, const std::vector<int>& pushing,
 
 }  // namespace
 
-double objective_measure(const Problem& problem, const Sizes& sizes, Design x) {
+double objective_measure(const Problem& problem, const Scales& scales, Design x) {
   constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
   const double value = objective_value(problem.objective(), x);
-  return std::max(std::abs(value), kShare * sizes.objective_typical) / sizes.objective;
+  return std::max(std::abs(value), kShare * scales.objective_typical) / scales.objective;
 }
 
 Layout lay_out(const Problem& problem, Optimality optimality) {
@@ -165,7 +165,7 @@ Layout lay_out(const Problem& problem, Optimality optimality) {
   return layout;
 }
 
-Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, Design x,
+Eigen::VectorXd objective_gradient(const Problem& problem, const Scales& scales, Design x,
                                    const Layout& layout) {
   Eigen::VectorXd b = Eigen::VectorXd::Zero(layout.rows);
   if (layout.auxiliary >= 0) {
@@ -179,15 +179,15 @@ Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, D
   for (std::size_t k = 0; k < g.size(); ++k) {
     const std::size_t variable = f.inputs()[k];
     if (layout.row[variable] < 0) continue;
-    b[layout.row[variable]] = sign * g[k] * sizes.variables[variable] / sizes.objective;
+    b[layout.row[variable]] = sign * g[k] * scales.variables[variable] / scales.objective;
   }
   return b;
 }
 
-Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+Weighed weigh(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
               const Layout& layout, Net net) {
   Weighed result;
-  result.limits = active_limits(problem, sizes, x, optimality, net);
+  result.limits = active_limits(problem, scales, x, optimality, net);
   std::vector<double> lengths;
   const auto A = limit_gradients(result.limits, layout, lengths);
   std::vector<bool> free;
@@ -198,27 +198,27 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     return result;
   }
   const auto solved =
-      bounded_least_squares(A, target_of(problem, sizes, x, layout, A.rows()), free);
+      bounded_least_squares(A, target_of(problem, scales, x, layout, A.rows()), free);
   result.multipliers = solved.multipliers;
   result.condition = solved.condition;
   for (std::size_t j = 0; j < lengths.size(); ++j) result.multipliers[j] /= lengths[j];
-  result.residual = residual_of(problem, sizes, x, optimality, layout, result.limits,
+  result.residual = residual_of(problem, scales, x, optimality, layout, result.limits,
                                 result.multipliers, solved.left);
   return result;
 }
 
-Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+Weighed weigh(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
               const Layout& layout, const std::vector<Push>& pushes, bool are_fitted,
               bool wants_condition) {
-  const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
-  Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
+  const double unit = optimality == Optimality::Objective ? scales.objective : 1;
+  Told told = columns_of(told_limits(problem, scales, x, optimality, pushes), unit, layout);
   if (told.limits.empty()) return {};
-  const Eigen::VectorXd target = target_of(problem, sizes, x, layout, told.A.rows());
+  const Eigen::VectorXd target = target_of(problem, scales, x, layout, told.A.rows());
   Weighed best;
   const auto consider = [&](const Eigen::VectorXd& columns) {
     std::vector<double> multipliers(columns.begin(), columns.end());
     for (std::size_t j = 0; j < multipliers.size(); ++j) multipliers[j] /= told.lengths[j];
-    const double residual = residual_of(problem, sizes, x, optimality, layout, told.limits,
+    const double residual = residual_of(problem, scales, x, optimality, layout, told.limits,
                                         multipliers, told.A * columns + target);
     if (!best.multipliers.empty() && !(residual < best.residual)) return;
     best.multipliers = std::move(multipliers);

@@ -19,28 +19,28 @@ struct Layout {
 Layout lay_out(const Problem& problem, Optimality optimality);
 
 /// The objective's gradient, over its size and by typical changes.
-Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, Design x,
+Eigen::VectorXd objective_gradient(const Problem& problem, const Scales& scales, Design x,
                                    const Layout& layout);
 
 /// What changes of the objective are measured by, over its size: its value, or a tenth of a typical
 /// change where that is larger.
-double objective_measure(const Problem& problem, const Sizes& sizes, Design x);
+double objective_measure(const Problem& problem, const Scales& scales, Design x);
 
 /// Limits near a design and the multipliers with which the conditions hold best.
 struct Weighed {
   std::vector<ActiveLimit> limits;
-  std::vector<double> multipliers;  ///< by limit, over the sizes
+  std::vector<double> multipliers;  ///< by limit, over the scales
   double residual = kInfinity;
   double condition = 1;  ///< not a number where it was not wanted
 };
 
 /// Of the limits in the net.
-Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+Weighed weigh(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
               const Layout& layout, Net net);
 /// With the multipliers that were told, or where that is better with those fitted once more to the
 /// conditions, where they are to be. The condition, which takes as long as all the rest, comes only
 /// where it is wanted.
-Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+Weighed weigh(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
               const Layout& layout, const std::vector<Push>& pushes, bool are_fitted,
               bool wants_condition);
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "optim/cycle/maxima_at.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {
@@ -92,7 +92,7 @@ RoomSlopes room_slopes(const Problem& problem, std::size_t limit, Design x) {
   auto alone = std::make_shared<Problem>(problem);
   alone->objectives = {no_objective()};
   alone->constraints = {problem.constraints[limit]};
-  auto size = std::make_shared<Sizes>(sizes(*alone, x));
+  auto size = std::make_shared<Scales>(scales(*alone, x));
   return [alone, size](Design at, std::span<double> slopes) {
     std::fill(slopes.begin(), slopes.end(), 0.0);
     const LimitReport report = limit_reports(*alone, *size, at, false).front();

@@ -24,13 +24,13 @@ struct Inequality {
 struct RowSum {
   double constant = 0;
   std::vector<double> slopes;
-  std::vector<double> sizes;  ///< of the terms of each slope: what rounding is a share of
+  std::vector<double> scales;  ///< of the terms of each slope: what rounding is a share of
 };
 
 class Duality {
  public:
-  Duality(const Problem& problem, const Sizes& sizes, Design x)
-      : problem_(problem), sizes_(sizes), x_(x.begin(), x.end()) {}
+  Duality(const Problem& problem, const Scales& scales, Design x)
+      : problem_(problem), scales_(scales), x_(x.begin(), x.end()) {}
 
   double value(const Inequality& row, Design y) const {
     return row.sign * (row.function.value(y) - row.level) / row.size;
@@ -42,7 +42,7 @@ class Duality {
     row.function.gradient(y, g);
     for (std::size_t k = 0; k < g.size(); ++k) {
       const std::size_t i = row.function.inputs()[k];
-      g[k] *= is_fixed(i) ? 0 : row.sign * sizes_.variables[i] / row.size;
+      g[k] *= is_fixed(i) ? 0 : row.sign * scales_.variables[i] / row.size;
     }
     return g;
   }
@@ -88,10 +88,10 @@ class Duality {
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const Variable& v = problem_.variables[i];
       if (is_fixed(i)) continue;
-      const double far = kFar * sizes_.own[i];
-      const double down = std::min(x_[i] - v.lower, far) / sizes_.variables[i];
-      const double up = std::min(v.upper - x_[i], far) / sizes_.variables[i];
-      const double slack = kRounding * sum.sizes[i];
+      const double far = kFar * scales_.own[i];
+      const double down = std::min(x_[i] - v.lower, far) / scales_.variables[i];
+      const double up = std::min(v.upper - x_[i], far) / scales_.variables[i];
+      const double slack = kRounding * sum.scales[i];
       result -= std::max({0.0, (sum.slopes[i] + slack) * down, (slack - sum.slopes[i]) * up});
     }
     return result;
@@ -111,7 +111,7 @@ class Duality {
     std::vector<double> y = x_;
     for (std::size_t k = 0; k < direction.size(); ++k) {
       const std::size_t i = row.function.inputs()[k];
-      y[i] += step * direction[k] * sizes_.variables[i];
+      y[i] += step * direction[k] * scales_.variables[i];
     }
     return y;
   }
@@ -124,17 +124,17 @@ class Duality {
     for (std::size_t k = 0; k < slopes.size(); ++k) {
       const double term = row.weight * slopes[k];
       sum.slopes[row.function.inputs()[k]] += term;
-      sum.sizes[row.function.inputs()[k]] += std::max(std::abs(term), row.weight * row.terms);
+      sum.scales[row.function.inputs()[k]] += std::max(std::abs(term), row.weight * row.terms);
     }
   }
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   std::vector<double> x_;
 };
 
 /// The limits that push, as inequalities; the objective's rows with the level that x has.
-std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<Inequality> inequalities(const Problem& problem, const Scales& scales, Design x,
                                      const Weighed& weighed) {
   std::vector<Inequality> rows;
   const Objective& objective = problem.objective();
@@ -145,7 +145,7 @@ std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes,
   if (objective.part == Part::Value) {
     const Function& f = objective.response.function();
     const double sign = objective.sense == Sense::Minimize ? 1 : -1;
-    rows.push_back({f, sign, best, sizes.objective, 1, convex_row(f.shape(), sign), true});
+    rows.push_back({f, sign, best, scales.objective, 1, convex_row(f.shape(), sign), true});
   }
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
@@ -160,7 +160,7 @@ std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes,
     } else if (!limit.at_rest) {
       const Constraint& c = problem.constraints[*limit.constraint];
       level = limit.sign > 0 ? *c.upper : *c.lower;
-      terms = sizes.constraints[*limit.constraint].size / limit.size;
+      terms = scales.constraints[*limit.constraint].size / limit.size;
     }
     rows.push_back({*limit.function, sign, level, limit.size, std::abs(weight),
                     convex_row(limit.function->shape(), sign), of_objective, terms});
@@ -169,10 +169,10 @@ std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes,
 }
 
 /// What the multipliers leave to gain, over the objective's size.
-std::optional<double> gain_left(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<double> gain_left(const Problem& problem, const Scales& scales, Design x,
                                 const Weighed& weighed) {
-  const Duality duality(problem, sizes, x);
-  std::vector<Inequality> rows = inequalities(problem, sizes, x, weighed);
+  const Duality duality(problem, scales, x);
+  std::vector<Inequality> rows = inequalities(problem, scales, x, weighed);
   const auto sum_with = [&](double gain) -> std::optional<double> {
     RowSum sum = duality.nothing();
     for (Inequality row : rows) {
@@ -187,7 +187,7 @@ std::optional<double> gain_left(const Problem& problem, const Sizes& sizes, Desi
   // With a gain that is large enough no design obeys all of the inequalities. Rounding in the
   // values counts too.
   constexpr double kRounding = 1e-13;
-  const double value = std::abs(objective_value(problem.objective(), x)) / sizes.objective;
+  const double value = std::abs(objective_value(problem.objective(), x)) / scales.objective;
   double gain = kRounding * std::max(1.0, value);
   for (int i = 0; i < 20; ++i) {
     const auto left = sum_with(gain);
@@ -200,14 +200,14 @@ std::optional<double> gain_left(const Problem& problem, const Sizes& sizes, Desi
 
 }  // namespace
 
-std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<double> largest_gain(const Problem& problem, const Scales& scales, Design x,
                                    const Layout& layout, const Weighed& weighed) {
   if (!why_convex(problem) || layout.rows == 0) return {};
-  const std::optional<double> gain = gain_left(problem, sizes, x, weighed);
+  const std::optional<double> gain = gain_left(problem, scales, x, weighed);
   const Objective& objective = problem.objective();
   if (objective.part != Part::Magnitude || objective.sense != Sense::Minimize) return gain;
   // A magnitude is not below zero.
-  const double whole = objective_value(objective, x) / sizes.objective;
+  const double whole = objective_value(objective, x) / scales.objective;
   return gain ? std::min(*gain, whole) : whole;
 }
 

@@ -16,7 +16,7 @@ inline constexpr double kFar = 1e3;
 /// optimality say (docs/optimisation.md, "Lower bounds"). Each limit enters by a linear inequality
 /// that all designs obey, from its convexity. Empty where the shapes give no such inequalities, and
 /// where a function has no value.
-std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<double> largest_gain(const Problem& problem, const Scales& scales, Design x,
                                    const Layout& layout, const Weighed& weighed);
 
 }  // namespace camlaw::optim

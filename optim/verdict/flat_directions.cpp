@@ -16,7 +16,7 @@ std::vector<double> stepped(const SecondOrderPoint& point, const Eigen::VectorXd
     const int row = point.layout.row[i];
     const Variable& v = point.problem.variables[i];
     if (row < 0) continue;
-    x[i] = std::clamp(x[i] + step * direction[row] * point.sizes.variables[i], v.lower, v.upper);
+    x[i] = std::clamp(x[i] + step * direction[row] * point.scales.variables[i], v.lower, v.upper);
   }
   return x;
 }
@@ -27,11 +27,11 @@ double threshold(const SecondOrderPoint& point, const Weighed& weighed, double v
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     if (!limit.constraint) continue;
-    const double tolerance = point.sizes.constraints[*limit.constraint].tolerance;
+    const double tolerance = point.scales.constraints[*limit.constraint].tolerance;
     violations += std::abs(weighed.multipliers[j]) * tolerance / limit.size;
   }
-  const double measure = std::max(std::abs(value), point.sizes.objective);
-  return 10 * violations * point.sizes.objective + kKktTolerance * measure;
+  const double measure = std::max(std::abs(value), point.scales.objective);
+  return 10 * violations * point.scales.objective + kKktTolerance * measure;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ bool improves_along(const SecondOrderPoint& point, const Weighed& weighed,
   const auto better_at = [&](const Eigen::VectorXd& direction, double step) {
     const auto x = stepped(point, direction, step);
     if (!(sign * objective_value(objective, x) < sign * here - least)) return false;
-    return worst_violation(limit_reports(point.problem, point.sizes, x, false)) <= 1;
+    return worst_violation(limit_reports(point.problem, point.scales, x, false)) <= 1;
   };
   const std::size_t count = std::min(flat.size(), kMostDirections);
   return std::any_of(flat.begin(), flat.begin() + static_cast<std::ptrdiff_t>(count),

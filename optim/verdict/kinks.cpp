@@ -57,12 +57,12 @@ class PieceKernel final : public Kernel {
 
 /// Designs close about one, within the bounds, that differ in a function's inputs.
 std::vector<std::vector<double>> designs_beside(const Problem& problem, const Function& f,
-                                                const Sizes& sizes, Design x) {
+                                                const Scales& scales, Design x) {
   constexpr int kDrawn = 64;
   Problem box;
   for (const std::size_t input : f.inputs()) {
     const Variable& v = problem.variables[input];
-    const double reach = kBesideKink * sizes.variables[input];
+    const double reach = kBesideKink * scales.variables[input];
     box.variables.push_back({.name = v.name,
                              .lower = std::max(v.lower, x[input] - reach),
                              .upper = std::min(v.upper, x[input] + reach),
@@ -81,12 +81,12 @@ std::vector<std::vector<double>> designs_beside(const Problem& problem, const Fu
 /// Slopes of a function at designs beside one, by typical changes.
 class Beside {
  public:
-  Beside(const Problem& problem, const Function& f, const Sizes& sizes, Design x)
-      : f_(f), sizes_(sizes), x_(x.begin(), x.end()) {
+  Beside(const Problem& problem, const Function& f, const Scales& scales, Design x)
+      : f_(f), scales_(scales), x_(x.begin(), x.end()) {
     // Of a smooth number, which may take long to work out, a few tell.
     constexpr std::size_t kFew = 12;
     std::size_t count = 0;
-    for (std::vector<double>& y : designs_beside(problem, f, sizes, x)) {
+    for (std::vector<double>& y : designs_beside(problem, f, scales, x)) {
       if (count++ == kFew && pieces_.size() < 2) return;
       look_at(std::move(y));
     }
@@ -130,7 +130,7 @@ class Beside {
     std::vector<double> slopes(f_.inputs().size());
     const double value = f_.gradient(y, slopes);
     for (std::size_t k = 0; k < slopes.size(); ++k) {
-      slopes[k] *= sizes_.variables[f_.inputs()[k]];
+      slopes[k] *= scales_.variables[f_.inputs()[k]];
       steepest_ = std::max(steepest_, std::abs(slopes[k]));
     }
     if (!std::isfinite(value)) return;
@@ -154,7 +154,7 @@ class Beside {
   }
 
   const Function& f_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   std::vector<double> x_;
   std::vector<Look> looks_;
   std::vector<std::size_t> pieces_;  ///< a look at each
@@ -163,7 +163,7 @@ class Beside {
 
 /// Below 0 where the lower bound is the nearer one, or the one passed by more; 0 where neither is
 /// near.
-double near_side(const Constraint& c, const ConstraintSize& size, double value) {
+double near_side(const Constraint& c, const ConstraintScale& size, double value) {
   const double reach = std::max(kNearBound * size.size, 2 * size.tolerance);
   const double above = c.upper ? *c.upper - value : kInfinity;
   const double below = c.lower ? value - *c.lower : kInfinity;
@@ -173,9 +173,9 @@ double near_side(const Constraint& c, const ConstraintSize& size, double value) 
 
 /// The pieces of a number behind one another as a curve; none where there are not several.
 std::shared_ptr<const Curve> pieces_apart(const Problem& problem, const Response& response,
-                                          const Sizes& sizes, Design x, double sign) {
+                                          const Scales& scales, Design x, double sign) {
   std::vector<Response> parts;
-  for (Function& piece : Beside(problem, response.function(), sizes, x).pieces(sign)) {
+  for (Function& piece : Beside(problem, response.function(), scales, x).pieces(sign)) {
     parts.push_back({response.name, response.unit, std::move(piece)});
   }
   if (parts.empty()) return nullptr;
@@ -184,7 +184,7 @@ std::shared_ptr<const Curve> pieces_apart(const Problem& problem, const Response
 
 }  // namespace
 
-std::optional<Problem> with_pieces_apart(const Problem& problem, const Sizes& sizes, Design x) {
+std::optional<Problem> with_pieces_apart(const Problem& problem, const Scales& scales, Design x) {
   constexpr std::size_t kMany = 30;  // variables
   if (problem.variables.size() > kMany) return {};
   Problem apart = problem;
@@ -192,7 +192,7 @@ std::optional<Problem> with_pieces_apart(const Problem& problem, const Sizes& si
   Objective& objective = apart.objectives.front();
   if (!objective.response.is_curve()) {
     const bool least = objective.sense == Sense::Minimize;
-    if (auto curve = pieces_apart(problem, objective.response, sizes, x, least ? 1 : -1)) {
+    if (auto curve = pieces_apart(problem, objective.response, scales, x, least ? 1 : -1)) {
       objective.response.measure = std::move(curve);
       objective.part = least ? Part::Highest : Part::Lowest;
       has_kink = true;
@@ -202,9 +202,9 @@ std::optional<Problem> with_pieces_apart(const Problem& problem, const Sizes& si
     Constraint& c = apart.constraints[i];
     if (c.response.is_curve() || c.is_equation()) continue;
     const double value = c.response.function().value(x);
-    const double side = near_side(c, sizes.constraints[i], value);
+    const double side = near_side(c, scales.constraints[i], value);
     if (side == 0) continue;
-    auto curve = pieces_apart(problem, c.response, sizes, x, side);
+    auto curve = pieces_apart(problem, c.response, scales, x, side);
     if (!curve) continue;
     c.response.measure = std::move(curve);
     (side > 0 ? c.lower : c.upper).reset();
@@ -213,10 +213,10 @@ std::optional<Problem> with_pieces_apart(const Problem& problem, const Sizes& si
   return has_kink ? std::optional(std::move(apart)) : std::nullopt;
 }
 
-std::string kinked_name(const Problem& problem, const Sizes& sizes, Design x) {
+std::string kinked_name(const Problem& problem, const Scales& scales, Design x) {
   const auto is_kinked = [&](const Response& response) {
     if (response.is_curve()) return false;
-    const Beside beside(problem, response.function(), sizes, x);
+    const Beside beside(problem, response.function(), scales, x);
     return !beside.pieces(1).empty() || !beside.pieces(-1).empty();
   };
   if (is_kinked(problem.objective().response)) return problem.objective().response.name;
@@ -224,7 +224,7 @@ std::string kinked_name(const Problem& problem, const Sizes& sizes, Design x) {
     const Constraint& c = problem.constraints[i];
     if (c.response.is_curve()) continue;
     const double value = c.response.function().value(x);
-    if (near_side(c, sizes.constraints[i], value) != 0 && is_kinked(c.response)) {
+    if (near_side(c, scales.constraints[i], value) != 0 && is_kinked(c.response)) {
       return c.response.name;
     }
   }

@@ -17,9 +17,9 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr double kPushes = 1e-4;  // over the sizes: less is as good as nothing
+constexpr double kPushes = 1e-4;  // over the scales: less is as good as nothing
 
-/// From multipliers over sizes to the engineer's units.
+/// From multipliers over scales to the engineer's units.
 Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_size) {
   Kkt result;
   result.residual = weighed.residual;
@@ -66,22 +66,22 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
 
 /// What the limits' tolerances are worth together, over the objective's size. Near a rest limit and
 /// tolerance are divided alike.
-double worth_of_tolerances(const Sizes& sizes, const Weighed& weighed) {
+double worth_of_tolerances(const Scales& scales, const Weighed& weighed) {
   double worth = 0;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     if (!limit.constraint) continue;
-    const ConstraintSize& own = sizes.constraints[*limit.constraint];
+    const ConstraintScale& own = scales.constraints[*limit.constraint];
     worth += std::abs(weighed.multipliers[j]) * own.default_tolerance / own.size;
   }
   return worth;
 }
 
 /// The objective's slope, of a peak the weighed sum of its places' slopes: the longest entry.
-double objective_slope(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+double objective_slope(const Problem& problem, const Scales& scales, Design x, const Layout& layout,
                        const Weighed& weighed) {
   if (layout.auxiliary < 0) {
-    const auto gradient = objective_gradient(problem, sizes, x, layout);
+    const auto gradient = objective_gradient(problem, scales, x, layout);
     return gradient.size() == 0 ? 0 : gradient.cwiseAbs().maxCoeff();
   }
   std::vector<double> sum(problem.variables.size(), 0.0);
@@ -118,10 +118,10 @@ bool has_flat_push(const Problem& problem, const Weighed& weighed, double violat
 /// another way.
 class Weighing {
  public:
-  Weighing(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+  Weighing(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
            const Layout& layout, bool wants_condition)
       : problem_(problem),
-        sizes_(sizes),
+        scales_(scales),
         x_(x),
         optimality_(optimality),
         layout_(layout),
@@ -155,7 +155,7 @@ class Weighing {
     Weighed best;
     for (const Net& net : kNets) {
       if (net.places > most) break;
-      Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, net);
+      Weighed weighed = weigh(problem_, scales_, x_, optimality_, layout_, net);
       if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
       if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
       if (best.residual <= kKktTolerance && (is_tight(best) || is_enough(best))) break;
@@ -178,8 +178,8 @@ class Weighing {
   bool is_tight(const Weighed& weighed) const {
     constexpr double kSharp = 0.5;  // of what a design may leave to gain and be called global
     if (optimality_ != Optimality::Objective) return false;
-    const auto gain = largest_gain(problem_, sizes_, x_, layout_, weighed);
-    return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem_, sizes_, x_);
+    const auto gain = largest_gain(problem_, scales_, x_, layout_, weighed);
+    return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem_, scales_, x_);
   }
 
   Weighed better(Weighed own, Weighed given) const {
@@ -196,8 +196,8 @@ class Weighing {
   /// The limits that the design stands at come beside those that are told, with no multiplier.
   Weighed as_told(const std::vector<Push>& pushes, bool are_fitted) const {
     Weighed weighed =
-        weigh(problem_, sizes_, x_, optimality_, layout_, pushes, are_fitted, wants_condition_);
-    for (ActiveLimit& limit : active_limits(problem_, sizes_, x_, optimality_, {0})) {
+        weigh(problem_, scales_, x_, optimality_, layout_, pushes, are_fitted, wants_condition_);
+    for (ActiveLimit& limit : active_limits(problem_, scales_, x_, optimality_, {0})) {
       weighed.limits.push_back(std::move(limit));
       weighed.multipliers.push_back(0);
     }
@@ -205,7 +205,7 @@ class Weighing {
   }
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   Design x_;
   Optimality optimality_;
   const Layout& layout_;
@@ -227,10 +227,10 @@ bool is_global_valley(const Problem& problem, double objective_slope) {
 namespace {
 
 /// Prices that no small step bears out are not numbers.
-void drop_unborne(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+void drop_unborne(const Problem& problem, const Scales& scales, Design x, const Layout& layout,
                   const Weighed& weighed, Kkt& result) {
   if (!(result.residual <= kPriceTolerance)) return;
-  for (const std::size_t j : unborne_prices(problem, sizes, x, layout, weighed)) {
+  for (const std::size_t j : unborne_prices(problem, scales, x, layout, weighed)) {
     const ActiveLimit& limit = weighed.limits[j];
     auto& prices = limit.constraint ? result.constraints
                    : limit.sign > 0 ? result.upper
@@ -241,46 +241,46 @@ void drop_unborne(const Problem& problem, const Sizes& sizes, Design x, const La
 }
 
 /// The conditions of a problem that is `stated` about the design.
-Kkt kkt_as_given(const Problem& problem, const Problem& stated, const Sizes& sizes, Design x,
+Kkt kkt_as_given(const Problem& problem, const Problem& stated, const Scales& scales, Design x,
                  Optimality optimality, const Teller& told, bool wants_condition) {
   const Layout layout = lay_out(problem, optimality);
-  const Weighed best = Weighing(problem, sizes, x, optimality, layout, wants_condition).best(told);
+  const Weighed best = Weighing(problem, scales, x, optimality, layout, wants_condition).best(told);
   const bool least_violation = optimality == Optimality::LeastViolation;
-  Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);
+  Kkt result = in_units(problem, best, least_violation ? 1 : scales.objective);
   if (least_violation) {
-    result.flat = has_flat_push(problem, best, largest_violation(problem, sizes, x));
+    result.flat = has_flat_push(problem, best, largest_violation(problem, scales, x));
     result.second_order = true;
     return result;
   }
-  result.objective_slope = objective_slope(problem, sizes, x, layout, best);
+  result.objective_slope = objective_slope(problem, scales, x, layout, best);
   result.gain_of_tolerances =
-      worth_of_tolerances(sizes, best) / objective_measure(problem, sizes, x);
-  if (const auto gain = largest_gain(problem, sizes, x, layout, best)) {
-    result.largest_gain = *gain * sizes.objective;
+      worth_of_tolerances(scales, best) / objective_measure(problem, scales, x);
+  if (const auto gain = largest_gain(problem, scales, x, layout, best)) {
+    result.largest_gain = *gain * scales.objective;
   }
   result.second_order = is_global_valley(problem, result.objective_slope);
   if (!result.second_order) {
     const SecondOrder second =
-        second_order({problem, sizes, x, layout}, best.limits, best.multipliers);
+        second_order({problem, scales, x, layout}, best.limits, best.multipliers);
     result.second_order =
-        second.holds && !improves_along({stated, sizes, x, layout}, best, second.flat);
+        second.holds && !improves_along({stated, scales, x, layout}, best, second.flat);
   }
-  drop_unborne(problem, sizes, x, layout, best, result);
+  drop_unborne(problem, scales, x, layout, best, result);
   return result;
 }
 
 }  // namespace
 
-Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+Kkt kkt(const Problem& problem, const Scales& scales, Design x, Optimality optimality,
         const Teller& told, bool wants_condition) {
-  Kkt result = kkt_as_given(problem, problem, sizes, x, optimality, told, wants_condition);
+  Kkt result = kkt_as_given(problem, problem, scales, x, optimality, told, wants_condition);
   const bool least_violation = optimality == Optimality::LeastViolation;
   if (result.residual <= (least_violation ? kLeastViolationTolerance : kKktTolerance)) {
     return result;
   }
-  const std::optional<Problem> apart = with_pieces_apart(problem, sizes, x);
+  const std::optional<Problem> apart = with_pieces_apart(problem, scales, x);
   if (!apart) return result;
-  Kkt kinked = kkt_as_given(*apart, problem, sizes, x, optimality, {}, wants_condition);
+  Kkt kinked = kkt_as_given(*apart, problem, scales, x, optimality, {}, wants_condition);
   return kinked.residual < result.residual ? kinked : result;
 }
 

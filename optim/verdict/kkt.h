@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/problem/function.h"
 
 /// Conditions of optimality (Karush, Kuhn, Tucker) at a design, from the problem alone
@@ -14,7 +14,7 @@
 namespace camlaw::optim {
 
 /// What the conditions are checked for: the objective's optimum, or the least of the largest
-/// violation (counted in the constraints' sizes).
+/// violation (counted in the constraints' scales).
 enum class Optimality { Objective, LeastViolation };
 
 /// A limit that holds a design, with its multiplier, as a sharp method (Solver::is_sharp) tells it.
@@ -75,7 +75,7 @@ bool is_global_valley(const Problem& problem, double objective_slope);
 /// At a design that meets every limit (for LeastViolation: any design). Of many variables the
 /// multipliers that are told are tried before others are looked for, of few where none were found
 /// with which the conditions hold. Told ones come without their condition where it is not wanted.
-Kkt kkt(const Problem& problem, const Sizes& sizes, Design x,
+Kkt kkt(const Problem& problem, const Scales& scales, Design x,
         Optimality optimality = Optimality::Objective, const Teller& told = {},
         bool wants_condition = true);
 

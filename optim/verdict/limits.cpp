@@ -43,7 +43,7 @@ void take_worse(double value, const std::optional<Place>& place, double sign, do
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
-                const ConstraintSize& size, SideOfLimit& side) {
+                const ConstraintScale& size, SideOfLimit& side) {
   const double tolerance = size.tolerance;
   if (!response.is_curve()) {
     const Function& f = response.function();
@@ -88,7 +88,7 @@ void show(const SideOfLimit& side, double sign, double bound, LimitReport& repor
   report.from_left = side.place->from_left;
 }
 
-LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& maxima, Design x,
+LimitReport report(const Constraint& c, const ConstraintScale& size, MaximaAt& maxima, Design x,
                    bool prove) {
   LimitReport result;
   result.name = c.response.name;
@@ -152,12 +152,12 @@ double attained(const Trace& trace, const ObjectiveReport& report, double least)
 
 }  // namespace
 
-std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& sizes, Design x,
+std::vector<LimitReport> limit_reports(const Problem& problem, const Scales& scales, Design x,
                                        bool prove) {
   MaximaAt maxima(x);
   std::vector<LimitReport> result;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    result.push_back(report(problem.constraints[i], sizes.constraints[i], maxima, x, prove));
+    result.push_back(report(problem.constraints[i], scales.constraints[i], maxima, x, prove));
   }
   return result;
 }
@@ -177,10 +177,11 @@ void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
   show(side, sign, bound, report);
 }
 
-ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
+ObjectiveReport objective_report(const Problem& problem, const Scales& scales, Design x,
+                                 bool prove) {
   const Objective& objective = problem.objective();
   ObjectiveReport result;
-  result.tolerance = sizes.objective_tolerance;
+  result.tolerance = scales.objective_tolerance;
   if (!objective.response.is_curve()) {
     const Function& f = objective.response.function();
     result.value = prove ? f.proved().value(x) : f.value(x);
@@ -199,7 +200,7 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
   if (prove) {
     const double found = result.value;
     constexpr double kUnnoticed = 0.1;  // of the tolerance
-    const double least = kUnnoticed * sizes.objective_tolerance;
+    const double least = kUnnoticed * scales.objective_tolerance;
     const double one = prove_peak(*trace, result.sign, result, found, least);
     const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);

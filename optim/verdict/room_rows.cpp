@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/verdict/room_rows.h"
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {
@@ -11,7 +11,7 @@ class SearchedRooms final : public RoomRows {
  public:
   SearchedRooms(const Problem& problem, Design x) : problem_(problem) {
     problem_.objectives = {no_objective()};
-    sizes_ = sizes(problem_, x);
+    scales_ = scales(problem_, x);
   }
 
   std::size_t limits() const override { return problem_.constraints.size(); }
@@ -20,7 +20,7 @@ class SearchedRooms final : public RoomRows {
             std::span<double> room) const override {
     const std::size_t n = problem_.variables.size();
     for (std::size_t k = 0; k < count; ++k) {
-      const auto reports = limit_reports(problem_, sizes_, designs.subspan(k * n, n), false);
+      const auto reports = limit_reports(problem_, scales_, designs.subspan(k * n, n), false);
       for (std::size_t i = 0; i < reports.size(); ++i) {
         room[i * count + k] = reports[i].margin + reports[i].tolerance;
       }
@@ -29,7 +29,7 @@ class SearchedRooms final : public RoomRows {
 
  private:
   Problem problem_;
-  Sizes sizes_;
+  Scales scales_;
 };
 
 }  // namespace

@@ -54,8 +54,9 @@ void add_hessian(const SecondOrderPoint& point, const Function& f, double factor
       const int row = point.layout.row[inputs[i]], column = point.layout.row[inputs[j]];
       const double second = h[packed(std::max(i, j), std::min(i, j))];
       if (row < 0 || column < 0 || second == 0) continue;
-      H.add(row, column,
-            factor * second * point.sizes.variables[inputs[i]] * point.sizes.variables[inputs[j]]);
+      H.add(
+          row, column,
+          factor * second * point.scales.variables[inputs[i]] * point.scales.variables[inputs[j]]);
     }
   }
 }
@@ -68,7 +69,7 @@ void add_peak_motion(const SecondOrderPoint& point, const ActiveLimit& limit, do
   if (limit.slope_gradient.empty() || multiplier == 0 || !(curvature < 0)) return;
   std::vector<std::pair<int, double>> slopes;
   for (std::size_t i = 0; i < limit.slope_gradient.size(); ++i) {
-    const double slope = limit.slope_gradient[i] * point.sizes.variables[i];
+    const double slope = limit.slope_gradient[i] * point.scales.variables[i];
     if (slope != 0 && point.layout.row[i] >= 0) slopes.emplace_back(point.layout.row[i], slope);
   }
   for (const auto& [row, a] : slopes) {
@@ -239,7 +240,7 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
   const Objective& objective = point.problem.objective();
   if (point.layout.auxiliary < 0) {
     const double sign = objective.sense == Sense::Minimize ? 1 : -1;
-    add_hessian(point, objective.response.function(), sign / point.sizes.objective, entries);
+    add_hessian(point, objective.response.function(), sign / point.scales.objective, entries);
   }
   for (std::size_t j = 0; j < limits.size(); ++j) {
     if (!limits[j].function) continue;
@@ -263,7 +264,7 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   // Rounding in a response of this size.
   const double value = objective_value(point.problem.objective(), point.x);
   constexpr double kRounding = 1e-9;
-  const double floor = kRounding * std::max(1.0, std::abs(value) / point.sizes.objective);
+  const double floor = kRounding * std::max(1.0, std::abs(value) / point.scales.objective);
   return ConeTest(dense_H, dense_P, dense_W, floor).run();
 }
 

@@ -10,7 +10,7 @@ namespace camlaw::optim {
 /// The design and where its variables stand among the rows of the conditions.
 struct SecondOrderPoint {
   const Problem& problem;
-  const Sizes& sizes;
+  const Scales& scales;
   Design x;
   const Layout& layout;
 };

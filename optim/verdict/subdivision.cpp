@@ -47,13 +47,13 @@ double least_change(const Bounds& slope, double radius) {
 
 class Division {
  public:
-  Division(const Problem& problem, const Sizes& sizes, Design x)
+  Division(const Problem& problem, const Scales& scales, Design x)
       : problem_(problem),
-        sizes_(sizes),
+        scales_(scales),
         x_(x.begin(), x.end()),
         sense_(problem.objective().sense == Sense::Minimize ? 1 : -1),
         best_(sense_ * objective_value(problem.objective(), x)),
-        tolerance_(kBoundTolerance * sizes.objective * objective_measure(problem, sizes, x)) {
+        tolerance_(kBoundTolerance * scales.objective * objective_measure(problem, scales, x)) {
     take_rows();
   }
 
@@ -124,7 +124,7 @@ class Division {
     const Layout layout = lay_out(problem_, Optimality::Objective);
     constexpr double kWidth = 1e-4;  // of a net that the verdict casts too (kkt.cpp)
     const Weighed weighed =
-        layout.rows > 0 ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, Net{kWidth})
+        layout.rows > 0 ? weigh(problem_, scales_, x_, Optimality::Objective, layout, Net{kWidth})
                         : Weighed{};
     if (objective.part == Part::Value) {
       rows_.push_back({objective.response.function(), sense_, 0, true, 1});
@@ -139,7 +139,7 @@ class Division {
     for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
       const ActiveLimit& limit = weighed.limits[j];
       if (!limit.function || limit.at_rest) continue;
-      double weight = weighed.multipliers[j] * sizes_.objective / limit.size;
+      double weight = weighed.multipliers[j] * scales_.objective / limit.size;
       const double sign = weight < 0 ? -limit.sign : limit.sign;
       if (!limit.constraint) {
         rows_.push_back({*limit.function, sign, 0, true, weighed.multipliers[j]});
@@ -162,7 +162,7 @@ class Division {
   /// that the objective does not show it.
   double level(std::size_t constraint, double sign) const {
     const Constraint& c = problem_.constraints[constraint];
-    const ConstraintSize& size = sizes_.constraints[constraint];
+    const ConstraintScale& size = scales_.constraints[constraint];
     constexpr double kOfTolerance = 1e-3, kOfSize = 1e-12;
     return sign * (sign > 0 ? *c.upper : *c.lower) +
            std::max(kOfTolerance * size.tolerance, kOfSize * size.size);
@@ -261,12 +261,12 @@ class Division {
   bool is_small(const Box& box) const {
     constexpr double kSmall = 1e-12;
     for (std::size_t i = 0; i < box.size(); ++i) {
-      if (width(box[i]) > kSmall * sizes_.variables[i]) return false;
+      if (width(box[i]) > kSmall * scales_.variables[i]) return false;
     }
     return true;
   }
 
-  /// The side along which what is not decided yet changes most, over the limits' sizes.
+  /// The side along which what is not decided yet changes most, over the limits' scales.
   std::size_t longest(const Box& box) const {
     std::vector<double> changes(box.size(), 0.0);
     for (const BoxRow& row : rows_) {
@@ -326,7 +326,7 @@ class Division {
       }
     }
     if (news) return;
-    const Sizes there = judged_at(problem_, sizes_, y);
+    const Scales there = judged_at(problem_, scales_, y);
     if (worst_violation(limit_reports(problem_, there, y, false)) <= 1) result_.better = y;
   }
 
@@ -343,7 +343,7 @@ class Division {
   static constexpr std::size_t kMostRows = 60;
 
   const Problem& problem_;
-  const Sizes& sizes_;
+  const Scales& scales_;
   std::vector<double> x_;
   double sense_;
   double best_;  ///< the objective of x, less being better
@@ -358,7 +358,7 @@ class Division {
 
 }  // namespace
 
-std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes, Design x,
+std::optional<Subdivision> subdivided(const Problem& problem, const Scales& scales, Design x,
                                       const std::function<bool()>& stop, int most_boxes) {
   std::size_t free = 0;
   for (const Variable& v : problem.variables) {
@@ -367,7 +367,7 @@ std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes
   }
   if (free == 0 || free > kMostDivided) return {};
   try {
-    return Division(problem, sizes, x).run(stop, most_boxes);
+    return Division(problem, scales, x).run(stop, most_boxes);
   } catch (...) {
     return {};
   }

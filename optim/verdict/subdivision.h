@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::optim {
 
@@ -39,7 +39,7 @@ inline constexpr int kMostBoxes = 30000;
 /// than kMostDivided variables are free, one of them has no bounds, or nothing is known of the
 /// objective's range.
 std::optional<Subdivision> subdivided(
-    const Problem& problem, const Sizes& sizes, Design x,
+    const Problem& problem, const Scales& scales, Design x,
     const std::function<bool()>& stop = [] { return false; }, int most_boxes = kMostBoxes);
 
 }  // namespace camlaw::optim

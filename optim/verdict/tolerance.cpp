@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "numerics/sampling/sobol_points.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {
@@ -20,14 +20,14 @@ using Variations = std::vector<Variation>;
 class Measured {
  public:
   Measured(const Problem& problem, Design x)
-      : multi_(problem), problem_(problem.alone(0)), sizes_(sizes(problem_, x)) {}
+      : multi_(problem), problem_(problem.alone(0)), scales_(scales(problem_, x)) {}
 
   Numbers at(Design x) const {
     Numbers numbers;
     for (const Objective& objective : multi_.objectives) {
       numbers.push_back(objective_value(objective, x));
     }
-    for (const LimitReport& limit : limit_reports(problem_, sizes_, x, false)) {
+    for (const LimitReport& limit : limit_reports(problem_, scales_, x, false)) {
       numbers.push_back(limit.margin);
     }
     return numbers;
@@ -50,9 +50,9 @@ class Measured {
   }
 
   bool meets_limits(const Numbers& numbers) const {
-    for (std::size_t i = 0; i < sizes_.constraints.size(); ++i) {
+    for (std::size_t i = 0; i < scales_.constraints.size(); ++i) {
       const double margin = numbers[multi_.objectives.size() + i];
-      if (!(margin >= -sizes_.constraints[i].tolerance)) return false;
+      if (!(margin >= -scales_.constraints[i].tolerance)) return false;
     }
     return true;
   }
@@ -60,7 +60,7 @@ class Measured {
  private:
   const Problem& multi_;
   Problem problem_;
-  Sizes sizes_;
+  Scales scales_;
 };
 
 /// Whether there is such a design: a number of each that is one as meant.

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/kinks.h"
 #include "optim/verdict/verdict.h"
 
@@ -54,7 +54,7 @@ std::string why_no_price(const Problem& problem, const Assessment& assessment, D
         "there is no value beyond it",
         fmt::join(unknown, ", "));
   }
-  const std::string kinked = kinked_name(problem, sizes(problem, x), x);
+  const std::string kinked = kinked_name(problem, scales(problem, x), x);
   if (!kinked.empty()) {
     return fmt::format(
         "what easing the limits gains is not known to first order: the answer lies on a kink of {}",

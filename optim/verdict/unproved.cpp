@@ -17,7 +17,7 @@ bool is_wide(const Response& response, const ObjectiveReport& objective, double 
 
 }  // namespace
 
-std::string unproved(const Problem& problem, const Sizes& sizes, const Assessment& a) {
+std::string unproved(const Problem& problem, const Scales& scales, const Assessment& a) {
   const auto needs_proof = [](const Response& response) {
     return response.is_curve() || response.function().is_searched() ||
            response.function().is_enclosed();
@@ -47,7 +47,7 @@ std::string unproved(const Problem& problem, const Sizes& sizes, const Assessmen
     return fmt::format("it is not proved that {} is nowhere {}", problem.objective().response.name,
                        lowest ? "lower" : "higher");
   }
-  if (is_wide(problem.objective().response, a.objective, sizes.objective_tolerance)) {
+  if (is_wide(problem.objective().response, a.objective, scales.objective_tolerance)) {
     return fmt::format("{} is only proved to lie between {:.9g} and {:.9g}",
                        problem.objective().response.name, peak.lower, peak.upper);
   }

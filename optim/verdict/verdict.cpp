@@ -28,19 +28,19 @@ std::vector<VariableReport> variable_reports(const Problem& problem, Design x) {
 
 /// Names of the limits that a design stands at; where `least` is above 0 those alone whose share
 /// of the push is at least that.
-std::vector<std::string> active_names(const Problem& problem, const Sizes& sizes,
+std::vector<std::string> active_names(const Problem& problem, const Scales& scales,
                                       const Kkt& conditions, double least) {
   std::vector<std::string> names;
   const auto add = [&](bool active, double multiplier, double size, const std::string& name) {
     if (active && !(std::abs(multiplier) * size < least)) names.push_back(name);
   };
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    add(conditions.active_constraints[i], conditions.constraints[i], sizes.constraints[i].size,
+    add(conditions.active_constraints[i], conditions.constraints[i], scales.constraints[i].size,
         problem.constraints[i].response.name);
   }
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const std::string& name = problem.variables[i].name;
-    const double size = sizes.variables[i];
+    const double size = scales.variables[i];
     add(conditions.active_lower[i], conditions.lower[i], size, "lower bound of " + name);
     add(conditions.active_upper[i], conditions.upper[i], size, "upper bound of " + name);
   }
@@ -58,7 +58,7 @@ void show_pushing_sides(const Problem& problem, const Kkt& conditions, Design x,
   }
 }
 
-void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& conditions,
+void take_conditions(const Problem& problem, const Scales& scales, const Kkt& conditions,
                      Assessment& result) {
   result.kkt_residual = conditions.residual;
   result.condition = conditions.condition;
@@ -75,14 +75,14 @@ void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& cond
     v.at_upper = conditions.active_upper[i];
     v.multiplier = conditions.lower[i] + conditions.upper[i];
   }
-  result.active = active_names(problem, sizes, conditions, 0);
+  result.active = active_names(problem, scales, conditions, 0);
 }
 
 /// The lower bound, and whether the conditions of optimality look doubtful.
-void take_bound(const Problem& problem, const Sizes& sizes, const Kkt& conditions, Design x,
+void take_bound(const Problem& problem, const Scales& scales, const Kkt& conditions, Design x,
                 Assessment& result) {
   constexpr double kMuch = 1e-3;  // of the objective, for the limits' own tolerances
-  result.objective_measure = sizes.objective * objective_measure(problem, sizes, x);
+  result.objective_measure = scales.objective * objective_measure(problem, scales, x);
   if (conditions.largest_gain) {
     const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
     result.best_possible = result.objective.value - sense * *conditions.largest_gain;
@@ -108,8 +108,8 @@ bool is_bounded(const Assessment& a) {
 }
 
 /// What keeps a design that meets every limit from being certified; empty where nothing does.
-std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& a) {
-  if (std::string why = unproved(problem, sizes, a); !why.empty() || is_bounded(a)) return why;
+std::string doubt(const Problem& problem, const Scales& scales, const Assessment& a) {
+  if (std::string why = unproved(problem, scales, a); !why.empty() || is_bounded(a)) return why;
   if (std::isinf(a.kkt_residual)) {
     return "the model has no derivatives at the answer, which may lie at the edge of the possible "
            "machines";
@@ -156,8 +156,8 @@ std::string global_words(const Problem& problem, const Assessment& a, const std:
 }
 
 /// The verdict of a design that meets every limit, with proofs; `why`: as of global_words.
-void conclude(const Problem& problem, const Sizes& sizes, const std::string& why, Assessment& a) {
-  a.reason = doubt(problem, sizes, a);
+void conclude(const Problem& problem, const Scales& scales, const std::string& why, Assessment& a) {
+  a.reason = doubt(problem, scales, a);
   a.verdict = a.reason.empty() ? Verdict::Certified : Verdict::Feasible;
   if (a.verdict != Verdict::Certified) return;
   a.reason = a.kkt_residual <= kKktTolerance
@@ -207,13 +207,13 @@ enum class Closeness {
 };
 
 /// Where a design stands: Feasible, or Failed with the reason.
-Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x,
+Assessment where_it_stands(const Problem& problem, const Scales& scales, Design x,
                            Closeness closeness) {
   const bool prove = closeness == Closeness::Proof;
   Assessment result;
   result.variables = variable_reports(problem, x);
-  result.objective = objective_report(problem, sizes, x, prove);
-  result.limits = limit_reports(problem, sizes, x, prove);
+  result.objective = objective_report(problem, scales, x, prove);
+  result.limits = limit_reports(problem, scales, x, prove);
   if (closeness == Closeness::Haste) look_in_haste(problem, x, result.limits);
   if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the answer");
@@ -228,34 +228,34 @@ Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x,
 
 }  // namespace
 
-Assessment assess_in_haste(const Problem& problem, const Sizes& about, Design x) {
+Assessment assess_in_haste(const Problem& problem, const Scales& about, Design x) {
   return where_it_stands(problem, judged_at(problem, about, x), x, Closeness::Haste);
 }
 
 Assessment assess_in_haste(const Problem& problem, Design x) {
-  Sizes sizes;
-  sizes.variables = typical_scales(problem, x);
-  sizes.objective = sizes.objective_typical = 1;
-  sizes.constraints.assign(problem.constraints.size(), {1, 0, 0});
-  return assess_in_haste(problem, sizes, x);
+  Scales scales;
+  scales.variables = typical_scales(problem, x);
+  scales.objective = scales.objective_typical = 1;
+  scales.constraints.assign(problem.constraints.size(), {1, 0, 0});
+  return assess_in_haste(problem, scales, x);
 }
 
-Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove,
+Assessment assess(const Problem& problem, const Scales& about, Design x, bool prove,
                   const Teller& told) {
-  const Sizes sizes = judged_at(problem, about, x);
+  const Scales scales = judged_at(problem, about, x);
   Assessment result =
-      where_it_stands(problem, sizes, x, prove ? Closeness::Proof : Closeness::Search);
+      where_it_stands(problem, scales, x, prove ? Closeness::Proof : Closeness::Search);
   if (result.verdict == Verdict::Failed) return result;
-  const Kkt conditions = kkt(problem, sizes, x, Optimality::Objective, told, prove);
-  take_conditions(problem, sizes, conditions, result);
+  const Kkt conditions = kkt(problem, scales, x, Optimality::Objective, told, prove);
+  take_conditions(problem, scales, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
-  take_bound(problem, sizes, conditions, x, result);
+  take_bound(problem, scales, conditions, x, result);
   drop_unknown_prices(result);
-  if (prove) conclude(problem, sizes, "", result);
+  if (prove) conclude(problem, scales, "", result);
   return result;
 }
 
-void take_subdivision(const Problem& problem, const Sizes& about, const Subdivision& division,
+void take_subdivision(const Problem& problem, const Scales& about, const Subdivision& division,
                       Assessment& a) {
   const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
   if (a.best_possible && sense * *a.best_possible >= sense * division.best_possible) return;
@@ -288,21 +288,21 @@ bool has_convex_pushes(const Problem& problem, const Kkt& conditions) {
 
 }  // namespace
 
-Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x,
+Assessment assess_least_violation(const Problem& problem, const Scales& about, Design x,
                                   const Teller& told) {
-  const Sizes sizes = judged_at(problem, about, x);
+  const Scales scales = judged_at(problem, about, x);
   Assessment result;
   result.variables = variable_reports(problem, x);
-  result.objective = objective_report(problem, sizes, x, false);
-  result.limits = limit_reports(problem, sizes, x, false);
+  result.objective = objective_report(problem, scales, x, false);
+  result.limits = limit_reports(problem, scales, x, false);
   if (std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the design of least violation");
     return result;
   }
-  const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation, told);
-  take_conditions(problem, sizes, conditions, result);
+  const Kkt conditions = kkt(problem, scales, x, Optimality::LeastViolation, told);
+  take_conditions(problem, scales, conditions, result);
   constexpr double kBlamed = 1e-4;
-  result.blamed = active_names(problem, sizes, conditions, kBlamed);
+  result.blamed = active_names(problem, scales, conditions, kBlamed);
   // Of convex limits less than all of the violation is enough. A quasiconvex one may be gentle here
   // and steep elsewhere: there nothing but a slope of zero tells.
   constexpr double kHalf = 0.5;

@@ -20,23 +20,23 @@ inline constexpr double kLeastViolationTolerance = 1e-3;
 /// that passes is Feasible at best. A design that passes a limit
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
 /// `told`: as of kkt().
-Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove,
+Assessment assess(const Problem& problem, const Scales& scales, Design x, bool prove,
                   const Teller& told = {});
 
 /// The same without proofs and without the conditions of optimality, for a design on which no more
 /// time is to be spent: Feasible where every limit is met as far as was looked.
-Assessment assess_in_haste(const Problem& problem, const Sizes& sizes, Design x);
+Assessment assess_in_haste(const Problem& problem, const Scales& scales, Design x);
 /// Takes every size to be 1 but those of the variables, which limits' tolerances depend on.
 Assessment assess_in_haste(const Problem& problem, Design x);
 
 /// What a lower bound from dividing the box adds to the assessment of a design within the limits,
 /// which was asked for with proofs. The bound that is tighter counts.
-void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivision& division,
+void take_subdivision(const Problem& problem, const Scales& scales, const Subdivision& division,
                       Assessment& assessment);
 
 /// Judges a design as the one whose largest violation is least: Infeasible, with the limits to
 /// blame, where the conditions for that hold.
-Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x,
+Assessment assess_least_violation(const Problem& problem, const Scales& scales, Design x,
                                   const Teller& told = {});
 
 /// Strict weak order: a feasible design before others, among those the better objective; of others

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/discrete.h"
 #include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
@@ -135,8 +135,9 @@ void judge(const Answer& answer, JudgedPart& part) {
   const std::vector<double>& x = part.found.x;
   const optim::Problem problem =
       optim::with_integers_fixed(answer.space.problem(part.found.options), x);
-  const optim::Sizes sizes = optim::sizes(problem, x);
-  optim::Assessment a = optim::assess(problem, sizes, x, true, optim::teller_at(problem, sizes, x));
+  const optim::Scales scales = optim::scales(problem, x);
+  optim::Assessment a =
+      optim::assess(problem, scales, x, true, optim::teller_at(problem, scales, x));
   part.found.objective = a.objective.value;
   part.found.verdict = a.verdict;
   part.found.active = std::move(a.active);
@@ -300,14 +301,13 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
     table.add(std::move(row));
   }
   document.add(table);
-  const bool is_judged = answer.optimum.found.assessment.verdict == optim::Verdict::Certified;
   const bool has_feasible = std::any_of(parts.begin(), parts.end(), [](const auto& part) {
     return part.found.verdict == optim::Verdict::Feasible;
   });
-  if (is_judged && has_feasible) {
+  if (has_feasible) {
     document.say(
-        "feasible: this design meets the limits; proofs, and the test for an optimum, are made for "
-        "the best combination alone\n");
+        "feasible: this design meets the limits, but is not shown to be the best of its "
+        "combination\n");
   }
   if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/answers/objective_cases.h"
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 #include "output/answers/limit_text.h"
 #include "output/document/formatting.h"
@@ -49,7 +49,7 @@ Table objective_cases(const problems::ProblemStatement& design) {
     const optim::Problem problem =
         bound.problem(std::vector<std::size_t>(bound.choices().size(), 0));
     const optim::ObjectiveReport report =
-        optim::objective_report(problem, optim::sizes(problem, {}), {}, false);
+        optim::objective_report(problem, optim::scales(problem, {}), {}, false);
     const ObjectivePlace place = objective_place(one, report.angle);
     table.add({load.name, Cell(in_digits(report.value), report.value),
                problem.objective().response.unit, Cell(in_digits(load.weight), load.weight),

@@ -16,6 +16,7 @@
 #include "output/answers/price_step.h"
 #include "output/answers/price_words.h"
 #include "output/answers/reached_output.h"
+#include "output/answers/value_lines.h"
 #include "output/answers/variable_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
@@ -128,33 +129,6 @@ std::string how(const Answer& answer) {
   return text;
 }
 
-/// Numbers of one list beyond which they are not printed one by one.
-constexpr std::size_t kListedOneByOne = 12;
-
-/// "coefficients" of "coefficients[3]"; else empty.
-std::string list_of(const std::string& name) {
-  const std::size_t bracket = name.find('[');
-  return bracket == std::string::npos ? "" : name.substr(0, bracket);
-}
-
-/// Where the run of values of one list ends that begins at one.
-std::size_t end_of_list(const std::vector<DesignValue>& values, std::size_t from) {
-  const std::string list = list_of(values[from].name);
-  std::size_t end = from + 1;
-  while (!list.empty() && end < values.size() && list_of(values[end].name) == list) ++end;
-  return end;
-}
-
-std::string long_list(const std::vector<DesignValue>& values, std::size_t from, std::size_t end) {
-  const auto [least, most] = std::minmax_element(
-      values.begin() + static_cast<std::ptrdiff_t>(from),
-      values.begin() + static_cast<std::ptrdiff_t>(end),
-      [](const DesignValue& a, const DesignValue& b) { return a.number < b.number; });
-  return fmt::format("  {}: {} numbers from {:.6g} to {}; --json has them\n",
-                     list_of(values[from].name), end - from, least->number,
-                     with_unit(fmt::format("{:.6g}", most->number), values[from].unit));
-}
-
 /// "  law: rise 90 deg by cycloidal to 1, ...", where a motion program was chosen.
 std::string program_line(const Answer& answer) {
   const problems::ProblemStatement& statement = answer.bound.statement();
@@ -185,18 +159,7 @@ std::string design_text(const Answer& answer, const ObjectivePlace& worst) {
                   worst.words.empty() ? "" : fmt::format("  ({})", worst.words));
   std::string list = program_line(answer);
   const auto values = answer.values();
-  for (std::size_t i = list.empty() ? 0 : 1; i < values.size();) {
-    const std::size_t end = end_of_list(values, i);
-    if (end - i > kListedOneByOne) {
-      list += long_list(values, i, end);
-      i = end;
-      continue;
-    }
-    for (; i < end; ++i) {
-      const bool is_objective = values[i].name == response.name;
-      if (!is_objective) list += fmt::format("  {} = {}\n", values[i].name, values[i].words());
-    }
-  }
+  list += value_lines(values, list.empty() ? 0 : 1, response.name);
   return list.empty() ? text : text + "\n" + list;
 }
 
@@ -413,7 +376,7 @@ Document answer_document(const Answer& answer) {
 }
 
 Table scaling_table(const optim::Problem& problem) {
-  const optim::Sizes sizes = optim::sizes(problem, problem.start());
+  const optim::Scales scales = optim::scales(problem, problem.start());
   Table table{.key = "scaling",
               .columns = {words("scaling", "of"), numbers("scale", "scale"),
                           numbers("tolerance", "tolerance"), words("unit", "unit")},
@@ -421,13 +384,13 @@ Table scaling_table(const optim::Problem& problem) {
   const auto digits = [](double value) { return Cell(in_digits(value), value); };
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
-        {problem.variables[i].name, digits(sizes.variables[i]), {}, problem.variables[i].unit});
+        {problem.variables[i].name, digits(scales.variables[i]), {}, problem.variables[i].unit});
   }
-  table.add({problem.objective().response.name + " (objective)", digits(sizes.objective),
-             digits(sizes.objective_tolerance), problem.objective().response.unit});
+  table.add({problem.objective().response.name + " (objective)", digits(scales.objective),
+             digits(scales.objective_tolerance), problem.objective().response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    table.add({problem.constraints[i].response.name, digits(sizes.constraints[i].size),
-               digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
+    table.add({problem.constraints[i].response.name, digits(scales.constraints[i].size),
+               digits(scales.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
   return table;
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 namespace camlaw::cli {
 namespace {

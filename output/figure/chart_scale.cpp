@@ -11,8 +11,8 @@
 namespace camlaw::cli {
 namespace {
 
-/// Sizes a chart tells from zero and from infinity; far enough from the limits of double for spans,
-/// steps and their inverses to be finite.
+/// Scales a chart tells from zero and from infinity; far enough from the limits of double for
+/// spans, steps and their inverses to be finite.
 constexpr double kSmallest = 1e-280;
 constexpr double kLargest = 1e300;
 

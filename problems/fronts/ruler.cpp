@@ -9,7 +9,7 @@
 
 #include "kinematics/peaks.h"
 #include "machines/model/fixed_binding.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/judged_again.h"
 #include "optim/search/told.h"
@@ -53,33 +53,33 @@ std::string words_of(const optim::Problem& problem, const std::vector<double>& x
 
 optim::Assessment judged(const HeldProblem& held) {
   const optim::Problem problem = held.problem.alone(0);
-  const optim::Sizes sizes = optim::sizes(problem, held.x);
+  const optim::Scales scales = optim::scales(problem, held.x);
   optim::Assessment found =
-      optim::assess(problem, sizes, held.x, true, optim::teller_at(problem, sizes, held.x));
+      optim::assess(problem, scales, held.x, true, optim::teller_at(problem, scales, held.x));
   if (optim::is_feasible(found) && !found.global) {
-    const auto division = optim::subdivided(problem, sizes, held.x);
+    const auto division = optim::subdivided(problem, scales, held.x);
     if (division && !division->better) {
       // Nothing is known of what is possible where a part of the box has no bound.
       if (std::isfinite(division->best_possible))
-        optim::take_subdivision(problem, sizes, *division, found);
+        optim::take_subdivision(problem, scales, *division, found);
     } else if (division) {
       found.reason +=
           fmt::format("; a better design is known: {}", words_of(problem, *division->better));
     }
   }
   if (found.verdict != optim::Verdict::Failed) return found;
-  // A search weighs limits by their sizes where it began, which the result does not hold. Any
+  // A search weighs limits by their scales where it began, which the result does not hold. Any
   // weights show that the limits contradict one another about this design, and of convex limits
   // that they do everywhere, which is told apart.
   const auto least_of = [&](const optim::Problem& posed) {
-    const auto by = [&](const optim::Sizes& weights) {
+    const auto by = [&](const optim::Scales& weights) {
       return optim::assess_least_violation(
           posed, weights, held.x,
           optim::teller_at(posed, weights, held.x, optim::Aim::LeastViolation));
     };
-    optim::Assessment least = by(sizes);
+    optim::Assessment least = by(scales);
     if (least.verdict == optim::Verdict::Infeasible) return least;
-    return by(optim::broken_alike(posed, sizes, held.x));
+    return by(optim::broken_alike(posed, scales, held.x));
   };
   optim::Assessment least = least_of(problem);
   const auto strict = optim::with_strict_edges(problem);

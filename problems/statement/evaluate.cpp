@@ -8,7 +8,7 @@
 #include "machines/model/fixed_binding.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/remembered.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/added_part.h"
 #include "problems/statement/bind.h"
@@ -217,7 +217,7 @@ std::vector<optim::LimitReport> standing(const ProblemStatement& statement) {
   problem.constraints = constraints_of(statement, fixed(statement));
   problem.check();
   problem = optim::remembered(std::move(problem));  // a search over ranges takes long
-  return as_stated(statement, optim::limit_reports(problem, optim::sizes(problem, {}), {}, true));
+  return as_stated(statement, optim::limit_reports(problem, optim::scales(problem, {}), {}, true));
 }
 
 std::vector<optim::LimitReport> as_stated(const ProblemStatement& statement,

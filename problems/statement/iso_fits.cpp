@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLeastGrade = 5, kLargestGrade = 11;
 constexpr std::size_t kSteps = 13;
-/// Sizes up to these, mm.
+/// Scales up to these, mm.
 constexpr std::array<double, kSteps> kUpTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 using Micrometres = std::array<int, kSteps>;
 
@@ -57,7 +57,7 @@ constexpr int kLastOfK = 7;  // from grade 8 on k is 0
 std::size_t step_of(double size) {
   if (!(size > 0 && size <= kUpTo.back())) {
     throw std::invalid_argument(
-        fmt::format("{:.6g} mm: fits of ISO 286 are for sizes above 0 and up to 500 mm", size));
+        fmt::format("{:.6g} mm: fits of ISO 286 are for scales above 0 and up to 500 mm", size));
   }
   return static_cast<std::size_t>(std::lower_bound(kUpTo.begin(), kUpTo.end(), size) -
                                   kUpTo.begin());

@@ -9,7 +9,7 @@
 #include "machines/model/box_traces.h"
 #include "machines/model/design_rows.h"
 #include "machines/model/law_binding.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/bind.h"
 
@@ -173,10 +173,10 @@ class Grids final : public optim::RoomRows {
       : variables_(varied.meant.size()), limits_(varied.problem.constraints.size()) {
     optim::Problem problem = varied.problem;
     problem.objectives = {optim::no_objective()};
-    const optim::Sizes sizes = optim::sizes(problem, varied.meant);
+    const optim::Scales scales = optim::scales(problem, varied.meant);
     searched_.variables = problem.variables;
     for (std::size_t i = 0; i < limits_; ++i) {
-      tolerances_.push_back(sizes.constraints[i].tolerance);
+      tolerances_.push_back(scales.constraints[i].tolerance);
       if (auto grid = grid_of(varied, i, tolerances_[i], report)) {
         grids_.push_back(std::move(*grid));
       } else {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/impossible_values.h"
 #include "problems/statement/ranges.h"
@@ -35,9 +35,9 @@ ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reac
 optim::Optimum restated(const BoundProblem& bound, optim::Optimum found) {
   found.problem = bound.problem(found.options);
   optim::Assessment& own = found.found.assessment;
-  const optim::Sizes sizes = optim::sizes(found.problem, found.found.x);
+  const optim::Scales scales = optim::scales(found.problem, found.found.x);
   const auto prices =
-      std::exchange(own.limits, optim::limit_reports(found.problem, sizes, found.found.x, false));
+      std::exchange(own.limits, optim::limit_reports(found.problem, scales, found.found.x, false));
   for (std::size_t i = 0; i < own.limits.size() && i < prices.size(); ++i) {
     own.limits[i].multiplier = prices[i].multiplier;
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/design_point.h"
 #include "optim/verdict/limits.h"
 #include "optim/verdict/parts_errands.h"
@@ -19,9 +19,9 @@ optim::Problem limits_alone(const VariedDesign& varied) {
 
 std::vector<LimitSlopes> slopes_of(const VariedDesign& varied) {
   const optim::Problem problem = limits_alone(varied);
-  const optim::Sizes sizes = optim::sizes(problem, varied.meant);
+  const optim::Scales scales = optim::scales(problem, varied.meant);
   std::vector<LimitSlopes> result;
-  for (optim::LimitReport& report : optim::limit_reports(problem, sizes, varied.meant, false)) {
+  for (optim::LimitReport& report : optim::limit_reports(problem, scales, varied.meant, false)) {
     LimitSlopes limit{std::move(report), std::vector<double>(varied.meant.size(), 0.0)};
     optim::room_slopes(problem, result.size(), varied.meant)(varied.meant, limit.slopes);
     if (limit.report.is_upper) {

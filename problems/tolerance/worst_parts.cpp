@@ -9,7 +9,7 @@
 #include "machines/model/fixed_binding.h"
 #include "machines/model/over_ranges.h"
 #include "optim/cycle/extremes.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/interruptible.h"
 #include "optim/verdict/design_point.h"
 #include "optim/verdict/limits.h"
@@ -30,15 +30,15 @@ struct LimitSide {
 };
 
 std::vector<LimitSide> sides_of(const VariedDesign& varied) {
-  const optim::Sizes sizes = [&] {
+  const optim::Scales scales = [&] {
     optim::Problem problem = varied.problem;
     problem.objectives = {optim::no_objective()};
-    return optim::sizes(problem, varied.meant);
+    return optim::scales(problem, varied.meant);
   }();
   std::vector<LimitSide> result;
   for (std::size_t i = 0; i < varied.design.constraints.size(); ++i) {
     const ConstraintStatement& c = varied.design.constraints[i];
-    const double tolerance = sizes.constraints[i].tolerance;
+    const double tolerance = scales.constraints[i].tolerance;
     if (c.upper) result.push_back({i, true, *c.upper, tolerance});
     if (c.lower) result.push_back({i, false, *c.lower, tolerance});
     const bool is_size = c.response.part == Part::Magnitude && c.upper;
@@ -180,11 +180,11 @@ class OnePart {
     limit.tolerance = side.tolerance;
     problem_.constraints = {limit};
     slopes_ = optim::room_slopes(problem_, 0, varied.meant);
-    sizes_ = optim::sizes(problem_, varied.meant);
+    scales_ = optim::scales(problem_, varied.meant);
   }
 
   optim::LimitReport report(const std::vector<double>& part) const {
-    return optim::limit_reports(problem_, sizes_, part, false).front();
+    return optim::limit_reports(problem_, scales_, part, false).front();
   }
   /// What is not a number is worst of all.
   double room(const std::vector<double>& part, std::vector<double>& slopes) const {
@@ -196,7 +196,7 @@ class OnePart {
  private:
   optim::Problem problem_;
   optim::RoomSlopes slopes_;
-  optim::Sizes sizes_;
+  optim::Scales scales_;
 };
 
 /// All corners, and from the worst of them downhill: no proof.

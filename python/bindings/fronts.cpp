@@ -150,8 +150,8 @@ cli::Document document_of(const FoundFront& found) {
 }
 
 /// What becomes of a point that is not made as it was meant, as facts, text and HTML.
-nb::tuple sensitivity_of(const FoundFront& found, std::size_t k,
-                         const std::vector<std::string>& tolerances) {
+nb::tuple point_sensitivity_of(const FoundFront& found, std::size_t k,
+                               const std::vector<std::string>& tolerances) {
   const optim::FrontPoint& point = found.front().points[found.point(k)];
   const cli::Document document = whole(found, [&](const cli::FrontAnswer& answer) {
     return cli::tolerance_document(answer, point, cli::tolerances_of(answer, point, tolerances));
@@ -311,7 +311,7 @@ void add_fronts(nb::module_& module) {
                return cli::to_svg(cli::front_figure(answer));
              });
            })
-      .def("sensitivity", &sensitivity_of, nb::arg("point"), nb::arg("tolerances"))
+      .def("sensitivity", &point_sensitivity_of, nb::arg("point"), nb::arg("tolerances"))
       .def("report",
            [](const FoundFront& f, const std::string& name) {
              return whole(f, [&](const cli::FrontAnswer& answer) {

@@ -222,7 +222,7 @@ cli::Figure figure_of(const NamedLaw& law, int points) {
 using LawState = std::tuple<std::string, std::optional<std::string>, std::string, std::string,
                             std::vector<std::string>>;
 
-LawState state_of(const NamedLaw& law) {
+LawState law_state_of(const NamedLaw& law) {
   const Family& family = *law.member.family;
   if (problems::is_of_catalogue(law.member)) return {law.member.name(), {}, "", "", {}};
   return {law.member.name(), problems::law_file(law.law, family.formula, nullptr).dump(),
@@ -293,7 +293,7 @@ void add_laws(nb::module_& module) {
            [](const NamedLaw& law, const std::string& title) {
              return without_lock([&] { return problems::law_text(law.law, title); });
            })
-      .def("__getstate__", &state_of)
+      .def("__getstate__", &law_state_of)
       .def("__setstate__",
            [](NamedLaw& law, const LawState& state) { new (&law) NamedLaw(member_of(state)); })
       .def("loop_seconds", &loop_seconds, nb::arg("count"), nb::arg("rounds"));

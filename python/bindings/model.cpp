@@ -175,7 +175,7 @@ Matrix jacobian_at(const Model& model, const Point& x) {
   return matrix_of(std::move(result), model.outputs().size(), model.size());
 }
 
-nb::list variables_of(const Model& model) {
+nb::list model_variables_of(const Model& model) {
   nb::list result;
   for (std::size_t i = 0; i < model.size(); ++i) {
     const problems::VariableStatement& v = model.variables()[i];
@@ -195,7 +195,7 @@ void add_model(nb::module_& module) {
              new (self) Model(problem.statement);
            })
       .def_prop_ro("objectives", &Model::objectives)
-      .def("variables", &variables_of)
+      .def("variables", &model_variables_of)
       .def("outputs",
            [](const Model& model) {
              nb::list result;

@@ -32,7 +32,7 @@ Member law_with(const std::vector<Member>& laws, const ArgumentsState& state) {
 
 }  // namespace
 
-ProblemState state_of(const StatedProblem& problem) {
+ProblemState problem_state_of(const StatedProblem& problem) {
   const ProblemStatement& statement = problem.statement;
   std::vector<double> starts;
   for (const problems::VariableStatement& v : statement.variables) starts.push_back(v.start);

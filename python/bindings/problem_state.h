@@ -23,7 +23,7 @@ using ProblemState =
     std::tuple<std::string, std::string, std::vector<std::string>, std::string,
                std::map<std::string, std::string>, std::vector<double>, std::vector<double>,
                std::vector<ArgumentsState>, std::vector<PartState>>;
-ProblemState state_of(const StatedProblem& problem);
+ProblemState problem_state_of(const StatedProblem& problem);
 StatedProblem problem_of(const ProblemState& state);
 
 }  // namespace camlaw::python

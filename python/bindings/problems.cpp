@@ -349,7 +349,7 @@ void add_problems(nb::module_& module) {
                return cli::to_svg(cli::profile_figure(p.within(work)));
              });
            })
-      .def("__getstate__", &state_of)
+      .def("__getstate__", &problem_state_of)
       .def("__setstate__", [](StatedProblem& problem, const ProblemState& state) {
         new (&problem) StatedProblem(problem_of(state));
       });

@@ -214,10 +214,11 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   return result;
 }
 
-nb::tuple search(const StatedProblem& problem, bool synthesize, std::optional<std::string> solver,
-                 std::optional<int> starts, std::optional<std::uint64_t> seed,
-                 std::optional<double> time_limit, std::optional<double> memory,
-                 std::optional<int> workers, bool table, nb::handle progress) {
+nb::tuple found_by_search(const StatedProblem& problem, bool synthesize,
+                          std::optional<std::string> solver, std::optional<int> starts,
+                          std::optional<std::uint64_t> seed, std::optional<double> time_limit,
+                          std::optional<double> memory, std::optional<int> workers, bool table,
+                          nb::handle progress) {
   const SearchSettings told{std::move(solver),   starts, seed, time_limit, memory,
                             workers_of(workers), table};
   if (synthesize) check_free(problem.statement);
@@ -276,7 +277,7 @@ std::vector<std::string> review_of(const StoredResult& result) {
       [&](const Work& work) { return cli::reviewed(within(work, *result.design)).words(); });
 }
 
-std::string report_of(const StoredResult& result) {
+std::string result_report_of(const StoredResult& result) {
   return run_whole([&](const Work& work) {
     const ReadDesign design = within(work, design_in(result));
     return cli::page_html(cli::design_report({.read = design,
@@ -363,15 +364,15 @@ void add_results(nb::module_& module) {
       .def("review", &review_of)
       .def("cycle_figure", [](const StoredResult& r) { return dict_of(cycle_figure_of(r)); })
       .def("verify", &verified)
-      .def("report", &report_of)
+      .def("report", &result_report_of)
       .def("__getstate__", &result_state_of)
       .def("__setstate__", [](StoredResult& result, const ResultState& state) {
         new (&result) StoredResult(result_from(state));
       });
-  module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),
-             nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
-             nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("table"),
-             nb::arg("progress").none());
+  module.def("search", &found_by_search, nb::arg("problem"), nb::arg("synthesize"),
+             nb::arg("solver").none(), nb::arg("starts").none(), nb::arg("seed").none(),
+             nb::arg("time_limit").none(), nb::arg("memory").none(), nb::arg("workers").none(),
+             nb::arg("table"), nb::arg("progress").none());
   module.def("result_file", &result_file, nb::arg("path"));
   module.def(
       "beginning_at",

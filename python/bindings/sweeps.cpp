@@ -129,7 +129,7 @@ nb::tuple sweep(const StatedProblem& problem, const std::vector<std::string>& se
 }
 
 /// The design of a combination as a problem, counted from 0.
-StatedProblem design_of(const FoundSweep& found, std::size_t k) {
+StatedProblem swept_design_of(const FoundSweep& found, std::size_t k) {
   const auto& outcomes = found.sweep.outcomes;
   if (k >= outcomes.size()) {
     throw std::invalid_argument(
@@ -232,7 +232,7 @@ void add_sweeps(nb::module_& module) {
                return problems::is_read_by({f.study.statement(), record}, path);
              });
            })
-      .def("design", &design_of, nb::arg("combination"))
+      .def("design", &swept_design_of, nb::arg("combination"))
       .def("__getstate__", &sweep_state_of)
       .def("__setstate__", [](FoundSweep& place, const SweepState& state) {
         new (&place) FoundSweep(sweep_from(state));

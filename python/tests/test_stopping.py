@@ -45,7 +45,7 @@ def found(many_segments):
 
 @pytest.fixture(scope="module")
 def front():
-    return cl.Problem.load(PROBLEMS / "cams/roller_front.toml").pareto(points=30, workers=2)
+    return cl.Problem.load(PROBLEMS / "cams/roller_front.toml").pareto(points=8, workers=2)
 
 
 def recorded(rows):
@@ -77,11 +77,11 @@ def check_of_derivatives(given):
 
 
 def many_points_of_a_pickle(given):
-    """A front that is unpickled: one of forty times as many points, as that is short."""
+    """A front that is unpickled: one of many times as many points, as that is short."""
     native = given("front")._native
     state = list(native.__getstate__())
     objectives, points, *others = state[3]
-    state[3] = (objectives, 40 * points, *others)
+    state[3] = (objectives, 160 * points, *others)
 
     def load():
         type(native).__new__(type(native)).__setstate__(tuple(state))

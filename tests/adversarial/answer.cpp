@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
 
@@ -67,10 +67,10 @@ Answer in_wider_box(const optim::Optimum& optimum, double wider,
     v.upper += more;
   }
   const optim::Design x = optimum.found.x;
-  const auto sizes = optim::sizes(problem, x);
+  const auto scales = optim::scales(problem, x);
   // What holds a design of a linear problem is told as it is to "camlaw verify".
-  const auto teller = optim::teller_at(problem, sizes, x);
-  return read(problem, optim::assess(problem, sizes, x, true, teller), optimum.found.x, names);
+  const auto teller = optim::teller_at(problem, scales, x);
+  return read(problem, optim::assess(problem, scales, x, true, teller), optimum.found.x, names);
 }
 
 const char* word(Said said) {

@@ -187,7 +187,7 @@ TEST_CASE("a search that runs into jammed followers comes back to the best that 
   CHECK(found.at("variables").at("base_radius").get<double>() == Approx(38.81944665).epsilon(1e-6));
 }
 
-TEST_CASE("a search moves along the edge of what makes a machine", "[program]") {
+TEST_CASE("a search moves along the edge of what makes a machine", "[program][long]") {
   // roller_distance > stroke + base_radius + 2 roller_radius = 25 + 10 + 8 mm: the second cam has
   // no base radius below.
   const Folder folder;

@@ -30,7 +30,7 @@ inline void expect_within(const char* what, const Worst& worst, double tolerance
 }
 
 /// Largest finite size of s, v, a, j; at least 1, which unit strokes reach in s and v.
-inline Values sizes(const Law<double>& law) {
+inline Values scales(const Law<double>& law) {
   Values result{1, 1, 1, 1};
   for (int i = 0; i <= 400; ++i) {
     const Values d = law.derivatives<4>(i / 400.0);
@@ -89,7 +89,7 @@ inline void check_pieces(const Law<double>& law) {
 
 inline void check_ends(const Law<double>& law, const Expected& expected) {
   CHECK(to_string(law.ends()) == expected.ends);
-  const Values size = sizes(law);
+  const Values size = scales(law);
   const auto check_end = [&](double x, Side side, End kind, double displacement) {
     INFO("at the end x = " << x);
     const Values d = law.derivatives<4>(x, side);
@@ -111,7 +111,7 @@ inline void check_shape(const Law<double>& law, const Expected& expected) {
 
 /// Limits at breaks: each side is its own piece, and they agree up to the law's class.
 inline void check_sides(const Law<double>& law, const Expected& expected) {
-  const Values size = sizes(law);
+  const Values size = scales(law);
   const auto& pieces = law.pieces();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const double x = pieces[i].end;
@@ -141,7 +141,7 @@ inline double difference_step(const Place& place) {
 
 /// v, a, j against differences of s, v, a. Rounding leaves about 1e-16 / h of the lower derivative.
 inline void check_differences(const Law<double>& law) {
-  const Values size = sizes(law);
+  const Values size = scales(law);
   Worst worst;
   for (const Place& place : places(law, 6)) {
     const auto central = [&](double h) {
@@ -159,7 +159,7 @@ inline void check_differences(const Law<double>& law) {
 }
 
 inline void check_dual_argument(const Law<double>& law) {
-  const Values size = sizes(law);
+  const Values size = scales(law);
   Worst worst;
   for (const Place& place : places(law, 6)) {
     const Values d = law.derivatives<4>(place.x);
@@ -176,7 +176,7 @@ inline void check_dual_argument(const Law<double>& law) {
 /// Every sample of a box lies in the enclosure over it. The slack is for the rounding of the
 /// sample.
 inline void check_intervals(const Law<double>& law, const Law<Interval>& proved) {
-  const Values size = sizes(law);
+  const Values size = scales(law);
   std::mt19937 random(54321);
   std::uniform_real_distribution<double> uniform(0, 1);
   Worst outside;
@@ -264,7 +264,7 @@ inline bool check_parameter(const Family& family, const Arguments<double>& argum
     up.push_back(*moved(family, arguments, parameter, index, std::ldexp(h, -i)));
     down.push_back(central ? *moved(family, arguments, parameter, index, -std::ldexp(h, -i)) : law);
   }
-  const Values size = sizes(law);
+  const Values size = scales(law);
   Worst values, slopes;
   for (const auto& piece : law.pieces()) {
     for (const double share : {0.23, 0.57, 0.81}) {  // not the middle, where crossovers move
@@ -313,9 +313,9 @@ inline std::set<std::string> check_parameters(const Family& family,
   return checked;
 }
 
-/// Sizes of s, v, a, j by their terms: what rounding is relative to where large terms cancel.
+/// Scales of s, v, a, j by their terms: what rounding is relative to where large terms cancel.
 inline Values term_sizes(const Law<double>& law) {
-  Values result = sizes(law);
+  Values result = scales(law);
   for (const auto& piece : law.pieces()) {
     Piece<double> all = piece;  // all terms add up at the far end of this one
     all.harmonics.clear(), all.curves.clear();

@@ -1,37 +1,26 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
 
-#include "machines/model/recorded_response.h"
 #include "machines/model/response_text.h"
-#include "machines/registry.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
-#include "numerics/scalar/dual.h"
+#include "tests/machines/every_formula.h"
 #include "tests/machines/formula_dimension.h"
 
 /// What every machine keeps to.
 namespace camlaw::problems {
+
+using testing::for_each_formula, testing::record_of, testing::some_inputs, testing::without_zeros;
+
 namespace {
-
-Formula record_of(const Mechanism& mechanism, const MechanismResponse& response) {
-  return whole_formula(response.write, mechanism.parameters.size(), other_names(response).size());
-}
-
-void for_each_formula(const std::function<void(const Mechanism&, const MechanismResponse&)>& look) {
-  int looked_at = 0;
-  for (const Mechanism& mechanism : mechanisms()) {
-    for (const MechanismResponse& response : mechanism.responses) {
-      if (!response.write) continue;
-      INFO(mechanism.name << " " << response.name);
-      look(mechanism, response);
-      ++looked_at;
-    }
-  }
-  CHECK(looked_at > 200);
-}
 
 /// The units that a record's inputs are listed in.
 std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismResponse& response) {
@@ -82,20 +71,6 @@ Formula read_back(const Mechanism& mechanism, const MechanismResponse& response,
   });
 }
 
-/// Numbers that parameters and a motion may have, about their usual ones.
-std::vector<double> some_inputs(const Mechanism& mechanism, const MechanismResponse& response,
-                                std::mt19937_64& random) {
-  std::uniform_real_distribution<double> about(0.8, 1.2), motion(-2, 2);
-  std::vector<double> u;
-  for (const MechanismParameter& p : mechanism.parameters) {
-    u.push_back(p.default_value * about(random));
-  }
-  for (std::size_t i = 0; i < other_names(response).size(); ++i) {
-    u.push_back(response.curve ? motion(random) : 10 * about(random));
-  }
-  return u;
-}
-
 }  // namespace
 
 TEST_CASE("every machine's formulas measure what their units say", "[machine][formula]") {
@@ -132,44 +107,47 @@ TEST_CASE("a machine's formula as it is printed, read again, gives the same numb
   });
 }
 
-TEST_CASE("a machine's enclosures hold its formulas, derivatives their differences",
-          "[machine][formula]") {
-  std::mt19937_64 random(12);
+TEST_CASE("every formula is written with its derivatives, for others to check",
+          "[.formula-derivatives]") {
+  const char* path = std::getenv("CAMLAW_FORMULAS");
+  REQUIRE(path != nullptr);
+  std::ofstream out(path);
+  std::mt19937_64 random(15);
   for_each_formula([&](const Mechanism& mechanism, const MechanismResponse& response) {
-    const Formula formula = record_of(mechanism, response);
-    for (int i = 0; i < 10; ++i) {
-      const std::vector<double> u = some_inputs(mechanism, response, random);
-      std::vector<Interval> box;
-      for (const double x : u) box.emplace_back(x - 1e-3 * std::abs(x), x + 1e-3 * std::abs(x));
-      const Interval over = formula(std::span<const Interval>(box));
-      for (int k = 0; k < 20; ++k) {
-        std::vector<double> inside = u;
-        for (double& x : inside) {
-          x += 1e-3 * std::abs(x) * std::uniform_real_distribution<double>(-1, 1)(random);
-        }
-        const double value = formula(std::span<const double>(inside));
-        if (!std::isfinite(value)) continue;
-        CHECK(over.lower() <= value);
-        CHECK(value <= over.upper());
-      }
-      std::vector<Dual> seeded(u.begin(), u.end());
-      const std::size_t by = random() % u.size();
-      seeded[by].v[0] = 1;
-      const Dual exact = formula(std::span<const Dual>(seeded));
-      const double step = 1e-5 * std::max(std::abs(u[by]), 1e-3);
-      const auto at = [&](double x) {
-        std::vector<double> moved = u;
-        moved[by] = x;
-        return formula(std::span<const double>(moved));
-      };
-      const double ahead = at(u[by] + step), behind = at(u[by] - step), here = at(u[by]);
-      const double slope = (ahead - behind) / (2 * step);
-      // Beside a kink or an edge the one-sided differences part.
-      const double kink = std::abs(ahead - 2 * here + behind) / step;
-      if (!std::isfinite(slope) || kink > 1e-3 * (std::abs(slope) + 1e-9)) continue;
-      CHECK(exact.v[0] ==
-            Approx(slope).epsilon(1e-4).margin(1e-7 * (1 + std::abs(here) / step * 1e-6)));
+    const auto units = units_of(mechanism, response);
+    const auto names = names_of(mechanism, response);
+    nlohmann::json line{{"machine", mechanism.name},
+                        {"response", response.name},
+                        {"text", formula_text(mechanism, response)},
+                        {"inputs", nlohmann::json::array()},
+                        {"designs", nlohmann::json::array()}};
+    line["factor"] = UnitFactor(si_unit(response.unit).unit, response.unit).as<double>();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double factor = UnitFactor(units[i], si_unit(units[i]).unit).as<double>();
+      line["inputs"].push_back({{"name", names[i]}, {"factor", factor}});
     }
+    const Formula formula = record_of(mechanism, response);
+    const auto kernel = recorded_kernel({formula, formula.inputs(), {}});
+    for (int tries = 0; tries < 200 && line["designs"].size() < 3; ++tries) {
+      const std::vector<double> u =
+          without_zeros(mechanism, some_inputs(mechanism, response, random), random);
+      std::vector<double> g(u.size()), h(optim::packed_size(u.size()));
+      const double value = kernel->hessian(u, g, h);
+      const auto finite = [](double x) { return std::isfinite(x); };
+      if (!finite(value) || !std::all_of(g.begin(), g.end(), finite)) continue;
+      if (!std::all_of(h.begin(), h.end(), finite)) continue;
+      nlohmann::json second = nlohmann::json::array();
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        for (std::size_t k = 0; k <= i; ++k) {
+          const double entry = h[optim::packed(i, k)];
+          if (entry != 0) second.push_back({i, k, entry});
+        }
+      }
+      line["designs"].push_back(
+          {{"at", u}, {"value", value}, {"gradient", g}, {"hessian", second}});
+    }
+    CHECK(line["designs"].size() == 3);
+    out << line << "\n";
   });
 }
 

@@ -355,7 +355,7 @@ TEST_CASE("a stress is required to have contact, and waits for it, under every f
 }
 
 TEST_CASE("ranges are taken in each load case, and on a shaft, as of the machine alone",
-          "[elastic-contact]") {
+          "[elastic-contact][long]") {
   const std::string constants =
       "mass = 0.8\nbase_radius = 60\nend_share = 0.8\nspring_rate = 30\nspring_preload = 3000\n"
       "speed = 600\ntrain_stiffness = 700\nface_width = 15\n";

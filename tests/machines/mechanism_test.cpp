@@ -206,14 +206,18 @@ TEST_CASE("a response depends on the parameters that it says it uses, and on no 
       const TestDesign design = design_of(mechanism, moving, {}, parameter_names(mechanism));
       const auto made = response_of(mechanism, response.name, design.binding);
       bool is_there = false;
-      // The value at a few places, and where a curve breaks if that moves.
+      std::vector<optim::Function> functions;  // of a curve at a few places
+      for (const double share : {0.07, 0.19, 0.3, 0.42, 0.6, 0.8}) {
+        functions.push_back(function_at(made, response.along == "1" ? share : 360 * share));
+        if (!made.is_curve()) break;
+      }
+      // The values, and where a curve breaks if that moves.
       const auto looked_at = [&](const std::vector<double>& parameters) {
         std::vector<double> x(parameters.size());
         for (std::size_t i = 0; i < x.size(); ++i) x[design.binding.variables[i]] = parameters[i];
         std::vector<double> result;
-        for (const double share : {0.07, 0.19, 0.3, 0.42, 0.6, 0.8}) {
-          const double place = response.along == "1" ? share : 360 * share;
-          result.push_back(function_at(made, place).value(x));
+        for (const optim::Function& f : functions) {
+          result.push_back(f.value(x));
           if (!std::isfinite(result.back())) result.back() = 0;
         }
         is_there = is_there || result != std::vector<double>(result.size(), 0.0);

@@ -157,8 +157,9 @@ std::string refutation(const Mechanism& mechanism, const MechanismResponse& resp
                [](const std::string& name) { return name != "law"; });
   const MovingLaw& moving = kLaws[random() % std::size(kLaws)];
   const Names of_law = of_machine.size() < varying.size() ? Names{moving.parameter} : Names{};
+  const TestDesign usual = design_of(mechanism, moving.law, of_law, of_machine);
   for (int trial = 0; trial < trials; ++trial) {
-    TestDesign design = design_of(mechanism, moving.law, of_law, of_machine);
+    TestDesign design = usual;
     design.binding.constants = some_machine(mechanism, random);
     std::vector<double> a = design.x, b = design.x, between = design.x;
     for (std::vector<double>* x : {&a, &b}) {

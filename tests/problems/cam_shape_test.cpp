@@ -73,7 +73,7 @@ double best_on_grids_of_three() {
 }
 
 optim::Assessment judge(const optim::Problem& problem, const Point& r) {
-  return optim::assess(problem, optim::sizes(problem, problem.start()), r, true);
+  return optim::assess(problem, optim::scales(problem, problem.start()), r, true);
 }
 
 const Point& default_answer() {
@@ -122,10 +122,10 @@ TEST_CASE("SLSQP finds nothing better than the recursion from any of many starts
   const optim::Solver& slsqp = optim::find_solver("slsqp");
   for (const int n : {3, 4, 5, 6}) {
     const optim::Problem problem = cam_shape(n);
-    const optim::Sizes sizes = optim::sizes(problem, problem.start());
+    const optim::Scales scales = optim::scales(problem, problem.start());
     double most = 0;
     for (const Point& start : optim::starts(problem, 40, 1)) {
-      const Point r = optim::exchange(problem, sizes, start, slsqp, {}).x;
+      const Point r = optim::exchange(problem, scales, start, slsqp, {}).x;
       if (cam_shape_published_violation(r) <= 1e-9) most = std::max(most, opening(r));
     }
     INFO(n);

@@ -45,7 +45,7 @@ TEST_CASE("Fits have the limits that tables of shafts and holes print", "[variat
   check("k8", 50, 0, 39);
 }
 
-TEST_CASE("Sizes at the end of a step belong to it", "[variation]") {
+TEST_CASE("Scales at the end of a step belong to it", "[variation]") {
   check("h7", 3, -10, 0);
   check("h7", 3.0001, -12, 0);
   check("h7", 500, -63, 0);

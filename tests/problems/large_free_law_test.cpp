@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/optimise.h"
 #include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
@@ -43,8 +43,8 @@ double global_value(const Optimum& optimum) {
 optim::Assessment judged_alone(const Optimum& optimum) {
   const optim::Problem& problem = optimum.problem;
   const std::vector<double>& x = optimum.found.x;
-  const optim::Sizes sizes = optim::sizes(problem, x);
-  return optim::assess(problem, sizes, x, true, optim::teller_at(problem, sizes, x));
+  const optim::Scales scales = optim::scales(problem, x);
+  return optim::assess(problem, scales, x, true, optim::teller_at(problem, scales, x));
 }
 
 }  // namespace

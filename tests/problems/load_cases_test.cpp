@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "machines/model/load_case.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/optimise.h"
 #include "output/answers/optimum_output.h"
 #include "problems/results/recorded_design.h"

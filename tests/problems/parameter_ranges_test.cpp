@@ -8,7 +8,7 @@
 
 #include "machines/model/highest_in_box.h"
 #include "optim/cycle/extremes.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -361,7 +361,7 @@ TEST_CASE("The bound of a largest size over a range is set on both sides") {
   CHECK_THROWS_WITH(set_value(problem, "peak acceleration.upper=-5"), Contains("above 0"));
 }
 
-TEST_CASE("A mean over cases within ranges is that of the largest sizes") {
+TEST_CASE("A mean over cases within ranges is that of the largest scales") {
   const std::string cases =
       "[[cases]]\nname = 'light'\nload = '10 N'\n[[cases]]\nname = 'heavy'\nload = '90 N'\n"
       "weight = 3\n";

@@ -4,6 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "problems/statement/bind.h"
@@ -451,13 +452,17 @@ class OnChords {
   double at(double angle) const {
     double most = -1e9;
     for (int i = -6; i < 6; ++i) {  // of each chord the highest point, which is one alone
-      double low = (std::floor(angle / step_) + i) * step_, high = low + step_ * (1 - 1e-12);
+      const double before = std::floor(angle / step_) + i;
+      const Point from = corner(before), to = corner(before + 1);
+      const auto height = [&](double share) {
+        return touching_.at(drawn_.in_frame((1 - share) * from + share * to, angle), 0);
+      };
+      double low = 0, high = 1 - 1e-12;
       for (int k = 0; k < 60; ++k) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        (height(a, angle) > height(b, angle) ? high : low) =
-            height(a, angle) > height(b, angle) ? b : a;
+        (height(a) > height(b) ? high : low) = height(a) > height(b) ? b : a;
       }
-      most = std::max(most, height((low + high) / 2, angle));
+      most = std::max(most, height((low + high) / 2));
     }
     return most;
   }
@@ -465,16 +470,17 @@ class OnChords {
 
  private:
   static double none(double) { return 0; }
-  double height(double where, double angle) const {
-    const double from = std::floor(where / step_) * step_, share = (where - from) / step_;
-    const Point p =
-        (1 - share) * drawn_.profile(from, none) + share * drawn_.profile(from + step_, none);
-    return touching_.at(drawn_.in_frame(p, angle), 0);
+  /// Of the profile, so many steps from its zero.
+  Point corner(double number) const {
+    const auto [at, is_new] = corners_.try_emplace(number);
+    if (is_new) at->second = drawn_.profile(number * step_, none);
+    return at->second;
   }
 
   ExactFollower drawn_;
   const Touching& touching_;
   double step_;
+  mutable std::map<double, Point> corners_ = {};
 };
 
 /// Of the error of a follower over one chord: how far its velocity goes, and the least and the

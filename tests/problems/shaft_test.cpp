@@ -7,7 +7,7 @@
 
 #include "machines/model/shaft_curve.h"
 #include "optim/cycle/extremes.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
 #include "problems/law_files/json_text.h"
@@ -80,7 +80,7 @@ double amplitude(const optim::Trace& trace, int harmonic) {
 
 double in_turn(double angle) { return angle - 360 * std::floor(angle / 360); }
 
-/// Two cams, the second with a phase and sizes that vary, and a distance between their followers.
+/// Two cams, the second with a phase and scales that vary, and a distance between their followers.
 std::string two_cams(const std::string& variables, const std::string& rest) {
   return kSpeedOfShaft + on_shaft("slide", "modified-sine", 100) +
          on_shaft("bar", "cycloidal", 80, "phase = 140\n") + variables +
@@ -165,7 +165,7 @@ TEST_CASE("the ripple is what the torque ranges over, and both are proved", "[sh
         Approx(of("shaft_torque").highest - of("shaft_torque").lowest).epsilon(1e-8));
 }
 
-TEST_CASE("derivatives by phases and sizes of several cams agree with differences", "[shaft]") {
+TEST_CASE("derivatives by phases and scales of several cams agree with differences", "[shaft]") {
   const std::string variables =
       "[cams.slide.variables.phase]\nlower = -60\nupper = 60\nstart = 11.3\n"
       "[cams.slide.variables.load]\nlower = 0\nupper = 90\nstart = 40\n"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "numerics/scalar/interval.h"
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/problem/automatic_curve.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/problem/starts.h"
@@ -285,7 +285,7 @@ TEST_CASE("typical changes: as stated, else the range, else the size of the star
   CHECK(variable_scales(problem) == Point{0.25, 3, 40, 1, 7});
 }
 
-TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimise]") {
+TEST_CASE("scales follow from typical changes, tolerances from bounds", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 2, .start = 1},
                        {.name = "y", .lower = 0, .upper = 1, .start = 1}};
@@ -299,7 +299,7 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
       {.response = {"zero", "N", linear(1, 7)}, .upper = 0},
       {.response = {"told", "N", linear(1, 1)}, .upper = 3, .tolerance = 0.5, .scale = 11},
       {.response = {"dead", "N", Function()}, .upper = 0}};
-  const Sizes s = sizes(problem, problem.start());
+  const Scales s = scales(problem, problem.start());
   CHECK(s.variables == Point{1, 1});             // their own magnitudes, whatever the box
   CHECK(s.objective == 4);                       // of 3 * 1 and 4 * 1 the larger
   CHECK(s.objective_tolerance == Approx(7e-7));  // of the value
@@ -316,7 +316,7 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
   CHECK(s.constraints[4].size == 1);
 }
 
-TEST_CASE("a wider box changes neither sizes nor tolerances", "[optimise]") {
+TEST_CASE("a wider box changes neither scales nor tolerances", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 5, .upper = 40, .start = 20},
                        {.name = "near zero", .lower = -2, .upper = 2, .start = 1e-9}};
@@ -324,49 +324,49 @@ TEST_CASE("a wider box changes neither sizes nor tolerances", "[optimise]") {
   problem.objectives = {{.response = {"cost", "N", function({0, 1}, f)}}};
   problem.constraints = {{.response = {"zero", "N", function({0, 1}, f)}, .upper = 0}};
   const Point x{20, 1e-9};
-  const Sizes narrow = sizes(problem, x);
+  const Scales narrow = scales(problem, x);
   CHECK(narrow.own == Point{20, 1});
   CHECK(narrow.constraints[0].tolerance == Approx(1e-6 * (40 * 20 + 1)));
   for (Variable& v : problem.variables) v.lower -= 1e6, v.upper += 1e6;
-  const Sizes wide = sizes(problem, x);
+  const Scales wide = scales(problem, x);
   CHECK(wide.own == narrow.own);
   CHECK(wide.variables == narrow.variables);
   CHECK(wide.constraints[0].tolerance == narrow.constraints[0].tolerance);
   CHECK(wide.objective_tolerance == Approx(narrow.objective_tolerance).epsilon(0.1));
 }
 
-TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise]") {
+TEST_CASE("a start unlike all other designs does not make the scales", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "r", .lower = 1e-4, .upper = 10, .start = 1e-4}};
   problem.objectives = {{.response = {"steep", "N", function({0}, [](const auto& u) {
                                         return 1.0 / (u[0] * u[0] * u[0]);
                                       })}}};
-  const Sizes steep = sizes(problem, problem.start());  // the slope at the start: 3e17
+  const Scales steep = scales(problem, problem.start());  // the slope at the start: 3e17
   CHECK(steep.objective <= 100 * steep.objective_typical);
   CHECK(steep.objective_typical < 1000);
   problem.variables = {{.name = "x", .lower = -1, .upper = 3, .start = 1}};
   problem.objectives = {{.response = {"level", "N", function({0}, [](const auto& u) {
                                         return (u[0] - 1.0) * (u[0] - 1.0);
                                       })}}};
-  const Sizes level = sizes(problem, problem.start());  // the slope at the start: 0
+  const Scales level = scales(problem, problem.start());  // the slope at the start: 0
   CHECK(level.objective > 0.1);
   // What is fixed does not count.
   problem.variables.push_back({.name = "load", .lower = 5, .upper = 5, .start = 5});
   problem.objectives[0].response.measure = function(
       {0, 1}, [](const auto& u) { return 3.0 * u[0] + 1e9 * u[1]; }, Shape::Linear);
-  CHECK(sizes(problem, problem.start()).objective == 3);
+  CHECK(scales(problem, problem.start()).objective == 3);
 }
 
-TEST_CASE("sizes are finite where derivatives are not", "[optimise]") {
+TEST_CASE("scales are finite where derivatives are not", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0}};
   problem.objectives = {
       {.response = {"root", "1", function({0}, [](const auto& u) { return sqrt(u[0]); })}}};
   // 1 / (2 sqrt(x)) at eight places of [0, 1].
-  CHECK(sizes(problem, problem.start()).objective == Approx(0.75).margin(0.25));
+  CHECK(scales(problem, problem.start()).objective == Approx(0.75).margin(0.25));
   problem.objectives[0].response.measure =
       function({0}, [](const auto& u) { return log(u[0] - 2.0); });
-  CHECK(std::isfinite(sizes(problem, problem.start()).objective));
+  CHECK(std::isfinite(scales(problem, problem.start()).objective));
 }
 
 TEST_CASE("the value of each part of a curve", "[optimise]") {

@@ -33,7 +33,7 @@ namespace {
 void check_back_end(const std::string& name, const Problem& problem, double optimum) {
   INFO(name << " on " << problem.name);
   const Point start = problem.start();
-  const auto refused = refusal(problem, sizes(problem, start), start, find_solver(name));
+  const auto refused = refusal(problem, scales(problem, start), start, find_solver(name));
   const Found found =
       optimise(problem, {.solver = name, .starts = 1, .max_evaluations = 3000}).found;
   if (refused) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 #include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
@@ -90,7 +90,7 @@ TEST_CASE("what grows without end is not certified", "[optimise]") {
     CHECK(a.verdict != Verdict::Certified);
     CHECK_FALSE(a.global);
     const std::vector<double> far{1e7};
-    CHECK(assess(problem, sizes(problem, problem.start()), far, true).verdict !=
+    CHECK(assess(problem, scales(problem, problem.start()), far, true).verdict !=
           Verdict::Certified);
   }
 }

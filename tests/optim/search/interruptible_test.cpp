@@ -49,7 +49,7 @@ TEST_CASE("an interruptible problem is the same to the bit until it throws", "[o
   CHECK_THROWS_AS(guarded.hessian(x, g, h), Interrupted);
   CHECK_THROWS_AS(guarded.enclose(x), Interrupted);
   CHECK_THROWS_AS(guarded.range(box), Interrupted);
-  CHECK_THROWS_AS(sizes(problem, problem.start()), Interrupted);
+  CHECK_THROWS_AS(scales(problem, problem.start()), Interrupted);
 }
 
 TEST_CASE("a search whose proof or sizes would go on is ended there too", "[optimise][heavy]") {

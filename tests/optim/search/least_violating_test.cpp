@@ -44,7 +44,7 @@ class OnFace final : public Kernel {
 TEST_CASE("places where limits are passed least lie apart, and not where a search ended",
           "[optimise]") {
   const Problem problem = one_valley_is_enough();
-  const Sizes its = sizes(problem, problem.start());
+  const Scales its = scales(problem, problem.start());
   const std::vector<double> known{0.97, 0};
   const auto places = least_violating(problem, its, known, kWanted, 1);
   REQUIRE(places.size() == kWanted);
@@ -117,7 +117,7 @@ TEST_CASE("a quasiconvex limit that is gentle about a design may be met elsewher
   for (const double p : {0.0, 0.02, 0.05, 0.1, 0.2}) {
     INFO(p);
     const Point x{p};
-    CHECK(!assess_least_violation(problem, sizes(problem, x), x).global);
+    CHECK(!assess_least_violation(problem, scales(problem, x), x).global);
   }
 }
 

@@ -209,7 +209,8 @@ TEST_CASE("of two valleys the deeper one is found, and the starts that agree are
   // Each start alone: both valleys are met, and the count is right.
   int deep = 0;
   for (const Point& start : starts(problem, kStarts, 1)) {
-    const Attempt alone = exchange(problem, sizes(problem, start), start, find_solver("slsqp"), {});
+    const Attempt alone =
+        exchange(problem, scales(problem, start), start, find_solver("slsqp"), {});
     deep += std::abs(problem.objective().response.function().value(alone.x) - deepest) < 1e-6;
   }
   CHECK(found.agreed == deep);

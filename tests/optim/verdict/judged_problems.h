@@ -23,7 +23,7 @@ inline constexpr double kPi = std::numbers::pi;
 
 /// Judged with the sizes at the problem's own start.
 inline Assessment judge(const Problem& problem, const Point& x, bool prove = true) {
-  return assess(problem, sizes(problem, problem.start()), x, prove);
+  return assess(problem, scales(problem, problem.start()), x, prove);
 }
 
 /// Least (x - 2)^2 + (y - 1)^2 in [0, 10]^2 where x + y <= 2, "sum". The nearest point of the line

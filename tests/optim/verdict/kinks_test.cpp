@@ -94,10 +94,10 @@ TEST_CASE("a kink that bends the other way has no pieces", "[verdict][kinks]") {
   const auto f = [](const auto& u) { return lesser_of(u[0], 3.0 * u[1]) + 0.0 * u[1]; };
   const Problem problem = square_box(f, Sense::Minimize);
   const Point x{0.75, 0.25};
-  CHECK_FALSE(with_pieces_apart(problem, sizes(problem, x), x));
-  CHECK(kinked_name(problem, sizes(problem, x), x) == "f");
+  CHECK_FALSE(with_pieces_apart(problem, scales(problem, x), x));
+  CHECK(kinked_name(problem, scales(problem, x), x) == "f");
   const Problem other = square_box(f, Sense::Maximize);
-  CHECK(with_pieces_apart(other, sizes(other, x), x));
+  CHECK(with_pieces_apart(other, scales(other, x), x));
 }
 
 TEST_CASE("prices that no small step bears out are none", "[verdict][prices]") {
@@ -110,14 +110,14 @@ TEST_CASE("prices that no small step bears out are none", "[verdict][prices]") {
   Problem edge = square_box(root, Sense::Minimize);
   edge.variables[0].lower = -5 + 1e-13;
   const Point at_edge{-5 + 1e-13, 0};
-  const Assessment a = assess(edge, sizes(edge, edge.start()), at_edge, true);
+  const Assessment a = assess(edge, scales(edge, edge.start()), at_edge, true);
   CHECK(a.kkt_residual <= 1e-7);
   CHECK(std::isnan(a.variables[0].multiplier));
   CHECK(why_no_price(edge, a, at_edge).find("lower bound of p") != std::string::npos);
   // A bound where the formula goes on has its price, 1 / (2 sqrt(4)).
   edge.variables[0].lower = -1;
   const Point inside{-1, 0};
-  const Assessment b = assess(edge, sizes(edge, edge.start()), inside, true);
+  const Assessment b = assess(edge, scales(edge, edge.start()), inside, true);
   CHECK(b.variables[0].multiplier == Approx(0.25));
   CHECK(why_no_price(edge, b, inside).empty());
   // (p - 1)^2 = 0, beside p = 1.
@@ -125,7 +125,7 @@ TEST_CASE("prices that no small step bears out are none", "[verdict][prices]") {
   const auto g = [](const auto& u) { return (u[0] - 1.0) * (u[0] - 1.0); };
   flat.constraints = {{.response = {"g", "1", function({0}, g)}, .lower = 0, .upper = 0}};
   const Point beside{1 - 1e-11, -5};
-  const Assessment c = assess(flat, sizes(flat, flat.start()), beside, true);
+  const Assessment c = assess(flat, scales(flat, flat.start()), beside, true);
   CHECK(std::isnan(c.limits[0].multiplier));
 }
 

@@ -131,7 +131,7 @@ TEST_CASE("where ranges are not known nothing is called global", "[subdivision]"
   Problem problem;
   problem.variables = {{.name = "x", .lower = -2, .upper = 2, .start = 1}};
   problem.objectives = {least(function<Interval>({0}, valleys))};
-  const Sizes about = sizes(problem, problem.start());
+  const Scales about = scales(problem, problem.start());
   CHECK_FALSE(subdivided(problem, about, Point{1}));
   CHECK_FALSE(optimise(problem).found.assessment.global);
   problem.objectives = {least(function<Interval, Slope>({0}, valleys))};
@@ -161,7 +161,7 @@ TEST_CASE("what a division has shown when it is cut short still holds, and the a
                        {.name = "y", .lower = -2, .upper = 2, .start = -0.5}};
   problem.objectives = {least(function<Interval, Slope>({0, 1}, camel))};
   const Point valley{0.0898420131, -0.7126564032};
-  const Sizes about = sizes(problem, valley);
+  const Scales about = scales(problem, valley);
   // The functions of a search throw where its time is over.
   const Deadline deadline({}, &stop);
   const Problem guarded = interruptible(problem, deadline);

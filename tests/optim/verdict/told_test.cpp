@@ -116,7 +116,7 @@ TEST_CASE("what cannot be is blamed together with the bounds that forbid it", "[
 TEST_CASE("what is told wrongly does not certify a design", "[told]") {
   const Problem problem = padded_wyndor(Sense::Maximize);
   const std::vector<double> best = optimise(problem).found.x;
-  const Sizes own = sizes(problem, best);
+  const Scales own = scales(problem, best);
   std::vector<double> worse = best;
   worse[0] = 1.5;  // where the first two limits leave room for more
   const auto judged = [&](std::vector<Push> pushes) {

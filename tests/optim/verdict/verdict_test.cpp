@@ -337,7 +337,7 @@ TEST_CASE("an objective over the cycle comes with its angle and proved bounds", 
   const auto measure = problem.constraints[0].response.measure;
   const auto at = [&](Part part, Sense sense) {
     problem.objectives = {{{"cost", "N", measure}, sense, part, {}}};
-    return objective_report(problem, sizes(problem, problem.start()), Point{1.5, -0.5},
+    return objective_report(problem, scales(problem, problem.start()), Point{1.5, -0.5},
                             true);  // between -2 and 1
   };
   const ObjectiveReport highest = at(Part::Highest, Sense::Minimize);
@@ -486,7 +486,7 @@ TEST_CASE("the design of least violation is infeasible, and the limits that push
   problem.constraints = {{.response = {"low", "mm", x()}, .lower = 3, .scale = 1},
                          {.response = {"high", "mm", x()}, .upper = 1, .scale = 1},
                          {.response = {"far", "mm", x()}, .upper = 9, .scale = 1}};
-  const Sizes s = sizes(problem, problem.start());
+  const Scales s = scales(problem, problem.start());
   const Assessment a = assess_least_violation(problem, s, Point{2, 5});
   CHECK(a.verdict == Verdict::Infeasible);
   CHECK(a.blamed == Names{"low", "high"});
@@ -504,7 +504,7 @@ TEST_CASE("the design of least violation is infeasible, and the limits that push
       {.response = {"square", "mm^2", function({0}, [](const auto& u) { return u[0] * u[0]; })},
        .upper = -1}};
   const Assessment alone =
-      assess_least_violation(problem, sizes(problem, problem.start()), Point{0, 5});
+      assess_least_violation(problem, scales(problem, problem.start()), Point{0, 5});
   CHECK(alone.verdict == Verdict::Infeasible);
   CHECK(alone.reason == "square cannot be met");
   CHECK_FALSE(alone.global);

@@ -43,21 +43,27 @@ Yield yield_of(const Problem& problem, const std::vector<double>& x,
 /// Of the point nearest to the origin on a curve of the plane, by looking along every direction.
 template <class F>
 double nearest_by_search(const F& g) {
-  double nearest = 1e9;
-  for (int i = 0; i < 200000; ++i) {
-    const double angle = 2 * M_PI * i / 200000;
-    double low = 0, high = 0;
-    const auto at = [&](double r) { return g(r * std::cos(angle), r * std::sin(angle)); };
+  // Along a ray, how far the first failure is; coarse among all directions, fine about the nearest.
+  const auto failing_at = [&](double angle) {
+    const double u = std::cos(angle), v = std::sin(angle);
+    const auto at = [&](double r) { return g(r * u, r * v); };
     for (double r = 0.01; r < 6; r += 0.01) {
-      if (at(r) < 0) {
-        low = r - 0.01, high = r;
-        break;
-      }
+      if (at(r) >= 0) continue;
+      double low = r - 0.01, high = r;
+      for (int k = 0; k < 50; ++k) (at((low + high) / 2) < 0 ? high : low) = (low + high) / 2;
+      return high;
     }
-    if (high == 0) continue;
-    for (int k = 0; k < 50; ++k) (at((low + high) / 2) < 0 ? high : low) = (low + high) / 2;
-    nearest = std::min(nearest, high);
-  }
+    return 1e9;
+  };
+  double nearest = 1e9, best = 0;
+  const auto search = [&](double middle, double step, int count) {
+    for (int i = -count; i <= count; ++i) {
+      const double angle = middle + i * step, found = failing_at(angle);
+      if (found < nearest) nearest = found, best = angle;
+    }
+  };
+  search(0, M_PI / 2000, 2000);
+  search(best, M_PI / 1e6, 1000);
   return nearest;
 }
 

@@ -5,23 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "numerics/scalar/interval.h"
-#include "optim/problem/automatic.h"
+#include "tests/sets/fronts/formulas.h"
 
 namespace camlaw::sets {
 namespace {
 
 using optim::Constraint, optim::Function, optim::Problem, optim::Shape;
-constexpr double kPi = std::numbers::pi;
-
-template <class F>
-Function formula(std::size_t variables, F f, Shape shape = Shape::General) {
-  std::vector<std::size_t> inputs(variables);
-  for (std::size_t i = 0; i < variables; ++i) inputs[i] = i;
-  return optim::function<Interval>(std::move(inputs), std::move(f), shape);
-}
 
 Problem stated(const std::string& name, std::vector<optim::Variable> variables,
                std::vector<Function> objectives, std::vector<Constraint> constraints = {}) {
@@ -46,11 +36,6 @@ Constraint not_negative(const std::string& name, Function f) {
   limit.response = {name, "1", std::move(f)};
   limit.lower = 0;
   return limit;
-}
-
-template <class T>
-T square(const T& x) {
-  return x * x;
 }
 
 /// f1 = x1 and f2 = g h(x1 / g), with g from the other variables.

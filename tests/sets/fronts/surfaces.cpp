@@ -4,31 +4,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <stdexcept>
 
-#include "numerics/scalar/interval.h"
-#include "optim/problem/automatic.h"
+#include "tests/sets/fronts/formulas.h"
 
 namespace camlaw::sets {
 namespace {
 
 using optim::Function, optim::Problem, optim::Shape;
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kRest = 10;  ///< variables that lead away from the front
-
-template <class T>
-T square(const T& x) {
-  return x * x;
-}
-
-template <class F>
-Function formula(std::size_t variables, F f, Shape shape = Shape::General) {
-  std::vector<std::size_t> inputs(variables);
-  std::iota(inputs.begin(), inputs.end(), std::size_t{0});
-  return optim::function<Interval>(std::move(inputs), std::move(f), shape);
-}
 
 /// Variables from 0 to 1 that start where no objective is at its best.
 Problem stated(const std::string& name, std::size_t variables, std::vector<Function> objectives) {

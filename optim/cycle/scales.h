@@ -5,23 +5,23 @@
 
 #include "optim/problem/problem.h"
 
-/// Sizes: what counts as a change of order one, for scaling and for tolerances, all in the units of
-/// the problem.
+/// Scales: what counts as a change of order one, for scaling and for tolerances, all in the units
+/// of the problem.
 namespace camlaw::optim {
 
-struct ConstraintSize {
+struct ConstraintScale {
   double size;               ///< change of the response by typical changes of the variables
   double tolerance;          ///< a violation up to this counts as none
   double default_tolerance;  ///< what that would be if nothing were stated, or less
 };
 
-struct Sizes {
+struct Scales {
   std::vector<double> variables;  ///< typical changes (typical_scales)
   std::vector<double> own;        ///< own magnitudes (own_magnitudes): no box makes them smaller
   double objective;               ///< the objective's size
   double objective_tolerance;
   double objective_typical;  ///< change of the objective by typical changes about the design
-  std::vector<ConstraintSize> constraints;
+  std::vector<ConstraintScale> constraints;
 };
 
 /// How large the variables of a design are: as stated by their scale, else |x|, but no less than
@@ -35,9 +35,9 @@ std::vector<double> typical_scales(const Problem& problem, Design x);
 double objective_value(const Objective& objective, Design x);
 
 /// The largest violation of a constraint at x, over its size; below 0 where all have room.
-double largest_violation(const Problem& problem, const Sizes& sizes, Design x);
+double largest_violation(const Problem& problem, const Scales& scales, Design x);
 
-/// Sizes about a design, from the design's own magnitudes: a box that is written wider changes
+/// Scales about a design, from the design's own magnitudes: a box that is written wider changes
 /// nothing. A response's size is the largest change that one variable's typical change makes, to
 /// first order, but no less than 1e-3 of the bound. A design may be unlike its neighbours (a
 /// stationary point, a pole): the change is kept within a hundredth and a hundred times the median
@@ -49,16 +49,16 @@ double largest_violation(const Problem& problem, const Sizes& sizes, Design x);
 /// sum of |df/dx_i| times the variables' own magnitudes. Of the objective as stated, else 1e-7 of
 /// the larger of |value| and a typical change, of a curve no more than how large it is there and,
 /// divided by the number of variables squared (to a thousandth), about.
-Sizes sizes(const Problem& problem, Design about);
+Scales scales(const Problem& problem, Design about);
 
-/// The same sizes, with tolerances and own magnitudes as they are at another design.
-Sizes judged_at(const Problem& problem, Sizes sizes, Design x);
+/// The same scales, with tolerances and own magnitudes as they are at another design.
+Scales judged_at(const Problem& problem, Scales scales, Design x);
 
-/// The same sizes, but those of the limits that a design breaks are such that it breaks all of them
-/// by the same share, the largest share of before. What shows that limits contradict one another
-/// does so by any sizes above 0: at a design of least violation by other sizes than these, the
-/// limits that hold it there are then among the active ones.
-Sizes broken_alike(const Problem& problem, Sizes sizes, Design x);
+/// The same scales, but those of the limits that a design breaks are such that it breaks all of
+/// them by the same share, the largest share of before. What shows that limits contradict one
+/// another does so by any scales above 0: at a design of least violation by other scales than
+/// these, the limits that hold it there are then among the active ones.
+Scales broken_alike(const Problem& problem, Scales scales, Design x);
 
 /// Largest |df/dx_i| * scale_i, of a curve over some places of the cycle; zero where it is not a
 /// number.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/cycle/sizes.h"
+#include "optim/cycle/scales.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +141,7 @@ double larger_bound(const Constraint& c) {
 }
 
 void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::vector<double>& own,
-                   ConstraintSize& size) {
+                   ConstraintScale& size) {
   constexpr double kShare = 1e-6;
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
   constexpr double kCancels = 1e-6;   // of typical changes of a curve: rounding leaves so much
@@ -254,25 +254,25 @@ double objective_value(const Objective& objective, Design x) {
   return objective.part == Part::Magnitude ? std::abs(value) : value;
 }
 
-double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {
+double largest_violation(const Problem& problem, const Scales& scales, Design x) {
   MaximaAt maxima(x);
   double worst = -kInfinity;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const double over = violation(problem.constraints[i], maxima, x);
-    worst = std::max(worst, over / sizes.constraints[i].size);
+    worst = std::max(worst, over / scales.constraints[i].size);
   }
   return worst;
 }
 
-Sizes broken_alike(const Problem& problem, Sizes sizes, Design x) {
-  const double share = largest_violation(problem, sizes, x);
-  if (!(share > 0) || std::isinf(share)) return sizes;
+Scales broken_alike(const Problem& problem, Scales scales, Design x) {
+  const double share = largest_violation(problem, scales, x);
+  if (!(share > 0) || std::isinf(share)) return scales;
   MaximaAt maxima(x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const double over = violation(problem.constraints[i], maxima, x);
-    if (over > sizes.constraints[i].tolerance) sizes.constraints[i].size = over / share;
+    if (over > scales.constraints[i].tolerance) scales.constraints[i].size = over / share;
   }
-  return sizes;
+  return scales;
 }
 
 std::vector<double> own_magnitudes(const Problem& problem, Design x) {
@@ -294,12 +294,12 @@ std::vector<double> typical_scales(const Problem& problem, Design x) {
   return result;
 }
 
-Sizes sizes(const Problem& problem, Design about) {
+Scales scales(const Problem& problem, Design about) {
   const Changes changes(problem, about);
   MaximaAt maxima(about);
   CurveChanges known;
   const Response& objective = problem.objective().response;
-  Sizes result;
+  Scales result;
   result.variables = typical_scales(problem, about);
   result.own = own_magnitudes(problem, about);
   result.objective = or_one(changes.at_design(objective));
@@ -315,14 +315,15 @@ Sizes sizes(const Problem& problem, Design about) {
   return result;
 }
 
-Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
-  sizes.own = own_magnitudes(problem, x);
-  sizes.objective_tolerance = objective_tolerance(problem.objective(), sizes.objective_typical, x);
+Scales judged_at(const Problem& problem, Scales scales, Design x) {
+  scales.own = own_magnitudes(problem, x);
+  scales.objective_tolerance =
+      objective_tolerance(problem.objective(), scales.objective_typical, x);
   MaximaAt maxima(x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    set_tolerance(problem.constraints[i], maxima, x, sizes.own, sizes.constraints[i]);
+    set_tolerance(problem.constraints[i], maxima, x, scales.own, scales.constraints[i]);
   }
-  return sizes;
+  return scales;
 }
 
 }  // namespace camlaw::optim

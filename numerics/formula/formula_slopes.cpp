@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/formula/formula_slopes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "numerics/formula/operations.h"
+#include "numerics/formula/steps.h"
+
+namespace camlaw {
+namespace {
+
+/// The step with the sine of the angle whose cosine a step is, or the other way round; else itself.
+std::uint32_t partner_of(const std::vector<Step>& steps, std::uint32_t i) {
+  const bool is_sine = steps[i].operation == Operation::Sin;
+  if (!is_sine && steps[i].operation != Operation::Cos) return i;
+  const Operation wanted = is_sine ? Operation::Cos : Operation::Sin;
+  const auto found = std::find_if(steps.begin(), steps.end(), [&](const Step& step) {
+    return step.operation == wanted && step.a == steps[i].a;
+  });
+  return found == steps.end() ? i : static_cast<std::uint32_t>(found - steps.begin());
+}
+
+/// The slope p x^(p - 1) of a power; none where it vanishes for every x.
+template <class T>
+T power_slope(const T& x, double p) {
+  return p == 0 ? number<T>(0) : number<T>(p) * power(x, p - 1);
+}
+
+}  // namespace
+
+bool FormulaSlopes::knows(const Formula& formula) {
+  return std::none_of(formula.steps().begin(), formula.steps().end(),
+                      [](const Step& step) { return step.operation == Operation::Root; });
+}
+
+FormulaSlopes::FormulaSlopes(const Formula& formula) : uses_(formula.uses()) {
+  const std::vector<Step>& steps = formula.steps();
+  const std::vector<bool> varies = reached_from(0, steps);
+  constants_.resize(steps.size());
+  for (std::uint32_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    if (varies[i]) {
+      varying_.push_back({step.operation, i, step.a, step.b, step.c, partner_of(steps, i)});
+    } else {
+      constants_[i] = step.operation == Operation::Constant
+                          ? step.value
+                          : operate<double>(step.operation, constants_[step.a], constants_[step.b],
+                                            constants_[step.c]);
+    }
+  }
+}
+
+template <class T>
+void FormulaSlopes::go_through(std::span<const T> u, T* results) const {
+  for (const Varying& step : varying_) {
+    results[step.result] =
+        step.operation == Operation::Input
+            ? u[step.a]
+            : operate<T>(step.operation, results[step.a], results[step.b], results[step.c]);
+  }
+}
+
+template <class T>
+void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed) const {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const T& due = owed[step.result];
+  const T &a = results[step.a], &b = results[step.b], &own = results[step.result];
+  T &to_a = owed[step.a], &to_b = owed[step.b];
+  const T one = number<T>(1);
+  switch (step.operation) {
+    case Operation::Add:
+      to_a = to_a + due;
+      to_b = to_b + due;
+      return;
+    case Operation::Subtract:
+      to_a = to_a + due;
+      to_b = to_b - due;
+      return;
+    case Operation::Multiply:
+      to_a = to_a + due * b;
+      to_b = to_b + due * a;
+      return;
+    case Operation::Divide: {
+      const T part = due / b;
+      to_a = to_a + part;
+      to_b = to_b - part * own;
+      return;
+    }
+    case Operation::Negate:
+      to_a = to_a - due;
+      return;
+    case Operation::Sqrt:
+      to_a = to_a + due / (own + own);
+      return;
+    case Operation::Sin:
+      to_a = to_a + due * (step.partner == step.result ? T(cos(a)) : results[step.partner]);
+      return;
+    case Operation::Cos:
+      to_a = to_a - due * (step.partner == step.result ? T(sin(a)) : results[step.partner]);
+      return;
+    case Operation::Tan:
+      to_a = to_a + due * (one + own * own);
+      return;
+    case Operation::Asin:
+      to_a = to_a + due / sqrt((one - a) * (one + a));
+      return;
+    case Operation::Atan:
+      to_a = to_a + due / (one + a * a);
+      return;
+    case Operation::Log:
+      to_a = to_a + due / a;
+      return;
+    case Operation::Exp:
+      to_a = to_a + due * own;
+      return;
+    case Operation::Power:
+      to_a = to_a + due * power_slope(a, value_of(b));
+      return;
+    case Operation::Absolute:
+      to_a = value_of(a) < 0 ? to_a - due : to_a + due;
+      return;
+    case Operation::Greater: {
+      T& chosen = std::isnan(value_of(b)) || value_of(a) < value_of(b) ? to_b : to_a;
+      chosen = chosen + due;
+      return;
+    }
+    case Operation::Lesser: {
+      T& chosen = std::isnan(value_of(b)) || value_of(a) > value_of(b) ? to_b : to_a;
+      chosen = chosen + due;
+      return;
+    }
+    case Operation::BySide: {
+      T& chosen = value_of(a) < 0 ? owed[step.c] : to_b;
+      chosen = chosen + due;
+      return;
+    }
+    case Operation::Along:
+      if (value_of(a) == 0) return;
+      to_b = (value_of(a) < 0) == (value_of(b) < 0) ? to_b + due : to_b - due;
+      return;
+    case Operation::WherePositive:
+      to_b = to_b + due;
+      return;
+    case Operation::UnlessZero:
+      if (value_of(a) != 0) to_b = to_b + due;
+      return;
+    case Operation::Input:
+    case Operation::Constant:
+    case Operation::Pi:
+    case Operation::Unknown:
+    case Operation::Root:
+      return;
+  }
+}
+
+template <class T>
+T FormulaSlopes::operator()(std::span<const T> u, std::span<T> slopes) const {
+  thread_local std::vector<T> room;
+  const std::size_t size = constants_.size();
+  room.resize(std::max(room.size(), 2 * size));
+  T *results = room.data(), *owed = results + size;
+  std::transform(constants_.begin(), constants_.end(), results,
+                 [](double x) { return number<T>(x); });
+  go_through(u, results);
+  std::fill_n(owed, size, number<T>(0));
+  std::fill(slopes.begin(), slopes.end(), number<T>(0));
+  const T value = results[size - 1];
+  owed[size - 1] = number<T>(1);
+  for (auto step = varying_.rbegin(); step != varying_.rend(); ++step) {
+    if (step->operation == Operation::Input) {
+      slopes[step->a] = owed[step->result];
+    } else if (!is_number(owed[step->result], 0)) {  // what adds nothing owes nothing
+      hand_back(*step, results, owed);
+    }
+  }
+  return value;
+}
+
+template double FormulaSlopes::operator()(std::span<const double>, std::span<double>) const;
+template Dual FormulaSlopes::operator()(std::span<const Dual>, std::span<Dual>) const;
+
+double FormulaSlopes::hessian(std::span<const double> u, std::span<double> g,
+                              std::span<double> h) const {
+  std::fill(h.begin(), h.end(), 0.0);
+  if (uses_.empty()) {
+    std::fill(g.begin(), g.end(), 0.0);
+    return constants_.back();
+  }
+  std::vector<Dual> seeded(u.begin(), u.end()), slopes(u.size());
+  double value = 0;
+  for (std::size_t block = 0; block < uses_.size(); block += kDualWidth) {
+    const std::size_t end = std::min(uses_.size(), block + kDualWidth);
+    for (std::size_t k = block; k < end; ++k) seeded[uses_[k]].v[int(k - block)] = 1;
+    value = (*this)(std::span<const Dual>(seeded), std::span<Dual>(slopes)).a;
+    for (std::size_t k = block; k < end; ++k) {
+      const std::size_t column = uses_[k];
+      for (const std::size_t row : uses_) {
+        if (row >= column) h[row * (row + 1) / 2 + column] = slopes[row].v[int(k - block)];
+      }
+      seeded[column] = Dual(u[column]);
+    }
+  }
+  for (std::size_t i = 0; i < u.size(); ++i) g[i] = slopes[i].a;
+  return value;
+}
+
+}  // namespace camlaw
