@@ -187,19 +187,23 @@ upper = ")toml" +
 
 }  // namespace
 
-TEST_CASE("limits contradict one another where a stress has no value beyond them", "[program]") {
-  // Without its limit the least stress that a spring allows is between 200 and 300 MPa. A lower
-  // limit, eased, would be met best where the roller leaves the cam, with no stress at all.
+TEST_CASE("limits contradict one another where a stress has no value beyond them",
+          "[program][heavy]") {
+  // The least peak of the stress with a force of 20 N everywhere is 234.5 MPa, and with a force of
+  // 0 it is above 100 MPa too. Eased, this limit would be met best where the roller leaves the cam,
+  // with no stress at all.
   const Folder folder;
-  for (const char* most : {"100 MPa", "150 MPa"}) {
-    const ParsedJson result = ended(folder, stress_below(most));
-    INFO(most);
-    CHECK(result["verdict"] == "infeasible");
-    CHECK(result["reason"] == "follower_force and contact_stress contradict one another");
-    CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
-  }
-  const ParsedJson result = ended(folder, stress_below("300 MPa"));
+  const ParsedJson result = ended(folder, stress_below("100 MPa"));
+  CHECK(result["verdict"] == "infeasible");
+  CHECK(result["reason"] == "contact_stress and contact_force contradict one another");
+  CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
+}
+
+TEST_CASE("a stress that a force within its limits allows is not called infeasible", "[program]") {
+  const Folder folder;
+  const ParsedJson result = ended(folder, stress_below("236 MPa"));
   CHECK(result["verdict"] == "certified");
+  CHECK(result["objective"].get<double>() == Approx(234.495).epsilon(1e-5));
 }
 
 TEST_CASE("of an objective that is not a number a result states none", "[program]") {
