@@ -131,6 +131,16 @@ void Problem::check() const {
   }
 }
 
+std::optional<Problem> with_strict_edges(const Problem& problem) {
+  Problem strict = problem;
+  bool any = false;
+  for (Constraint& c : strict.constraints) {
+    c.is_strict = c.is_edge;
+    any = any || c.is_edge;
+  }
+  return any ? std::optional(std::move(strict)) : std::nullopt;
+}
+
 std::vector<double> Problem::start() const {
   std::vector<double> x;
   for (const Variable& v : variables) {

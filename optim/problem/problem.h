@@ -74,6 +74,8 @@ struct Constraint {
   std::optional<double> upper = {};
   std::optional<double> tolerance = {};  ///< in the unit; by default 1e-6 of the bound
   std::optional<double> scale = {};      ///< a typical change; by default from the gradient
+  bool is_edge = false;                  ///< where it is not met other responses may have no value
+  bool is_strict = false;                ///< not eased where the least violation is sought
 
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };
@@ -105,6 +107,11 @@ struct Problem {
   void check() const;
   std::vector<double> start() const;
 };
+
+/// Where a problem has limits beyond which other responses may have no value (Constraint::is_edge):
+/// the same problem, of which a search for the least violation passes every limit but these. None
+/// where it has no such limit.
+std::optional<Problem> with_strict_edges(const Problem& problem);
 
 /// One of a list, such as law families or stocked sizes: an option changes the problem itself.
 struct Choice {

@@ -227,7 +227,10 @@ void IntegerOutcome::add(const Problem& continuous, const Found& of) {
   const bool nothing_yet = found.why_solver.empty();
   const bool says_why = !is_feasible(of.assessment) && nothing_yet;
   const bool has_design = !of.x.empty() || continuous.variables.empty();
-  if (!says_why && !(has_design && are_integers(continuous, of.x))) return;
+  const bool is_whole = has_design && are_integers(continuous, of.x);
+  if (!says_why && !is_whole) return;
+  if (is_whole && is_feasible(of.assessment))
+    designs.push_back({of.x, of.assessment.objective.value, of.starts, of.agreed});
   const bool is_best = nothing_yet || better(continuous, of.assessment, found.assessment);
   Found kept = is_best ? of : found;
   kept.add_work(is_best ? found : of);

@@ -10,6 +10,13 @@
 /// Integer variables: enumeration, or branch and bound over the continuous rest.
 namespace camlaw::optim {
 
+/// A design with integer values that meets the limits, as far as is seen without a proof.
+struct IntegerDesign {
+  std::vector<double> x;
+  double objective;
+  int starts = 0, agreed = 0;  ///< as in Found
+};
+
 /// What the search over integer variables came to.
 struct IntegerOutcome {
   Found found;
@@ -20,6 +27,7 @@ struct IntegerOutcome {
   bool all_infeasible = true;    ///< every one that was looked at had none
   bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
   bool enumerated = true;
+  std::vector<IntegerDesign> designs = {};  ///< all, in the order in which they were found
 
   /// Counts what came of one continuous problem, the integer variables held or not, and keeps the
   /// best design whose integer variables have integer values.

@@ -19,7 +19,7 @@ struct Least {
   Assessment blame;
 };
 
-Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
+Least least_violation_as_posed(Design start, const Setting& setting, Trail& trail) {
   Least least;
   for (const Solver* solver : least_violation_plan(setting.problem)) {
     least.attempt = attempt(start, *solver, setting, trail, Aim::LeastViolation);
@@ -27,6 +27,32 @@ Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
     least.blame = assess_least_violation(setting.problem, trail.scales, least.attempt.x,
                                          told_as(least.attempt.told));
     if (is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible) break;
+  }
+  return least;
+}
+
+bool is_told(const Least& least) {
+  return is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible;
+}
+
+/// The way to the least violation may pass a limit beyond which other responses have no value, and
+/// end there. A search that does not pass such limits may then show that no design is left.
+Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
+  Least least = least_violation_as_posed(start, setting, trail);
+  if (is_told(least) || setting.deadline.passed()) return least;
+  const std::optional<Problem> strict = with_strict_edges(setting.problem);
+  if (!strict) return least;
+  const Setting within{setting.original, *strict,       setting.options,
+                       setting.deadline, setting.depth, setting.plan};
+  // Where the way has ended there may be no slopes; the stated start is away from there.
+  const bool has_values = std::isfinite(worst_violation(least.blame.limits));
+  const bool goes_on = has_values && !least.attempt.x.empty();
+  const std::vector<double> end =
+      goes_on ? least.attempt.x : std::vector(start.begin(), start.end());
+  for (const std::vector<double>& from : {end, setting.original.start()}) {
+    Least other = least_violation_as_posed(from, within, trail);
+    if (is_told(other)) return other;
+    if (setting.deadline.passed()) break;
   }
   return least;
 }

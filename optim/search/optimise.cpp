@@ -2,11 +2,12 @@
 #include "optim/search/optimise.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,84 +17,19 @@
 #include "optim/search/combinations.h"
 #include "optim/search/discrete.h"
 #include "optim/search/hopeless.h"
+#include "optim/search/tally.h"
+#include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
 
-/// How the combinations went, for the words of the verdict.
-struct StartTally {
-  std::size_t combinations = 0, solved = 0, missed = 0;
-  bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
-  std::string stopped = {};                 ///< why the search ended early, where it did
-  std::vector<std::string> unsettled = {};  ///< combinations of choices, in words
+/// What meets the limits of a combination, as far as is seen without a proof.
+struct Contender {
+  std::vector<std::size_t> options;
+  IntegerDesign design;
+  bool of_tree;
 };
-
-/// "; rise=half-ellipse was not", for some of several.
-std::string unsettled_words(const std::vector<std::string>& unsettled) {
-  constexpr std::size_t kShown = 3;
-  if (unsettled.empty()) return {};
-  const std::size_t shown = std::min(kShown, unsettled.size());
-  std::string words = fmt::format(
-      "; {}",
-      fmt::join(unsettled.begin(), unsettled.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-  if (shown < unsettled.size()) words += fmt::format(" and {} more", unsettled.size() - shown);
-  return words + (unsettled.size() == 1 ? " was not" : " were not");
-}
-
-/// "; 3 were not looked at".
-std::string not_looked_at_words(std::size_t count) {
-  if (count == 0) return {};
-  return fmt::format("; {} {} not looked at", count, count == 1 ? "was" : "were");
-}
-
-/// What a search over combinations adds to the verdict of the best one.
-void judge_combinations(const StartTally& tally, Assessment& a) {
-  if (tally.combinations == 1) return;
-  a.best_possible.reset();  // what bounds one combination says nothing of the others
-  const std::string how =
-      tally.enumerated ? fmt::format("all {} combinations were solved", tally.combinations)
-                       : fmt::format("{} combinations by branch and bound ({} problems solved)",
-                                     tally.combinations, tally.solved);
-  if (!tally.complete && a.verdict == Verdict::Certified) {
-    a.verdict = Verdict::Feasible;
-    a.reason = fmt::format("not all of the {} combinations were settled{}", tally.combinations,
-                           unsettled_words(tally.unsettled) + not_looked_at_words(tally.missed));
-    if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
-    a.global.reset();
-    return;
-  }
-  if (!tally.enumerated && !tally.bounds_hold && a.verdict == Verdict::Certified) {
-    a.verdict = Verdict::Feasible;
-    a.reason =
-        "combinations were excluded by bounds that hold only locally, as the rest of the problem "
-        "is not convex";
-    a.global.reset();
-    return;
-  }
-  if (a.verdict == Verdict::Infeasible) {
-    if (!tally.all_infeasible || !tally.complete) {
-      a.verdict = Verdict::Failed;
-      a.reason = "no combination was solved, and not all are infeasible";
-      if (!tally.stopped.empty()) {
-        a.reason = fmt::format("{} after {} of {} combinations, none of which can be met",
-                               tally.stopped, tally.solved, tally.combinations);
-      }
-    } else {
-      a.reason = fmt::format(
-          "none of the {} combinations meets the limits; in the one that comes nearest, {}",
-          tally.combinations, a.reason);
-    }
-    a.global.reset();
-    if (tally.bounds_hold && a.verdict == Verdict::Infeasible)
-      a.global = how + ", and each is known to have no design within the limits";
-    return;
-  }
-  if (a.verdict != Verdict::Certified) return;
-  a.global.reset();
-  if (tally.bounds_hold) a.global = how + ", each convex in the other variables";
-  a.reason = fmt::format("{}; {}", a.reason, how);
-}
 
 class Optimiser {
  public:
@@ -119,10 +55,16 @@ class Optimiser {
     tally_.combinations += search.combinations;
     tally_.solved += search.solved;
     tally_.complete = tally_.complete && search.complete;
-    if (!search.complete && !part.options.empty()) tally_.unsettled.push_back(words_of(part));
+    if (!search.complete && !part.options.empty())
+      tally_.unsettled.push_back(words_of(part.options));
     tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
     tally_.enumerated = tally_.enumerated && search.enumerated;
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
+    const bool all_told = search.enumerated && search.complete &&
+                          search.infeasible + search.designs.size() == search.solved;
+    rest_infeasible_ = rest_infeasible_ && (search.all_infeasible || all_told);
+    for (const IntegerDesign& design : search.designs)
+      contenders_.push_back({part.options, design, !search.enumerated});
     work_.add_work(search.found);
     const Assessment& a = search.found.assessment;
     best_.parts.push_back({part.options, search.found.x, a.objective.value, a.verdict,
@@ -136,18 +78,18 @@ class Optimiser {
   }
 
   /// The options of a combination, as a person chooses them.
-  std::string words_of(const SearchedPart& part) const {
+  std::string words_of(const std::vector<std::size_t>& options) const {
     std::string words;
-    for (std::size_t i = 0; i < part.options.size(); ++i) {
+    for (std::size_t i = 0; i < options.size(); ++i) {
       const Choice& choice = desk_->space().choices[i];
-      const std::string& option = choice.options[part.options[i]];
+      const std::string& option = choice.options[options[i]];
       words += words.empty() ? "" : " ";
       words += choice.values.empty() ? option : fmt::format("{}={}", choice.name, option);
     }
     return words;
   }
 
-  /// The winner, solved once more with its integer variables fixed, and proved.
+  /// The winner, proved, and what is said of it.
   void settle() {
     tally_.missed = combinations_.not_looked_at();
     tally_.combinations += tally_.missed;
@@ -160,24 +102,7 @@ class Optimiser {
     Found& found = best_.found;
     blame_fewest();
     if (combinations_.is_of_one()) return say_lost(found.assessment);
-    if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
-      Problem fixed = with_integers_fixed(best_.problem, found.x);
-      for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
-        fixed.variables[i].start = found.x[i];
-      }
-      OptimiseOptions once = options_;
-      once.starts = 1;
-      Found proved = search_continuous(fixed, once, deadline_, Depth::Whole);
-      if (is_feasible(proved.assessment) && proved.assessment.verdict != Verdict::Failed) {
-        proved.starts = found.starts;
-        proved.agreed = found.agreed;
-        found = std::move(proved);
-      } else if (!deadline_.passed()) {
-        // What was found without a proof may break a limit where only a proof looks.
-        found.assessment = assess(fixed, scales(fixed, found.x), found.x, true);
-      }
-      work_.add_work(found);
-    }
+    if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) prove_best();
     found.evaluations = work_.evaluations;
     found.iterations = work_.iterations;
     found.solves = work_.solves;
@@ -187,6 +112,135 @@ class Optimiser {
     if (a.verdict == Verdict::Feasible && !told) {
       a.reason = fmt::format("{}; {}", tally_.stopped, a.reason);
     }
+  }
+
+  /// Proves the best design. A proof may leave no design in its combination, or a worse one: then
+  /// the best of the others, which may be better, is proved too.
+  void prove_best() {
+    std::stable_sort(contenders_.begin(), contenders_.end(), [&](const auto& a, const auto& b) {
+      return signed_value(a.design.objective) < signed_value(b.design.objective);
+    });
+    std::vector<Found> proofs;
+    std::optional<std::size_t> best;
+    for (const Contender& next : contenders_) {
+      if (best && !is_ahead(next.design.objective, proofs[*best].assessment)) break;
+      if (best && deadline_.passed()) {
+        tally_.complete = false;
+        break;
+      }
+      const Problem fixed = with_start(problem_of(next), next.design);
+      proofs.push_back(proved(fixed, next.design));
+      const bool is_design = is_feasible(proofs.back().assessment);
+      if (deadline_.passed() && !is_design && !best) {
+        if (proofs.size() == 1) return;  // the best is as it was found
+        proofs.back() = cut_short(fixed, next.design.x, deadline_.reason());
+        best = proofs.size() - 1;
+      } else if (is_design &&
+                 (!best || better(fixed, proofs.back().assessment, proofs[*best].assessment))) {
+        best = proofs.size() - 1;
+      }
+    }
+    if (!proofs.empty()) take_proofs(std::move(proofs), best);
+  }
+
+  void take_proofs(std::vector<Found> proofs, std::optional<std::size_t> best) {
+    bool all_infeasible = rest_infeasible_ && proofs.size() == contenders_.size();
+    for (std::size_t i = 0; i < proofs.size(); ++i) {
+      const Contender& contender = contenders_[i];
+      const Assessment& a = proofs[i].assessment;
+      // Nodes of a tree were cut by what was found.
+      const bool is_worse = !is_feasible(a) || is_ahead(contender.design.objective, a);
+      if (is_worse && contender.of_tree) tally_.complete = false;
+      all_infeasible = all_infeasible && a.verdict == Verdict::Infeasible;
+      if (i == best) continue;
+      take_settled(contender, a);
+      restate_part(i, proofs[i]);
+    }
+    if (!best) tally_.all_infeasible = all_infeasible;
+    const std::size_t winner = best.value_or(0);
+    if (winner > 0) {
+      best_.problem = problem_of(contenders_[winner]);
+      best_.options = contenders_[winner].options;
+    }
+    best_.found = std::move(proofs[winner]);
+  }
+
+  /// Whether a proof settles its combination, as the answer does not say where it is another one.
+  void take_settled(const Contender& contender, const Assessment& a) {
+    const bool is_empty = a.verdict == Verdict::Infeasible;
+    tally_.bounds_hold = tally_.bounds_hold && (is_empty ? a.global.has_value() : a.is_global);
+    if (is_empty || is_settled(a)) return;
+    tally_.complete = false;
+    const std::string words = words_of(contender.options);
+    auto& unsettled = tally_.unsettled;
+    const bool is_told = std::find(unsettled.begin(), unsettled.end(), words) != unsettled.end();
+    if (!words.empty() && !is_told) unsettled.push_back(words);
+  }
+
+  /// Where what a combination of choices had was proved otherwise: what it has now, or the next
+  /// best of its whole numbers.
+  void restate_part(std::size_t contender, const Found& proof) {
+    const Contender& of = contenders_[contender];
+    const Assessment& a = proof.assessment;
+    const auto part = std::find_if(best_.parts.begin(), best_.parts.end(), [&](const auto& p) {
+      return p.options == of.options && p.x == of.design.x;
+    });
+    if (part == best_.parts.end()) return;
+    const auto next = std::find_if(
+        contenders_.begin() + static_cast<std::ptrdiff_t>(contender) + 1, contenders_.end(),
+        [&](const Contender& other) { return other.options == of.options; });
+    const bool is_next =
+        next != contenders_.end() && (!is_feasible(a) || is_ahead(next->design.objective, a));
+    if (is_next) {
+      *part = {of.options, next->design.x, next->design.objective, Verdict::Feasible, {}};
+    } else {
+      const auto& held_by = a.verdict == Verdict::Infeasible ? a.blamed : a.active;
+      *part = {of.options, proof.x, a.objective.value, a.verdict, held_by};
+    }
+  }
+
+  /// What a search for the least sees of an objective's value.
+  double signed_value(double objective) const {
+    return best_.problem.objective().sense == Sense::Minimize ? objective : -objective;
+  }
+
+  /// Whether an objective is better than that of a judged design by more than counts.
+  bool is_ahead(double objective, const Assessment& judged) const {
+    const double value = judged.objective.value;
+    const double gap = std::max(kBoundTolerance * std::abs(value), judged.objective.tolerance);
+    return signed_value(objective) < signed_value(value) - gap;
+  }
+
+  const Problem& problem_of(const Contender& contender) {
+    return contender.options == best_.options ? best_.problem : desk_->problem(contender.options);
+  }
+
+  /// The problem with its integer variables fixed at a design's, to be begun from there.
+  static Problem with_start(const Problem& problem, const IntegerDesign& design) {
+    Problem fixed = with_integers_fixed(problem, design.x);
+    for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
+      fixed.variables[i].start = design.x[i];
+    }
+    return fixed;
+  }
+
+  /// A design, solved once more and proved; where that leads to none, itself.
+  Found proved(const Problem& fixed, const IntegerDesign& design) {
+    OptimiseOptions once = options_;
+    once.starts = 1;
+    Found found = search_continuous(fixed, once, deadline_, Depth::Whole);
+    work_.add_work(found);
+    found.starts = design.starts;
+    found.agreed = design.agreed;
+    const bool is_design = is_feasible(found.assessment);
+    if ((is_design && found.assessment.verdict != Verdict::Failed) || deadline_.passed())
+      return found;
+    // What was found without a proof may break a limit where only a proof looks.
+    Assessment own = assess(fixed, scales(fixed, design.x), design.x, true);
+    if (found.assessment.verdict == Verdict::Infeasible && !is_feasible(own)) return found;
+    found.x = design.x;
+    found.assessment = std::move(own);
+    return found;
   }
 
   void blame_fewest() {
@@ -220,10 +274,12 @@ class Optimiser {
   Deadline deadline_;
   std::shared_ptr<SearchDesk> desk_;
   Combinations combinations_;
-  StartTally tally_;
+  CombinationTally tally_;
   Optimum best_;
   bool started_ = false;
-  Found work_;  ///< what all combinations took, and nothing else
+  std::vector<Contender> contenders_;
+  bool rest_infeasible_ = true;  ///< all but the contenders are known to have no design
+  Found work_;                   ///< what all combinations took, and nothing else
 };
 
 }  // namespace

@@ -126,13 +126,20 @@ void visit(Archive& archive, F& start) {
   archive(trail), archive(objective), archive(end);
 }
 
+template <class Archive, class D>
+requires std::is_same_v<std::remove_const_t<D>, IntegerDesign>
+void visit(Archive& archive, D& design) {
+  auto& [x, objective, starts, agreed] = design;
+  archive(x), archive(objective), archive(starts), archive(agreed);
+}
+
 template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, IntegerOutcome>
 void visit(Archive& archive, O& outcome) {
-  auto& [found, combinations, solved, complete, infeasible, all_infeasible, bounds_hold,
-         enumerated] = outcome;
+  auto& [found, combinations, solved, complete, infeasible, all_infeasible, bounds_hold, enumerated,
+         designs] = outcome;
   archive(found), archive(combinations), archive(solved), archive(complete), archive(infeasible);
-  archive(all_infeasible), archive(bounds_hold), archive(enumerated);
+  archive(all_infeasible), archive(bounds_hold), archive(enumerated), archive(designs);
 }
 
 template <class Archive, class T>

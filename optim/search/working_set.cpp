@@ -142,7 +142,7 @@ void WorkingSet::add_side(CurveSide side,
 
 /// Only of limits, and only where they are not eased: then they do not vanish.
 RestWeights WorkingSet::weights_of(const CurveSide& side, Design x) const {
-  if (side.of_peak || aim_ == Aim::LeastViolation) return {};
+  if (side.of_peak || is_eased(side.constraint)) return {};
   return RestWeights(side.response->curve(), side.bound, x);
 }
 
@@ -171,7 +171,7 @@ void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, Lin
     ++number;
   }
   const auto is_moved = [&](const Function& function, double weight) {
-    if (side.of_peak || aim_ == Aim::LeastViolation) return true;
+    if (side.of_peak || is_eased(side.constraint)) return true;
     const double slope = typical_change(function, x, scales_.variables);
     return !vanishes(slope / (side.size * weight));
   };
@@ -191,9 +191,14 @@ void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, Lin
   }
 }
 
+bool WorkingSet::is_eased(std::optional<std::size_t> constraint) const {
+  return aim_ == Aim::LeastViolation &&
+         !(constraint && problem_.constraints[*constraint].is_strict);
+}
+
 /// What sign * curve of a side is held below.
 double WorkingSet::limit_of(const CurveSide& side, double auxiliary) const {
-  const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
+  const double slack = is_eased(side.constraint) ? side.size * auxiliary : 0;
   if (!side.of_peak) return side.sign * side.bound + slack;
   // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
   // a magnitude from both sides.
@@ -262,7 +267,7 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
     const Constraint& c = problem_.constraints[i];
     if (c.response.is_curve()) continue;
     const Row row = number_row(i);
-    if (aim_ == Aim::Optimum) {
+    if (!is_eased(i)) {
       rows.push_back(row);
       continue;
     }
@@ -293,7 +298,7 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
       const bool magnitude = side.of_peak && problem_.objective().part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};
-      if (aim_ == Aim::LeastViolation) row.auxiliary = {{auxiliary, -side.sign * side.size}};
+      if (is_eased(side.constraint)) row.auxiliary = {{auxiliary, -side.sign * side.size}};
       rows.push_back(std::move(row));
     }
   }
@@ -301,9 +306,10 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
 
 std::vector<std::size_t> WorkingSet::row_groups() const {
   std::size_t numbers = rests_.size();
-  for (const Constraint& c : problem_.constraints) {
+  for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+    const Constraint& c = problem_.constraints[i];
     if (c.response.is_curve()) continue;
-    const bool both = aim_ == Aim::LeastViolation && c.lower && c.upper;
+    const bool both = is_eased(i) && c.lower && c.upper;
     numbers += both ? 2 : 1;
   }
   std::vector<std::size_t> groups{numbers};

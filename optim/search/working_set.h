@@ -80,6 +80,8 @@ class WorkingSet {
   std::size_t add_violated_places(CurveSide& side, Design x, double limit, double least,
                                   std::map<std::size_t, LinearRows>& rows);
   RestWeights weights_of(const CurveSide& side, Design x) const;
+  /// Whether a limit may be passed by the violation that is least.
+  bool is_eased(std::optional<std::size_t> constraint) const;
   double limit_of(const CurveSide& side, double auxiliary) const;
   double auxiliary_start(Design x) const;
   void add_rows(std::vector<Row>& rows) const;

@@ -43,6 +43,12 @@ class Collector {
       violation_ = std::max(0.0, largest_violation(problem_, scales_, x_));
   }
 
+  /// Whether a limit may be passed by the violation that is least.
+  bool is_eased(std::optional<std::size_t> constraint) const {
+    return optimality_ == Optimality::LeastViolation && constraint &&
+           !problem_.constraints[*constraint].is_strict;
+  }
+
   std::optional<ActiveLimit> bound_of(const Push& push) const {
     const Variable& v = problem_.variables[*push.variable];
     if (v.lower == v.upper || std::isinf(push.sign > 0 ? v.upper : v.lower)) return {};
@@ -61,7 +67,7 @@ class Collector {
     limit.at_rest = push.at_rest;
     limit.is_equation =
         !eased && push.constraint && problem_.constraints[*push.constraint].is_equation();
-    if (!push.constraint || eased) limit.auxiliary = -1;
+    if (!push.constraint || is_eased(push.constraint)) limit.auxiliary = -1;
     return limit;
   }
 
@@ -69,7 +75,7 @@ class Collector {
     const Constraint& c = problem_.constraints[*push.constraint];
     const auto& bound = push.sign > 0 ? c.upper : c.lower;
     if (!bound || push.at_rest) return bound ? std::optional(0.0) : std::nullopt;
-    return *bound + push.sign * violation_ * push.size;
+    return *bound + push.sign * (c.is_strict ? 0 : violation_) * push.size;
   }
 
   /// The level of a peak that is sought, on the side that it is sought on.
@@ -109,7 +115,7 @@ class Collector {
     const ConstraintScale& size = scales_.constraints[i];
     const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
     const bool equation = c.is_equation();
-    const double eased = violation_ * size.size;
+    const double eased = c.is_strict ? 0 : violation_ * size.size;
     const auto add = [&](double sign, double bound) {
       const Level level{sign, bound + sign * eased, size.size, reach};
       if (c.response.is_curve()) {
@@ -128,7 +134,7 @@ class Collector {
     if (!free && limit.margin * level.size > level.reach) return;
     limit.constraint = constraint;
     limit.is_equation = free;
-    if (optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
+    if (is_eased(constraint)) limit.auxiliary = -1;
     if (is_moved(limit)) limits_.push_back(std::move(limit));
   }
 
@@ -142,7 +148,7 @@ class Collector {
     const double room = level.sign * (level.bound - highest_of(peaks, level.sign).value);
     if (room > kFar * level.reach) return;
     RestWeights weights;
-    if (optimality_ == Optimality::Objective) {
+    if (!is_eased(constraint)) {
       weights = RestWeights(response.curve(), bound, x_);
       add_rests(weights.rests(), level, constraint);
     }
@@ -221,8 +227,7 @@ class Collector {
     const Place place = curve.tied(at.place, x_);
     ActiveLimit limit = gradient_of(curve.at(place), level);
     limit.constraint = side.constraint;
-    const bool eased = optimality_ == Optimality::LeastViolation;
-    if (!side.constraint || eased) limit.auxiliary = -1;
+    if (!side.constraint || is_eased(side.constraint)) limit.auxiliary = -1;
     if (is_smooth_at(side, at.place)) {
       if (is_peak) limit.slope_gradient = curve.slope_gradient(at.place, x_);
       limit.curvature = side.trace.at(at.place)[2];

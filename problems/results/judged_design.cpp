@@ -71,15 +71,19 @@ optim::Assessment judged(const HeldProblem& held) {
   // A search weighs limits by their scales where it began, which the result does not hold. Any
   // weights show that the limits contradict one another about this design, and of convex limits
   // that they do everywhere, which is told apart.
-  const auto least_by = [&](const optim::Scales& weights) {
-    return optim::assess_least_violation(
-        problem, weights, held.x,
-        optim::teller_at(problem, weights, held.x, optim::Aim::LeastViolation));
+  const auto least_of = [&](const optim::Problem& posed) {
+    const auto by = [&](const optim::Scales& weights) {
+      return optim::assess_least_violation(
+          posed, weights, held.x,
+          optim::teller_at(posed, weights, held.x, optim::Aim::LeastViolation));
+    };
+    optim::Assessment least = by(scales);
+    if (least.verdict == optim::Verdict::Infeasible) return least;
+    return by(optim::broken_alike(posed, scales, held.x));
   };
-  optim::Assessment least = least_by(scales);
-  if (least.verdict != optim::Verdict::Infeasible) {
-    least = least_by(optim::broken_alike(problem, scales, held.x));
-  }
+  optim::Assessment least = least_of(problem);
+  const auto strict = optim::with_strict_edges(problem);
+  if (least.verdict != optim::Verdict::Infeasible && strict) least = least_of(*strict);
   return least.verdict == optim::Verdict::Infeasible ? least : found;
 }
 

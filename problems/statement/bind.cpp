@@ -74,6 +74,7 @@ optim::Constraint limit_on(const ProblemStatement& statement, const ConstraintSt
   result.lower = c.lower;
   result.upper = c.upper;
   result.tolerance = c.tolerance;
+  result.is_edge = c.required_by.has_value();
   if (c.response.part == Part::Magnitude && c.upper) result.lower = -*c.upper;
   return result;
 }

@@ -140,6 +140,72 @@ upper = 1
   CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
 }
 
+namespace {
+
+/// A spring that holds the roller on a fast cam, with a stress that it may not pass.
+std::string stress_below(const std::string& most) {
+  return R"toml(mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+mass = "3 kg"
+base_radius = "42 mm"
+roller_radius = "12 mm"
+speed = "320 rpm"
+load = "0 N"
+face_width = "14 mm"
+[[program.segments]]
+name = "rise"
+angle = "90 deg"
+law = "modified-sine"
+[[program.segments]]
+name = "high"
+angle = "70 deg"
+[[program.segments]]
+name = "return"
+angle = "110 deg"
+law = "cycloidal"
+[[program.segments]]
+name = "low"
+[variables.spring_preload]
+lower = "0 N"
+upper = "800 N"
+start = "300 N"
+[variables.spring_rate]
+lower = "1 N/mm"
+upper = "40 N/mm"
+start = "20 N/mm"
+[objective]
+minimize = "peak_stress"
+[[constraints]]
+response = "follower_force"
+lower = "20 N"
+[[constraints]]
+response = "contact_stress"
+upper = ")toml" +
+         most + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("limits contradict one another where a stress has no value beyond them",
+          "[program][heavy]") {
+  // The least peak of the stress with a force of 20 N everywhere is 234.5 MPa, and with a force of
+  // 0 it is above 100 MPa too. Eased, this limit would be met best where the roller leaves the cam,
+  // with no stress at all.
+  const Folder folder;
+  const ParsedJson result = ended(folder, stress_below("100 MPa"));
+  CHECK(result["verdict"] == "infeasible");
+  CHECK(result["reason"] == "contact_stress and contact_force contradict one another");
+  CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
+}
+
+TEST_CASE("a stress that a force within its limits allows is not called infeasible", "[program]") {
+  const Folder folder;
+  const ParsedJson result = ended(folder, stress_below("236 MPa"));
+  CHECK(result["verdict"] == "certified");
+  CHECK(result["objective"].get<double>() == Approx(234.495).epsilon(1e-5));
+}
+
 TEST_CASE("of an objective that is not a number a result states none", "[program]") {
   const Folder folder;
   const ParsedJson result = ended(folder, R"toml([machine]

@@ -106,6 +106,51 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   CHECK(optimise(problem).found.assessment.verdict == Verdict::Failed);
 }
 
+namespace {
+
+/// A stress of 1 + x below a limit, with a value only where the force x is above -0.001 and a limit
+/// that keeps it above 0.
+Problem stress_under_force(double most_stress) {
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, 3)};
+  problem.objectives = {least(linear({0}, [](const auto& u) { return 1.0 * u[0]; }))};
+  Constraint force = {.response = {"force", "N", linear({0}, [](const auto& u) { return u[0]; })},
+                      .lower = 0,
+                      .scale = 1,
+                      .is_edge = true};
+  Constraint stress = {
+      .response = {"stress", "MPa",
+                   function({0},
+                            [](const auto& u) { return 1.0 + u[0] + 0.0 * sqrt(u[0] + 0.001); })},
+      .upper = most_stress,
+      .scale = 1};
+  problem.constraints = {force, stress};
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("limits that contradict one another at the edge of a region without numbers are named",
+          "[optimise]") {
+  // Each eased by the same, they would meet at x = -0.25, where the stress has no value; within the
+  // force's limit the stress is 1 at least.
+  const Found found = optimise(stress_under_force(0.5)).found;
+  CHECK(found.assessment.verdict == Verdict::Infeasible);
+  CHECK(found.assessment.blamed == Names{"force", "stress"});
+  CHECK(found.x.at(0) == Approx(0).margin(1e-6));
+  // The stress is not known to be convex: elsewhere it could be less.
+  CHECK_FALSE(found.assessment.global);
+}
+
+TEST_CASE("a design at the edge of a region without numbers is not called infeasible",
+          "[optimise]") {
+  for (const double most_stress : {1.0, 1.001, 2.0}) {
+    const Found found = optimise(stress_under_force(most_stress)).found;
+    CHECK(is_feasible(found.assessment));
+    CHECK(found.x.at(0) == Approx(0).margin(2e-6));
+  }
+}
+
 TEST_CASE("what the model throws is a failed assessment with its words", "[optimise]") {
   const auto always = [](std::span<const double>) { throw std::runtime_error("no such follower"); };
   for (const std::string solver : {"auto", "ipopt", "slsqp", "cobyla", "crs2"}) {

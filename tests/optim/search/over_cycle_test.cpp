@@ -73,6 +73,68 @@ TEST_CASE("a limit that no design meets between the samples is not called met", 
   CHECK(found.x.at(0) == Approx(0).margin(1e-6));
 }
 
+namespace {
+
+/// Of two options the most x, with the spike in the first and none in the second, below `limit`;
+/// the second takes no x above `most`.
+ProblemSpace spike_or_none(double limit, double second_most) {
+  ProblemSpace space;
+  space.choices = {{"form", "", {"spiked", "plain"}, {}}};
+  space.problem = [=](const std::vector<std::size_t>& options) {
+    const bool is_spiked = options[0] == 0;
+    const auto plain = [](const auto& u, const auto&) { return u[0]; };
+    Problem problem;
+    problem.variables = {variable("x", 0, is_spiked ? 10 : second_most, 1)};
+    problem.objectives = {most(linear({0}, [](const auto& u) { return u[0]; }))};
+    const auto stress = is_spiked ? curve<Interval>({0}, 0, 360, spiked(100.123), Shape::Linear)
+                                  : curve<Interval>({0}, 0, 360, plain, Shape::Linear);
+    problem.constraints = {{.response = {"stress", "MPa", stress}, .upper = limit}};
+    return problem;
+  };
+  return space;
+}
+
+}  // namespace
+
+TEST_CASE("where a proof leaves the best option no design, the next best is the answer",
+          "[optimise]") {
+  // The spike alone is higher than 0.5. Without a proof the first option has x = 0.5 / 1.1.
+  const Optimum optimum = optimise(spike_or_none(0.5, 0.25));
+  const Assessment& a = optimum.found.assessment;
+  CHECK(optimum.options == std::vector<std::size_t>{1});
+  CHECK(optimum.found.x.at(0) == Approx(0.25).epsilon(1e-9));
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.global);
+  REQUIRE(optimum.parts.size() == 2);
+  CHECK(optimum.parts[0].verdict == Verdict::Infeasible);
+  CHECK(optimum.parts[0].active == Names{"stress", "lower bound of x"});
+}
+
+TEST_CASE("where a proof leaves the best option less than the next best, that is the answer",
+          "[optimise]") {
+  // Without a proof the first option has x = 3 / 1.1 = 2.73, with it 2.0 (see above).
+  for (const double second : {2.5, 1.5}) {
+    const Optimum optimum = optimise(spike_or_none(3, second));
+    const std::size_t best = second > 2.1 ? 1 : 0;
+    CHECK(optimum.options == std::vector<std::size_t>{best});
+    const double wave = 1 + 0.1 * std::cos(100.123 * std::acos(-1.0) / 180);
+    CHECK(optimum.found.x.at(0) == Approx(best == 1 ? second : 2 / wave).epsilon(2e-6));
+    CHECK(optimum.found.assessment.verdict == Verdict::Certified);
+    REQUIRE(optimum.parts.size() == 2);
+    if (best == 1) CHECK(optimum.parts[0].objective == Approx(2 / wave).epsilon(2e-6));
+  }
+}
+
+TEST_CASE("where proofs leave no option a design, all are infeasible", "[optimise]") {
+  ProblemSpace space = spike_or_none(0.5, 0.25);
+  const auto first = space.problem;
+  space.problem = [first](const std::vector<std::size_t>&) { return first({0}); };
+  const Optimum optimum = optimise(space);
+  CHECK(optimum.found.assessment.verdict == Verdict::Infeasible);
+  CHECK(contains(optimum.found.assessment.reason, "none of the 2 combinations meets the limits"));
+  CHECK(optimum.found.assessment.blamed == Names{"stress", "lower bound of x"});
+}
+
 TEST_CASE("a peak between the samples counts in the objective too", "[optimise]") {
   // Least highest of x (1 + cos / 10) + spike + 4 (x - 2)^2 over the cycle: about the spike 1 +
   // wave x + 4 (x - 2)^2, least at x = 2 - wave / 8; elsewhere at most 1.1 x + 4 (x - 2)^2.
