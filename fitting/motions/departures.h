@@ -11,7 +11,7 @@ namespace camlaw::problems {
 /// A stretch of neighbouring samples on one side of the law.
 struct Departure {
   double from, to;    ///< places
-  double most;        ///< the largest difference, sample less law
+  double most;        ///< the largest difference, samples less law, of a curve through neighbours
   std::size_t count;  ///< of samples
 };
 
