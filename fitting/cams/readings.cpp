@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -23,7 +24,27 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr std::size_t kMostStretches = 2;
-constexpr double kMostOfMotion = 0.6;  ///< that departs: less would not show the law
+/// Of the samples before a motion, in it and after it that may depart: else they would not show the
+/// law and its ends.
+constexpr double kMostOfPart[] = {0.75, 0.6, 0.75};
+constexpr std::size_t kLeastOfPart = 9;  ///< fewer samples show no rest
+
+enum Part : std::size_t { Before, Within, After };
+using PartCounts = std::array<std::size_t, 3>;
+
+Part part_at(double place, const MotionGuess& motion) {
+  return place < motion.begin ? Before : place > motion.end ? After : Within;
+}
+
+bool leaves_enough(const PartCounts& gone, const PartCounts& all) {
+  for (const Part part : {Before, Within, After}) {
+    if (all[part] < kLeastOfPart) continue;
+    if (static_cast<double>(gone[part]) > kMostOfPart[part] * static_cast<double>(all[part])) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// (WR1) without what tells up from down; `squares`: those outside with the scatter left out.
 double score(double squares, std::size_t samples, const LawFit& law, std::size_t stretches) {
@@ -44,9 +65,9 @@ struct Gap {
 /// of blocks of neighbours make it cheap to try many.
 class LawWithout {
  public:
-  /// `left` and `columns`: residuals and Jacobian, by place, in deviations of the noise; `moving`:
-  /// which of the samples lie in the motion; `scatter`: of each.
-  LawWithout(VectorXd left, const MatrixXd& columns, const std::vector<bool>& moving,
+  /// `left` and `columns`: residuals and Jacobian, by place, in deviations of the noise; `parts`:
+  /// where each of the samples lies; `scatter`: of each.
+  LawWithout(VectorXd left, const MatrixXd& columns, const std::vector<Part>& parts,
              const std::vector<double>& scatter)
       : count_(static_cast<std::size_t>(left.size())) {
     MatrixXd basis(left.size(), 0);
@@ -60,7 +81,7 @@ class LawWithout {
     information_.assign(1, MatrixXd::Zero(p, p));
     pulled_.assign(1, VectorXd::Zero(p));
     squares_.assign(1, 0);
-    moving_.assign(1, 0);
+    parts_.assign(1, {});
     scatter_.assign(1, 0);
     for (std::size_t k = 0; k < blocks_; ++k) {
       const auto from = static_cast<Index>(begin_of(k)),
@@ -72,9 +93,9 @@ class LawWithout {
       squares_.push_back(squares_.back() + r.squaredNorm());
       scatter_.push_back(
           std::accumulate(scatter.begin() + from, scatter.begin() + from + size, scatter_.back()));
-      moving_.push_back(moving_.back() +
-                        static_cast<std::size_t>(
-                            std::count(moving.begin() + from, moving.begin() + from + size, true)));
+      PartCounts counts = parts_.back();
+      for (Index i = from; i < from + size; ++i) ++counts[parts[static_cast<std::size_t>(i)]];
+      parts_.push_back(counts);
     }
   }
 
@@ -87,12 +108,15 @@ class LawWithout {
     for (const Gap& w : windows) sum += scatter_[w.last] - scatter_[w.first];
     return sum;
   }
-  /// Of the samples in the motion, how many the windows take away.
-  double moving_share(const std::vector<Gap>& windows) const {
-    std::size_t count = 0;
-    for (const Gap& w : windows) count += moving_[w.last] - moving_[w.first];
-    return static_cast<double>(count) /
-           static_cast<double>(std::max<std::size_t>(1, moving_.back()));
+  /// Whether what the windows leave shows the motion and the rests beside it.
+  bool leave_enough(const std::vector<Gap>& windows) const {
+    PartCounts gone{};
+    for (const Gap& w : windows) {
+      for (const Part part : {Before, Within, After}) {
+        gone[part] += parts_[w.last][part] - parts_[w.first][part];
+      }
+    }
+    return leaves_enough(gone, parts_.back());
   }
 
   /// (WR3) The least sum of squares outside the windows; none where the samples there do not
@@ -118,7 +142,7 @@ class LawWithout {
   std::vector<MatrixXd> information_;  ///< sums over the blocks before
   std::vector<VectorXd> pulled_;
   std::vector<double> squares_, scatter_;
-  std::vector<std::size_t> moving_;
+  std::vector<PartCounts> parts_;
 };
 
 /// The window that helps most beside those that are there; none where none helps. `in`: how many
@@ -147,7 +171,7 @@ std::optional<Gap> next_window(const LawWithout& law, const std::vector<Gap>& wi
       });
       if (meets) continue;
       with.back() = window;
-      if (law.moving_share(with) > kMostOfMotion) continue;
+      if (!law.leave_enough(with)) continue;
       const auto own = value(with);
       if (own && *own < least) least = *own, best = window;
     }
@@ -168,8 +192,8 @@ LawWithout law_without(const MotionSamples& samples, const std::vector<std::size
   std::vector<double> r(n), rows(n * p);
   const auto count = static_cast<Index>(n);
   if (!MotionResiduals(samples, fit.law, fit.skew).evaluate(values_of(fit.fit), r, rows)) {
-    return {VectorXd::Constant(count, optim::kInfinity), MatrixXd(count, 0), std::vector<bool>(n),
-            std::vector<double>(n)};
+    return {VectorXd::Constant(count, optim::kInfinity), MatrixXd(count, 0),
+            std::vector<Part>(n, Within), std::vector<double>(n)};
   }
   std::vector<std::size_t> free;
   for (std::size_t j = 0; j < p; ++j) {
@@ -178,18 +202,18 @@ LawWithout law_without(const MotionSamples& samples, const std::vector<std::size
   }
   VectorXd left(count);
   MatrixXd columns(count, static_cast<Index>(free.size()));
-  std::vector<bool> moving;
+  std::vector<Part> parts;
   std::vector<double> own;
   for (Index i = 0; i < count; ++i) {
     const std::size_t k = order[static_cast<std::size_t>(i)];
     left[i] = r[k] / scatter.noise;
     own.push_back(scatter.squares[k]);
-    moving.push_back(samples.place[k] >= fit.begin && samples.place[k] <= fit.end);
+    parts.push_back(part_at(samples.place[k], fit.motion()));
     for (std::size_t j = 0; j < free.size(); ++j) {
       columns(i, static_cast<Index>(j)) = rows[k * p + free[j]];
     }
   }
-  return {std::move(left), columns, moving, own};
+  return {std::move(left), columns, parts, own};
 }
 
 /// Adds a law with the one and two windows that help it most, to first order.
@@ -212,9 +236,10 @@ void add_with_windows(const MotionSamples& samples, const std::vector<std::size_
 
 /// Each law as it is and with windows, narrow ones and wide ones: what the ends of a stretch make
 /// of the samples a law may follow.
-std::vector<Sketch> sketches_of(const MotionSamples& samples, const std::vector<LawFit>& ranking,
+std::vector<Sketch> sketches_of(const FoundMotion& motion, const std::vector<LawFit>& ranking,
                                 const Scatter& scatter) {
   constexpr double kIns[] = {2, 1.1};
+  const MotionSamples& samples = motion.samples;
   const std::vector<std::size_t> order = optim::order_of(samples.place);
   std::vector<Sketch> result;
   for (std::size_t l = 0; l < ranking.size(); ++l) {
@@ -240,17 +265,20 @@ bool are_alike(const std::vector<Departure>& a, const std::vector<Departure>& b)
                     });
 }
 
-/// The part of a law's motion that departs.
-double share_of(const LawFit& law, const std::vector<Departure>& departures) {
-  double length = 0;
-  for (const Departure& d : departures) {
-    length += std::max(0.0, std::min(d.to, law.end) - std::max(d.from, law.begin));
+/// Whether the samples outside the stretches show the motion and the rests beside it.
+bool shows_motion(const MotionSamples& samples, const LawFit& law,
+                  const std::vector<Departure>& departures) {
+  PartCounts gone{}, all{};
+  for (const double place : samples.place) {
+    const Part part = part_at(place, law.motion());
+    ++all[part];
+    if (departs(place, departures)) ++gone[part];
   }
-  return length / (law.end - law.begin);
+  return leaves_enough(gone, all);
 }
 
 /// A sketch fitted, without the windows and what departs around them. None where more stretches
-/// depart from it than may be, or none does where there was a window.
+/// depart from it than may be, or fewer than there were windows.
 std::optional<Reading> fitted(const FoundMotion& motion, const LawFit& start,
                               const std::vector<Departure>& windows, LawFitOptions options,
                               const Scatter& scatter) {
@@ -267,7 +295,7 @@ std::optional<Reading> fitted(const FoundMotion& motion, const LawFit& start,
     if (windows.empty()) break;
     std::vector<Departure> found = departures(motion.samples, reading.law, scatter.noise);
     const bool may_be = !found.empty() && found.size() <= kMostStretches &&
-                        share_of(reading.law, found) <= kMostOfMotion;
+                        shows_motion(motion.samples, reading.law, found);
     if (!may_be) return {};
     const bool is_settled = are_alike(found, reading.departures);
     reading.departures = std::move(found);
@@ -331,7 +359,7 @@ std::vector<Reading> readings_of(const FoundMotion& motion, const std::vector<La
   plain.loss = optim::Loss::None;
   plain.loss_scale.reset();
   std::vector<Reading> readings;
-  const std::vector<Sketch> sketches = sketches_of(motion.samples, ranking, scatter);
+  const std::vector<Sketch> sketches = sketches_of(motion, ranking, scatter);
   for (std::size_t i = 0; i < std::min(kTried, sketches.size()); ++i) {
     const Sketch& sketch = sketches[i];
     if (!readings.empty() && sketch.score > sketches.front().score + kNear) break;

@@ -113,6 +113,7 @@ std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fi
     before = side;
   }
   if (static_cast<double>(count) > kMost * static_cast<double>(left.size())) return {};
+  std::erase_if(found, [&](const Departure& d) { return std::abs(d.most) <= samples.resolution; });
   reach_out(found, left);
   return joined(found);
 }

@@ -212,8 +212,9 @@ TEST_CASE("wrong points and worn stretches of a cam are named and left out",
     CHECK(fit.cam.outlying[i].distance == Approx(0.2).margin(0.03));
   }
   REQUIRE(fit.departures.size() == 1);
-  CHECK(fit.departures[0].from == Approx(250).margin(2.5));
-  CHECK(fit.departures[0].to == Approx(266).margin(2.5));
+  // Nine points 0.5 deg apart tell an end, which is told half of that wider.
+  CHECK(fit.departures[0].from == Approx(250).margin(4));
+  CHECK(fit.departures[0].to == Approx(266).margin(4));
   // Worn along the normal, read along the follower's path: not the same, but near.
   CHECK(fit.departures[0].most == Approx(-0.1).margin(0.03));
   for (const MotionFit& f : fit.cycle.fits) {
@@ -275,6 +276,7 @@ TEST_CASE("a law of many numbers does not take wear for its own", "[measured-cam
     const CamFit fit = fit_of(worn_cam(c.depth, c.at, c.width, c.seed), machine);
     bool is_trusted = true;
     for (const MotionFit& motion : fit.cycle.fits) {
+      UNSCOPED_INFO(motion.distrust);
       is_trusted = is_trusted && motion.distrust.empty();
     }
     if (!is_trusted) continue;
