@@ -290,7 +290,7 @@ TEST_CASE("a law of many numbers does not take wear for its own", "[measured-cam
       CHECK(law.law.name() == (law.to > law.from ? "modified-sine" : "cycloidal"));
     }
   }
-  CHECK(trusted >= 6);
+  CHECK(trusted > static_cast<int>(cases.size()) / 2);  // most can be told
 }
 
 TEST_CASE("where wear and another law tell a profile as well both are named",
