@@ -289,6 +289,8 @@ CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFit
     distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
   }
   weigh_readings(all, readings, fit);
+  // What a fault of the whole record makes of the laws looks worn too.
+  if (!fit.faults.empty()) fit.departures.clear();
   fit.centre = centre;
   if (centre) widen_all(fit.cycle, centre_of(fit.cam), *centre);
   return fit;
