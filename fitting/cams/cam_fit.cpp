@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/cams/cam_fit.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "fitting/cams/cam_faults.h"
 #include "fitting/motions/fault_words.h"
+#include "fitting/motions/law_choice.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/recorded_motion.h"
 #include "numerics/tables/turn.h"
@@ -13,55 +19,6 @@
 
 namespace camlaw::problems {
 namespace {
-
-/// A law with what departs from it.
-struct Explanation {
-  LawFit law;
-  std::vector<Departure> departures;
-  double cost = 0;
-};
-
-/// What it takes to tell the samples by the law: squares in units of the noise, two for each number
-/// of the law and each end of a stretch, and for a sample that departs as much as for one that lies
-/// 2.5 deviations off.
-double cost_of(const Explanation& told, double noise) {
-  constexpr double kOff = 2.5;
-  double cost =
-      told.law.fit.sum_of_squares / (noise * noise) + 2 * static_cast<double>(told.law.numbers);
-  for (const Departure& d : told.departures) {
-    cost += 4 + kOff * kOff * static_cast<double>(d.count);
-  }
-  return cost;
-}
-
-/// Departures from a law, which is fitted again without them until no more do.
-Explanation explained(const FoundMotion& motion, LawFit law, LawFitOptions options, double noise) {
-  options.skew = law.skew;
-  constexpr int kPasses = 4;
-  Explanation told{std::move(law), {}, 0};
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const std::size_t before = told.departures.size();
-    told.departures = departures(motion.samples, told.law, noise);
-    if (pass > 0 && told.departures.size() == before) break;
-    const MotionGuess guess{told.law.begin, told.law.end, told.law.from, told.law.to};
-    told.law = fit_law(without(motion.samples, told.departures), told.law.law, guess, options);
-  }
-  told.cost = cost_of(told, noise);
-  return told;
-}
-
-/// The law that tells one motion best, with what departs from it.
-std::optional<Explanation> best_explanation(const FoundMotion& motion,
-                                            const std::vector<LawFit>& ranking,
-                                            const LawFitOptions& options, double noise) {
-  constexpr std::size_t kTried = 8;
-  std::optional<Explanation> best;
-  for (std::size_t i = 0; i < std::min(kTried, ranking.size()); ++i) {
-    Explanation told = explained(motion, ranking[i], options, noise);
-    if (!best || told.cost < best->cost) best = std::move(told);
-  }
-  return best;
-}
 
 /// All laws, so that what departs does not pull them to itself.
 Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
@@ -72,29 +29,59 @@ Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& law
   return rank_fits(motion.samples, laws, motion.guess, robust);
 }
 
-/// What it takes to tell all samples with a fault of the record, as cost_of() counts.
-FaultScore by_cost(double noise) {
-  return {[noise](std::size_t, std::size_t numbers, double squares) {
-            return squares / (noise * noise) + 2 * static_cast<double>(numbers);
+/// What it takes to tell all samples with a fault of the record, as (WR1) counts.
+FaultScore by_score(double noise) {
+  return {[noise](std::size_t n, std::size_t numbers, double squares) {
+            return squares / (noise * noise) +
+                   std::log(static_cast<double>(n)) * static_cast<double>(numbers);
           },
           false};
 }
 
-struct Departed {
-  std::vector<Departure> stretches;
-  std::vector<std::string> untried;  ///< laws that the deadline left no time for
+/// How the motions of a cam can be read.
+struct CycleReadings {
+  std::vector<std::vector<Reading>> of;  ///< of each motion, the best first
+  std::vector<Departure> stretches;      ///< what departs, of all motions
+  std::vector<Scatter> scatter;          ///< of each motion's samples
+  std::vector<std::string> untried;      ///< laws that the deadline left no time for
 };
 
-/// Stretches that depart, of all motions; none where a fault of the record tells the samples
-/// better, or where a law that was not tried might.
-Departed departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
-                       const std::vector<Member>& laws, const LawFitOptions& options,
-                       double noise) {
-  std::vector<Departure> departed;
-  std::vector<std::string> untried;
+/// Stretches around the turn, each once: what is worn where two motions meet departs from both.
+std::vector<Departure> around_turn(std::vector<Departure> stretches) {
+  constexpr double kBeside = 1;  // deg
+  for (Departure& d : stretches) {
+    const double from = in_period(d.from, 0, kTurnDegrees);
+    d.to += from - d.from, d.from = from;
+  }
+  std::sort(stretches.begin(), stretches.end(),
+            [](const Departure& a, const Departure& b) { return a.from < b.from; });
+  std::vector<Departure> result;
+  const auto join = [&](Departure& before, const Departure& after, double shift) {
+    const bool is_same = (before.most > 0) == (after.most > 0);
+    if (!is_same || after.from + shift > before.to + kBeside) return false;
+    before.to = std::max(before.to, after.to + shift);
+    before.count += after.count;
+    if (std::abs(after.most) > std::abs(before.most)) before.most = after.most;
+    return true;
+  };
+  for (const Departure& d : stretches) {
+    if (result.empty() || !join(result.back(), d, 0)) result.push_back(d);
+  }
+  if (result.size() > 1 && join(result.back(), result.front(), kTurnDegrees)) {
+    result.erase(result.begin());
+  }
+  return result;
+}
+
+/// Of all motions; none departs where a fault of the record tells the samples better, or where a
+/// law that was not tried might.
+CycleReadings readings_of_cycle(const MeasuredCam& cam, const FoundCycle& cycle,
+                                const std::vector<Member>& laws, const LawFitOptions& options,
+                                double noise) {
+  CycleReadings result;
   std::vector<std::vector<LawFit>> rankings;
   std::vector<MotionSamples> samples;
-  double cost = 0;
+  double score = 0, most = noise;
   const auto count = static_cast<double>(cycle.motions.size());
   for (const FoundMotion& motion : cycle.motions) {
     const auto before = static_cast<double>(samples.size());
@@ -102,19 +89,85 @@ Departed departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
     samples.push_back(motion.samples);
     Ranking ranking = robust_ranking(motion, laws, part, noise);
     rankings.push_back(std::move(ranking.fits));
-    add_names(ranking.untried, untried);
-    if (!untried.empty()) continue;
-    auto best = best_explanation(motion, rankings.back(), options, noise);
-    if (!best) continue;
-    cost += best->cost;
-    departed.insert(departed.end(), best->departures.begin(), best->departures.end());
+    add_names(ranking.untried, result.untried);
+    if (!result.untried.empty()) continue;
+    result.scatter.push_back(scatter_of(motion, rankings.back(), noise));
+    most = std::max(most, result.scatter.back().noise);
+    result.of.push_back(readings_of(motion, rankings.back(), part, result.scatter.back()));
+    if (result.of.back().empty()) continue;
+    const Reading& best = result.of.back().front();
+    score += best.score;
+    result.stretches.insert(result.stretches.end(), best.departures.begin(), best.departures.end());
   }
-  if (!untried.empty() || departed.empty()) return {{}, std::move(untried)};
+  if (!result.untried.empty()) return {{}, {}, {}, std::move(result.untried)};
+  if (result.stretches.empty()) return result;
   for (PossibleFault& fault : possible_faults(cam)) {
-    const FaultTest test = test_fault(rankings, samples, std::move(fault), by_cost(noise));
-    if (test.score < cost) return {};
+    const FaultTest test = test_fault(rankings, samples, std::move(fault), by_score(most));
+    if (test.score < score) result.stretches.clear();
   }
-  return {std::move(departed), {}};
+  result.stretches = around_turn(std::move(result.stretches));
+  return result;
+}
+
+/// What a motion was taken for, without the stretches that were left out; `all` are its samples
+/// with these, maybe a turn apart.
+Reading chosen_reading(const MotionFit& fit, const FoundMotion& all,
+                       const std::vector<Departure>& stretches, const Scatter& scatter) {
+  Reading chosen{fit.best(), {}, 0};
+  const double shift =
+      kTurnDegrees * std::round((chosen.law.begin - all.guess.begin) / kTurnDegrees);
+  chosen.law.begin -= shift, chosen.law.end -= shift;
+  for (const Departure& d : departures(all.samples, chosen.law, scatter.noise)) {
+    if (departs(std::midpoint(d.from, d.to), stretches, kTurnDegrees)) {
+      chosen.departures.push_back(d);
+    }
+  }
+  chosen.score = score_of(chosen.law, chosen.departures, stretches, scatter, kTurnDegrees);
+  return chosen;
+}
+
+/// Which of the motions of another division of the turn it is: where their middles are nearest.
+std::size_t same_motion_of(const MotionFit& fit, const FoundCycle& all) {
+  const auto middle = [](const FoundMotion& m) {
+    return std::midpoint(m.guess.begin, m.guess.end);
+  };
+  const auto distance = [&](const FoundMotion& m) {
+    return std::abs(std::remainder(middle(m) - middle(fit.motion), kTurnDegrees));
+  };
+  const auto nearest =
+      std::min_element(all.motions.begin(), all.motions.end(),
+                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - all.motions.begin());
+}
+
+/// Trusts no motion that can be read in another way as well, and tells the stretches as what was
+/// found for the motions has them.
+void weigh_readings(const FoundCycle& all, const CycleReadings& readings, CamFit& fit) {
+  if (readings.of.empty()) return;  // laws were not tried
+  const std::string& unit = fit.cam.samples.unit;
+  std::vector<Departure> named;
+  for (std::size_t k = 0; k < fit.cycle.fits.size(); ++k) {
+    MotionFit& motion = fit.cycle.fits[k];
+    const std::size_t own = same_motion_of(motion, all);
+    const Scatter& scatter = readings.scatter[own];
+    const Reading chosen = chosen_reading(motion, all.motions[own], readings.stretches, scatter);
+    named.insert(named.end(), chosen.departures.begin(), chosen.departures.end());
+    const std::vector<Reading> rivals = rivals_of(chosen, readings.of[own]);
+    if (rivals.empty()) continue;
+    std::vector<std::string> words{reading_words(chosen, unit)};
+    for (const Reading& rival : rivals) {
+      if (words.size() <= kFewLaws) words.push_back(reading_words(rival, unit));
+      fit.others.push_back({k, rival});
+    }
+    motion.distrust += fmt::format("{}the samples can be read in {} ways: {}",
+                                   motion.distrust.empty() ? "" : "; or ", words.size(),
+                                   fmt::join(words, "; or "));
+  }
+  for (const Departure& stretch : readings.stretches) {
+    const double middle = std::midpoint(stretch.from, stretch.to);
+    if (!departs(middle, named, kTurnDegrees)) named.push_back(stretch);
+  }
+  fit.departures = around_turn(std::move(named));
 }
 
 /// What is left of a cam where a size of its follower is as far off as that.
@@ -222,18 +275,22 @@ CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFit
   FoundCycle cycle = find_motions(cam.samples);
   const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() / cam.unit());
   constexpr double kFirst = 0.5;  // of the work
-  Departed departed = departures_of(cam, cycle, laws, part_of(options, 0, kFirst), noise);
-  if (!departed.stretches.empty()) {
-    cycle = find_motions(without(cam.samples, departed.stretches, kTurnDegrees));
+  CycleReadings readings = readings_of_cycle(cam, cycle, laws, part_of(options, 0, kFirst), noise);
+  const FoundCycle all = cycle;
+  if (!readings.stretches.empty()) {
+    cycle = find_motions(without(cam.samples, readings.stretches, kTurnDegrees));
   }
   CamFit fit{std::move(cam), fit_cycle(std::move(cycle), laws, part_of(options, kFirst, 1)),
-             std::move(departed.stretches)};
-  if (centre) add_names(centre->untried, departed.untried);
-  distrust_untried(fit.cycle, departed.untried);
+             readings.stretches};
+  if (centre) add_names(centre->untried, readings.untried);
+  distrust_untried(fit.cycle, readings.untried);
   if (are_tried(fit.cycle)) fit.faults = faults_of(fit, without_deadline(options));
   if (!fit.faults.empty()) {
     distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
   }
+  weigh_readings(all, readings, fit);
+  // What a fault of the whole record makes of the laws looks worn too.
+  if (!fit.faults.empty()) fit.departures.clear();
   fit.centre = centre;
   if (centre) widen_all(fit.cycle, centre_of(fit.cam), *centre);
   return fit;

@@ -36,6 +36,25 @@ int side_at(const std::vector<LeftOver>& left, std::size_t k, double noise) {
   return mean > 0 ? 1 : -1;
 }
 
+/// What lies between the samples and the law at sample k: of the parabola through nine neighbours,
+/// which are evenly apart or nearly so, by orthogonal polynomials 1, t, t^2 - 20/3 of t = -4 to 4.
+double difference_at(const std::vector<LeftOver>& left, std::size_t k) {
+  constexpr double kMean = 20.0 / 3;              // of t^2
+  constexpr double kOfSlope = 60, kOfBend = 308;  // sums of squares
+  const std::size_t first = std::min(std::max(k, kHalf) - kHalf, left.size() - 2 * kHalf - 1);
+  const auto from_middle = [&](std::size_t i) {
+    return static_cast<double>(i) - static_cast<double>(first + kHalf);
+  };
+  const double at = from_middle(k);
+  double sum = 0;
+  for (std::size_t i = first; i <= first + 2 * kHalf; ++i) {
+    const double t = from_middle(i);
+    sum += left[i].value *
+           (1 / kCount + at * t / kOfSlope + (at * at - kMean) * (t * t - kMean) / kOfBend);
+  }
+  return sum;
+}
+
 /// A stretch begins and ends before its mean tells it from the noise: half a window further out.
 void reach_out(std::vector<Departure>& found, const std::vector<LeftOver>& left) {
   for (Departure& stretch : found) {
@@ -54,10 +73,28 @@ void reach_out(std::vector<Departure>& found, const std::vector<LeftOver>& left)
   }
 }
 
+/// Stretches on one side that meet are one.
+std::vector<Departure> joined(const std::vector<Departure>& stretches) {
+  std::vector<Departure> result;
+  for (const Departure& d : stretches) {
+    const bool is_apart =
+        result.empty() || d.from > result.back().to || (d.most > 0) != (result.back().most > 0);
+    if (is_apart) {
+      result.push_back(d);
+      continue;
+    }
+    Departure& before = result.back();
+    before.count += d.count;
+    before.to = std::max(before.to, d.to);
+    if (std::abs(d.most) > std::abs(before.most)) before.most = d.most;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise) {
-  constexpr double kMost = 1.0 / 3;
+  constexpr double kMost = 0.5;
   const std::vector<LeftOver> left = left_of(samples, fit);
   if (left.size() < 2 * kHalf + 1) return {};
   std::vector<Departure> found;
@@ -70,13 +107,15 @@ std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fi
       Departure& stretch = found.back();
       stretch.to = left[k].place;
       ++stretch.count, ++count;
-      if (std::abs(left[k].value) > std::abs(stretch.most)) stretch.most = left[k].value;
+      const double difference = difference_at(left, k);
+      if (side * difference > side * stretch.most) stretch.most = difference;
     }
     before = side;
   }
   if (static_cast<double>(count) > kMost * static_cast<double>(left.size())) return {};
+  std::erase_if(found, [&](const Departure& d) { return std::abs(d.most) <= samples.resolution; });
   reach_out(found, left);
-  return found;
+  return joined(found);
 }
 
 bool departs(double place, const std::vector<Departure>& stretches, double period) {

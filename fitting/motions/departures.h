@@ -11,14 +11,16 @@ namespace camlaw::problems {
 /// A stretch of neighbouring samples on one side of the law.
 struct Departure {
   double from, to;    ///< places
-  double most;        ///< the largest difference, sample less law
+  double most;        ///< the largest difference, samples less law, of a curve through neighbours
   std::size_t count;  ///< of samples
 };
 
 /// Stretches in which the mean of nine neighbouring samples lies more than 4.5 standard deviations
 /// of such a mean off the law, `noise` being that of one sample: in 1000 samples of the law itself
-/// chance makes one in about a hundredth of all cases. Each is told half a window wider. None where
-/// more than a third of the samples departs: then it is not the law that the others follow.
+/// chance makes one in about a hundredth of all cases. Each is told half a window wider, and those
+/// on one side that meet as one. Its largest difference is that of parabolas through nine
+/// neighbours (Savitzky and Golay 1964); what is within the samples' resolution is no departure.
+/// None where more than half of the samples departs: then it is not the law that the others follow.
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise);
 
 /// Whether a place lies in one of the stretches, in a cycle that begins anew after `period` (0: not

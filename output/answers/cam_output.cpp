@@ -33,6 +33,13 @@ void add_outlying(const CamFit& fit, Document& document) {
                            outlying.size() > kShown ? "  ...\n" : ""));
 }
 
+Json facts_of(const problems::Departure& d) {
+  return {{"from", to_json(d.from)},
+          {"to", to_json(d.to)},
+          {"most", to_json(d.most)},
+          {"samples", d.count}};
+}
+
 void add_departures(const CamFit& fit, Document& document) {
   Json list = Json::array();
   for (const problems::Departure& d : fit.departures) {
@@ -40,12 +47,22 @@ void add_departures(const CamFit& fit, Document& document) {
         "from {} to {} the lift is up to {} {} than the law{}; it is left out\n", number(d.from),
         with_unit(number(d.to), "deg"), with_unit(number(std::abs(d.most)), fit.cam.samples.unit),
         d.most < 0 ? "lower" : "higher", d.most < 0 ? ", as where it is worn" : ""));
-    list.push_back({{"from", to_json(d.from)},
-                    {"to", to_json(d.to)},
-                    {"most", to_json(d.most)},
-                    {"samples", d.count}});
+    list.push_back(facts_of(d));
   }
   document.fact("departures", list);
+}
+
+/// Readings that explain a motion as well; its reason names them in words.
+void add_others(const CamFit& fit, Document& document) {
+  Json list = Json::array();
+  for (const problems::OtherReading& other : fit.others) {
+    Json stretches = Json::array();
+    for (const auto& d : other.reading.departures) stretches.push_back(facts_of(d));
+    list.push_back({{"motion", other.motion + 1},
+                    {"law", other.reading.law.law.label()},
+                    {"departures", stretches}});
+  }
+  document.fact("other_readings", list);
 }
 
 }  // namespace
@@ -62,6 +79,7 @@ Document cam_document(const CamFit& fit) {
   document.fact("point_deviation", deviation);
   add_outlying(fit, document);
   add_departures(fit, document);
+  add_others(fit, document);
   document.say("\n");
   return document;
 }
