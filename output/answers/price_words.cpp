@@ -77,6 +77,16 @@ double rounded_up(double by) {
   return std::ceil(steps - kRounding) * unit;
 }
 
+/// The side that a cure eases: "both" of a limit on the size of a curve.
+const char* side_of(const problems::ProblemStatement& problem, const optim::Easing& easing) {
+  const bool is_both =
+      !easing.is_bound &&
+      std::any_of(problem.constraints.begin(), problem.constraints.end(), [&](const auto& c) {
+        return c.response.name == easing.name && c.lower && c.upper && *c.lower == -*c.upper;
+      });
+  return is_both ? "both" : easing.is_upper ? "upper" : "lower";
+}
+
 /// "the limit on undercut"; of one with two sides "the upper limit on", and of one on the size of a
 /// curve "both limits on".
 std::string limit_words(const problems::ProblemStatement& problem, const optim::Easing& easing) {
@@ -196,6 +206,7 @@ std::string failing_words(const std::vector<std::string>& names) {
 std::string cure_words(const Answer& answer) {
   const auto [all, alone] = cures_of(answer);
   if (all.empty()) return "";
+  const char* const by_this = answer.space.choices.empty() ? "" : " by this combination";
   if (!alone) {
     constexpr std::size_t kEasing = 7;  // "easing "
     std::vector<std::string> parts;
@@ -205,8 +216,8 @@ std::string cure_words(const Answer& answer) {
         "what would let every limit be met, by the design above\n  easing {} together{}\n",
         problems::listed(parts), failing_words(still_failing(answer, all.front())));
   }
-  std::string text = all.size() == 1 ? "what would let every limit be met\n"
-                                     : "what would let every limit be met, each alone\n";
+  std::string text = fmt::format("what would let every limit be met{}{}\n", by_this,
+                                 all.size() == 1 ? "" : ", each alone");
   for (const optim::Easing& easing : all) {
     text += fmt::format("  {}{}\n", easing_words(answer.bound.statement(), easing),
                         failing_words(still_failing(answer, easing)));
@@ -221,7 +232,7 @@ Json cures_json(const Answer& answer) {
   for (const optim::Easing& easing : all) {
     list.push_back({{"name", easing.name},
                     {"is_bound", easing.is_bound},
-                    {"side", easing.is_upper ? "upper" : "lower"},
+                    {"side", side_of(answer.bound.statement(), easing)},
                     {"unit", easing.unit},
                     {"bound", to_json(easing.bound)},
                     {"by", to_json(easing.by)},
