@@ -209,12 +209,11 @@ double peak_of(const Response& response, double sign, MaximaAt& maxima, Design x
   return sign * maxima.highest(response.curve(), sign).value;
 }
 
-/// How far a limit is broken, in its response's unit; below 0 where it has room, infinite where the
-/// response is not a number.
+/// How far a limit is broken, in its response's unit; below 0 where it has room.
 double violation(const Constraint& c, MaximaAt& maxima, Design x) {
   const double above = c.upper ? peak_of(c.response, 1, maxima, x) - *c.upper : -kInfinity;
   const double below = c.lower ? peak_of(c.response, -1, maxima, x) + *c.lower : -kInfinity;
-  return std::isnan(above) || std::isnan(below) ? kInfinity : std::max(above, below);
+  return std::max(above, below);
 }
 
 }  // namespace

@@ -201,13 +201,16 @@ void search_around(const Setting& setting, const std::vector<double>& ends, Trai
   if (!is_wide || trail.is_infeasible()) return;
   const int alike = agreed(ends, a.objective.value, trail.scales.objective);
   const bool is_agreed = is_settled(a) && 2 * alike > static_cast<int>(ends.size());
-  if (is_agreed && !is_quick(setting.problem)) return;
+  const bool is_line = setting.problem.variables.size() == 1;  // which the look fills densely
+  if (is_agreed && !is_line && !is_quick(setting.problem)) return;
   for (int i = 0; i < kTimes && !setting.deadline.passed(); ++i) {
     if (is_settled(a) && (a.is_global || is_near_limit(setting.original, a))) return;
     const auto x = better_elsewhere(setting, trail);
     if (!x) return;
     const Scales there = scales(setting.problem, *x);
-    trail.take(*x, there, assess(setting.problem, there, *x, false));
+    const Assessment own = assess(setting.problem, there, *x, false);
+    if (!is_feasible(own)) return;
+    trail.take(*x, there, own);
     search_from_start(*x, setting, trail);
   }
 }
@@ -291,12 +294,13 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   const bool is_begun = !known.empty() && known.front().end != StartEnd::NotBegun;
   if (!is_begun && is_judged_without_search(setting, trail)) return;
   search_starts(setting, trail, ends, std::move(known));
-  search_around(setting, ends, trail);
+  if (is_quick(problem)) search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
   search_along_edge(setting, trail);
+  if (!is_quick(problem) && !trail.is_at_edge()) search_around(setting, ends, trail);
   const bool may_be_endless = trail.unbounded && !trail.is_at_edge();
   if (may_be_endless && trail.is_within_limits() && !is_settled(found.assessment)) {
     found.status = Status::Unbounded;

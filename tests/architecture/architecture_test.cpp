@@ -425,6 +425,8 @@ TEST_CASE("every source is compiled, every header is included somewhere", "[arch
   for (const std::string& file : sources()) {
     INFO(file);
     const std::string room = room_of(file);
+    const bool is_found = room == "machines" && file.find('/', room.size() + 1) == file.npos;
+    if (is_found && file.ends_with(".cpp")) continue;  // by CMake
     if (file.ends_with(".cpp")) {
       CHECK(words_of(root / room / "CMakeLists.txt").count(file.substr(room.size() + 1)) == 1);
     } else {

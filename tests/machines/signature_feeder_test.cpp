@@ -158,7 +158,7 @@ TEST_CASE("a rack that leaves its guide is not a design", "[signature-feeder]") 
   m.crank_radius = 0.702;
   CHECK_FALSE(is_possible(m));
   m = {};
-  m.pinion_radius = 0.61;
+  m.pinion_radius = 0.6101;
   CHECK_FALSE(is_possible(m));
   const TestDesign design = design_of(feeder(), "constant-velocity", {}, {"offset"});
   const auto length = response_of(feeder(), "guide_length", design.binding);
