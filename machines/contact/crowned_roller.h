@@ -84,4 +84,10 @@ struct RollerFilm {
   }
 };
 
+template <class T, class K, class X>
+RollerFilm<T, K, X> roller_film(const Lubricant<T>& oil, const PressedRoller<T, K, X>& roller,
+                                const X& speed) {
+  return {oil, roller, speed};
+}
+
 }  // namespace camlaw
