@@ -50,12 +50,6 @@ struct BarrelIndexCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(station_angle(stations), motion);
   }
-  /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
-  /// since it took over.
-  template <class X>
-  X angle(const X& gain) const {
-    return gain - step() / number<T>(2);
-  }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }
   /// x, m: height over the plane through the cam's axis that the rollers stand on.

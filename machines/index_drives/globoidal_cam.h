@@ -49,12 +49,6 @@ struct GloboidalCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(station_angle(stations), motion);
   }
-  /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
-  /// since it took over.
-  template <class X>
-  X angle(const X& gain) const {
-    return gain - step() / number<T>(2);
-  }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }
   /// u, m, from the turret's axis.

@@ -13,6 +13,14 @@ namespace camlaw::problems {
 /// Sides of the roller: on that behind it the rib drives, on that before it the next one holds.
 inline constexpr double kDrives = -1, kHolds = 1;
 
+/// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
+/// since it took over.
+template <class Drive, class X>
+X rib_angle(const Drive& drive, const X& gain) {
+  using T = std::decay_t<decltype(drive.step())>;
+  return gain - drive.step() / number<T>(2);
+}
+
 /// (IX18) Force between the flank that bears and the roller, N, as if it acted at the middle, above
 /// 0 where it drives: N = M / (R cos alpha).
 template <class Drive, class X>
@@ -80,7 +88,7 @@ MechanismResponse rib_curve(ResponseAbout about, F formula) {
   return cam_curve<M>(std::move(about), [formula](const auto& drive, const auto& f) {
     using X = std::decay_t<decltype(f.s)>;
     return handed_over(f.s, drive.step(),
-                       [&](const X& gain) { return X(formula(drive, X(drive.angle(gain)), f)); });
+                       [&](const X& gain) { return X(formula(drive, rib_angle(drive, gain), f)); });
   });
 }
 
@@ -114,14 +122,14 @@ std::vector<MechanismResponse> contact_lines() {
             short_place(place) +
             ", in cam coordinates; in a dwell at a hand-over, of the roller that takes over";
         const ContactPlace which{coordinate, place, side};
-        all.push_back(cam_curve<M>({name, "mm", "m", meaning},
-                                   [which](const auto& drive, const auto& f, const auto& x) {
-                                     using X = std::decay_t<decltype(x)>;
-                                     return handed_over(f.s, drive.step(), [&](const X& gain) {
-                                       return contact_coordinate(drive, which, X(drive.angle(gain)),
-                                                                 f, X(number<X>(2) * pi<X>() * x));
-                                     });
-                                   }));
+        all.push_back(cam_curve<M>(
+            {name, "mm", "m", meaning}, [which](const auto& drive, const auto& f, const auto& x) {
+              using X = std::decay_t<decltype(x)>;
+              return handed_over(f.s, drive.step(), [&](const X& gain) {
+                return contact_coordinate(drive, which, rib_angle(drive, gain), f,
+                                          X(number<X>(2) * pi<X>() * x));
+              });
+            }));
       }
     }
   }
@@ -169,7 +177,7 @@ std::vector<MechanismResponse> rib_responses() {
        "angle between the line of centres and the driving roller, in a dwell at a hand-over the "
        "one that takes over"},
       [](const auto& drive, const auto& f) {
-        return drive.angle(since_handover(f.s, drive.step()));
+        return rib_angle(drive, since_handover(f.s, drive.step()));
       }));
   for (const RollerPlace place : {RollerPlace::Middle, RollerPlace::Root, RollerPlace::Tip}) {
     append(all, rib_place_responses<M>(place));
@@ -197,7 +205,8 @@ std::vector<MechanismResponse> rib_responses() {
                                  [](const auto& drive, const auto& f, const auto& formula) {
                                    using X = std::decay_t<decltype(f.s)>;
                                    return handed_over(f.s, drive.step(), [&](const X& gain) {
-                                     return of_pressed_rib(drive, X(drive.angle(gain)), f, formula);
+                                     return of_pressed_rib(drive, rib_angle(drive, gain), f,
+                                                           formula);
                                    });
                                  }));
   append(all, contact_lines<M>());

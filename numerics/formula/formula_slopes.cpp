@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "numerics/formula/operations.h"
 #include "numerics/formula/steps.h"

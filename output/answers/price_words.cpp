@@ -77,33 +77,36 @@ double rounded_up(double by) {
   return std::ceil(steps - kRounding) * unit;
 }
 
-/// The side that a cure eases: "both" of a limit on the size of a curve.
-const char* side_of(const problems::ProblemStatement& problem, const optim::Easing& easing) {
-  const bool is_both =
-      !easing.is_bound &&
-      std::any_of(problem.constraints.begin(), problem.constraints.end(), [&](const auto& c) {
-        return c.response.name == easing.name && c.lower && c.upper && *c.lower == -*c.upper;
-      });
-  return is_both ? "both" : easing.is_upper ? "upper" : "lower";
+/// The limit with two sides that a cure eases; null where it eases another.
+const problems::ConstraintStatement* two_sided(const problems::ProblemStatement& problem,
+                                               const optim::Easing& easing) {
+  if (easing.is_bound) return nullptr;
+  for (const problems::ConstraintStatement& c : problem.constraints) {
+    if (c.response.name == easing.name && c.lower && c.upper) return &c;
+  }
+  return nullptr;
 }
 
-/// "the limit on undercut"; of one with two sides "the upper limit on", and of one on the size of a
-/// curve "both limits on".
+/// The side that a cure eases: "both" of a limit on the size of a curve.
+const char* side_of(const problems::ProblemStatement& problem, const optim::Easing& easing) {
+  const problems::ConstraintStatement* limit = two_sided(problem, easing);
+  if (limit != nullptr && *limit->lower == -*limit->upper) return "both";
+  return easing.is_upper ? "upper" : "lower";
+}
+
+/// "the limit on undercut", "the upper limit on", "both limits on".
 std::string limit_words(const problems::ProblemStatement& problem, const optim::Easing& easing) {
-  for (const problems::ConstraintStatement& c : problem.constraints) {
-    if (c.response.name != easing.name || !c.lower || !c.upper) continue;
-    if (*c.lower == -*c.upper) return "both limits on " + easing.name;
-    return fmt::format("the {} limit on {}", easing.is_upper ? "upper" : "lower", easing.name);
-  }
-  return "the limit on " + easing.name;
+  if (two_sided(problem, easing) == nullptr) return "the limit on " + easing.name;
+  const std::string side = side_of(problem, easing);
+  return side == "both" ? "both limits on " + easing.name
+                        : fmt::format("the {} limit on {}", side, easing.name);
 }
 
 /// "easing the upper bound of base_radius by 1.2 mm".
 std::string easing_words(const problems::ProblemStatement& problem, const optim::Easing& easing) {
   const std::string what =
-      easing.is_bound
-          ? fmt::format("the {} bound of {}", easing.is_upper ? "upper" : "lower", easing.name)
-          : limit_words(problem, easing);
+      easing.is_bound ? fmt::format("the {} bound of {}", side_of(problem, easing), easing.name)
+                      : limit_words(problem, easing);
   return fmt::format("easing {} by {}", what,
                      with_unit(in_digits(rounded_up(easing.by), 4), easing.unit));
 }

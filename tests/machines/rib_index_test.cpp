@@ -135,7 +135,7 @@ void check_envelope(const Drive& drive, const TurretMotion& motion) {
   const Mover<Drive> mover{drive, motion};
   // s of the drive's formulas counts from half a pitch before the line of centres.
   const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
-  REQUIRE(drive.angle(f.s) == Approx(motion.psi).margin(1e-9));
+  REQUIRE(rib_angle(drive, f.s) == Approx(motion.psi).margin(1e-9));
   for (const RollerPlace place : {RollerPlace::Root, RollerPlace::Middle, RollerPlace::Tip}) {
     const RuledContact<double> contact = drive.contact(place, motion.psi, f);
     const double u = drive.distance_at(place);
