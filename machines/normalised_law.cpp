@@ -211,7 +211,7 @@ std::vector<MechanismResponse> responses() {
 Mechanism normalised_law_mechanism() {
   using P = optim::Part;
   return {.name = "law",
-          .title = "a motion law alone, normalised",
+          .title = "a normalised motion law without a mechanism",
           .source = "VDI 2143",
           .parameters = parameters_of<Followers>(),
           .responses = responses(),

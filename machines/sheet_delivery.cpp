@@ -49,7 +49,7 @@ std::vector<MechanismResponse> delivery_numbers() {
           {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
           [](const auto& drive) { return drive.efficiency_O(); }),
       number_response<SheetDelivery>(
-          {"boundary_efficiency", "1", "1", "efficiency where speeding up and slowing down meet"},
+          {"boundary_efficiency", "1", "1", "efficiency at the end of acceleration, where deceleration begins"},
           [](const auto& drive) { return drive.boundary_efficiency(); })};
 }
 

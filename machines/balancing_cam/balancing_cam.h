@@ -19,7 +19,7 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   using Drive = GenevaDrive<T, Wheel>;
 
   T design_speed = this->given(
-      {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is cut for", 60, 1e-3, 1e6});
+      {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is designed for", 60, 1e-3, 1e6});
   T preload_ratio = this->given(
       {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 0.02, 100});
   T springs = this->given(

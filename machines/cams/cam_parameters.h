@@ -117,8 +117,8 @@ inline constexpr MachineParameter kTrainStiffness{
     "c_t",
     "N/mm",
     "N/m",
-    "stiffness between the cam and the follower's end; 0 stands for a rigid "
-    "follower, without the responses of its end",
+    "stiffness between the cam and the follower's end; 0 makes the follower "
+    "rigid, and the responses of its end are undefined",
     0,
     0,
     1e9},

@@ -22,9 +22,10 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, pair_responses<ConjugateCam>(kMain, kSecond));
   append(all, pair_crown_responses<ConjugateCam>());
   append(all, pair_duty_responses<ConjugateCam>(kMain, kSecond));
-  append(all,
-         film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
-                                      [](const auto& cam, const auto& f) { return cam.film(f); }));
+  append(all, film_responses<ConjugateCam>({"undercut", "second_undercut"}, "loaded cam",
+                                           [](const auto& cam, const auto& f, const auto& formula) {
+                                             return formula(cam.film(f));
+                                           }));
   all.push_back(guide_response<ConjugateCam>());
   all.push_back(overhang_response<ConjugateCam>());
   append(all, drawn_responses<ConjugateCam>(false));
@@ -33,8 +34,8 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, extent_responses<ConjugateCam>());
   all.push_back(
       number_response<ConjugateCam>({"second_base_radius", "mm", "m",
-                                     "radius of the second cam's profile at displacement 1: the "
-                                     "least one of programs that go no further"},
+                                     "radius of the second cam's profile at displacement 1, its "
+                                     "least radius if no displacement is above 1"},
                                     [](const auto& cam) { return cam.second_base_radius(); }));
   return all;
 }

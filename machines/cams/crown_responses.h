@@ -50,16 +50,16 @@ std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& u
   return all;
 }
 
-/// Of a machine M with over_angle(), from film(machine, motion of the follower), a RollerFilm, the
-/// roller on its cam by the name given.
-template <template <class> class M, class Film>
+/// Of a machine M with over_angle(), from of_film(machine, f, formula) -> X, which is
+/// formula(RollerFilm) of the roller that bears at the motion f, on its cam by the name given.
+template <template <class> class M, class OfFilm>
 std::vector<MechanismResponse> film_responses(const std::vector<std::string>& undercuts,
-                                              const std::string& cam_name, Film film) {
+                                              const std::string& cam_name, OfFilm of_film) {
   std::vector<MechanismResponse> all;
   const auto add = [&](ResponseAbout about, auto formula) {
-    all.push_back(cam_curve<M>(std::move(about), [film, formula](const auto& cam, const auto& f) {
-      return formula(film(cam, f));
-    }));
+    all.push_back(cam_curve<M>(
+        std::move(about),
+        [of_film, formula](const auto& cam, const auto& f) { return of_film(cam, f, formula); }));
     for (const std::string& undercut : undercuts) {
       all.back().defined_while.push_back({.response = undercut, .upper = 1});
     }

@@ -88,11 +88,12 @@ std::vector<MechanismResponse> duty_responses() {
       [](const auto& cam, const auto& f) {
         return absolute(cam.contact_force(f)) / cam.duty.static_rating;
       }));
-  append(all, film_responses<M>({"undercut"}, "cam", [](const auto& cam, const auto& f) {
-           return roller_film(
-               cam.duty.lubricant(), own_flank_roller(cam, f),
-               cam.angular_speed * rolled_way(cam.pitch_curve(f), cam.roller_radius));
-         }));
+  append(all, film_responses<M>(
+                  {"undercut"}, "cam", [](const auto& cam, const auto& f, const auto& formula) {
+                    return formula(roller_film(
+                        cam.duty.lubricant(), own_flank_roller(cam, f),
+                        cam.angular_speed * rolled_way(cam.pitch_curve(f), cam.roller_radius)));
+                  }));
   for (const char* of_contact :
        {"max_shear", "shear_depth", "crown_stress", "crown_shear", "crown_shear_depth",
         "crown_half_length", "crown_fraction", "crown_elongation", "film_thickness", "lambda_ratio",

@@ -49,7 +49,7 @@ Mechanism knife_edge_cam_mechanism() {
                  {"sharpest_curvature", "profile_curvature", Part::Highest,
                   "greatest curvature of the profile"},
                  {"least_curvature", "profile_curvature", Part::Lowest,
-                  "least curvature of the profile; above 0 the profile is convex all round"},
+                  "least curvature of the profile; above 0 the whole profile is convex"},
                  least_force(),
                  peak_force(),
                  peak_torque(),

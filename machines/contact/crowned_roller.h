@@ -15,14 +15,14 @@ template <class T, class K, class X>
 struct PressedRoller {
   X force;       ///< F, N
   X across;      ///< sum of the curvatures square to the line of contact, without a crown, 1/m
-  X greater;     ///< the greater principal sum of the curvatures with the crown, 1/m
-  K smaller;     ///< the smaller one
+  X rolling;     ///< the principal sum of the curvatures towards which the roller rolls, 1/m
+  K along;       ///< the other one, of the crown
   T face_width;  ///< b, m
   LineContact<T> material;
 
   /// (RB10)
   ContactEllipse<X> ellipse() const {
-    return contact_ellipse(force, greater, smaller, material.plane_modulus());
+    return contact_ellipse(force, rolling, along, material.plane_modulus());
   }
   X line_load() const { return force / face_width; }
   /// (K5), (K6) of the line contact: greatest shear, Pa, and its depth, m.
@@ -31,11 +31,11 @@ struct PressedRoller {
   /// (RB16), (RB17) of the crowned roller.
   X shear() const {
     const ContactEllipse<X> own = ellipse();
-    return crown_shear(own.pressure, own.elongation, material.poisson_ratio);
+    return crown_shear(own.pressure, own.slenderness, material.poisson_ratio);
   }
   X depth_of_shear() const {
     const ContactEllipse<X> own = ellipse();
-    return crown_shear_depth(own.half_width, own.elongation, material.poisson_ratio);
+    return crown_shear_depth(own.lesser_half_axis(), own.slenderness, material.poisson_ratio);
   }
   /// Length of the ellipse over the width of the face.
   X crown_fraction() const { return ellipse().half_length / (number<X>(0.5) * face_width); }
@@ -61,7 +61,8 @@ PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& t
   return {force, across, greater, product / greater, face_width, material};
 }
 
-/// The greatest length by width of an ellipse at which the error of (RB9) is told: alpha = 500.
+/// The greatest length by width of an ellipse, or width by length, at which the error of (RB9) is
+/// told: alpha = 500.
 inline constexpr double kKnownElongation = 46.63;
 
 /// What a roller is pressed on with oil between, and the mean speed of the surfaces towards the
@@ -79,7 +80,7 @@ struct RollerFilm {
   }
   /// (RB18) Film of the crowned roller, m.
   X of_crown() const {
-    return oil.point_film(roller.force, roller.greater, roller.ellipse().elongation, speed,
+    return oil.point_film(roller.force, roller.rolling, roller.ellipse().elongation, speed,
                           roller.material.plane_modulus());
   }
 };

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "machines/contact/hertz.h"
+#include "numerics/scalar/by_side.h"
+#include "numerics/scalar/extremes.h"
 #include "numerics/scalar/power.h"
 #include "numerics/scalar/scalar.h"
 
@@ -42,48 +44,54 @@ EllipticIntegrals<X> elliptic_integrals(const X& q) {
 /// An ellipse over which a pressure is spread.
 template <class X>
 struct ContactEllipse {
-  X half_length, half_width;  ///< m, along the smaller and the greater of the curvatures
+  X half_length, half_width;  ///< m, where the two sums of the curvatures lie: along and across
   X pressure;                 ///< the greatest, Pa
-  X elongation;               ///< k, length by width, with or without a force
+  X elongation;               ///< half_length / half_width, with or without a force
+  X slenderness;              ///< k, the longer axis by the shorter one
+
+  X lesser_half_axis() const { return lesser_of(half_length, half_width); }
 };
 
-/// (RB10) From the force, N, the sums of the curvatures across and along the ellipse, 1/m, the
-/// first the greater, and (K1) E', Pa: a^3 = 6 k^2 E F / (pi E' (kappa_x + kappa_y)), b = a / k, p
-/// = 3 F / (2 pi a b) = E' (kappa_x + kappa_y) a / (4 k E), which is 0 without a force. (RB9)
-/// Length by width k is one step from Hamrock and Brewe's alpha^(2 / pi), alpha = kappa_x /
-/// kappa_y, towards the root of alpha = (k^2 E - K) / (K - E), with the integrals where the step
-/// begins. The pressure is within 0.25 % of that of the root for alpha from 1 to 150.
+/// (RB10) From the force, N, the sums of the curvatures across and along the ellipse, 1/m, and (K1)
+/// E', Pa: with kappa_x the greater and kappa_y the lesser of the two, a^3 = 6 k^2 E F / (pi E'
+/// (kappa_x + kappa_y)), b = a / k, p = 3 F / (2 pi a b) = E' (kappa_x + kappa_y) a / (4 k E),
+/// which is 0 without a force. (RB9) Length by width k is one step from Hamrock and Brewe's
+/// alpha^(2 / pi), alpha = kappa_x / kappa_y, towards the root of alpha = (k^2 E - K) / (K - E),
+/// with the integrals where the step begins. The pressure is within 0.25 % of that of the root for
+/// alpha from 1 to 150.
 template <class T, class K, class X>
 ContactEllipse<X> contact_ellipse(const X& force, const X& across, const K& along,
                                   const T& modulus) {
-  const X ratio = number<K>(1) / along * across;
+  const X other = number<X>(0) + along, sum = across + other;
+  const X ratio = greater_of(across, other) / lesser_of(across, other);
   const auto [first, second] = elliptic_integrals(X(power(ratio, -2 / std::numbers::pi)));
   const X square = (ratio * (first - second) + first) / second;  // k^2
   const T stiff = number<T>(6) / (pi<T>() * modulus);
-  const X length = power(X(stiff * (square * second * force / (across + along))), 1.0 / 3);
+  const X longer = power(X(stiff * (square * second * force / sum)), 1.0 / 3);
   using std::sqrt;
-  const X longer = sqrt(square);  // k
-  const X pressure = number<T>(0.25) * modulus * ((across + along) * length / (longer * second));
-  return {length, length / longer, pressure, longer};
+  const X k = sqrt(square), shorter = longer / k, more = across - other;
+  const X pressure = number<T>(0.25) * modulus * (sum * longer / (k * second));
+  return {by_side(more, longer, shorter), by_side(more, shorter, longer), pressure,
+          by_side(more, k, X(number<X>(1) / k)), k};
 }
 
 /// (RB16) The greatest shear stress below the middle of an ellipse, Pa, from its greatest pressure,
-/// its length by width k and Poisson's ratio: (g^(5/2) + (0.480 - 0.922 nu - 0.166 / k) / (k +
-/// 3.055)) p, g = (sqrt 5 - 1) / 2. Within 0.5 % for k from 1 to 47 and nu from 0.25 to 0.4; of a
-/// long ellipse it is that of the line contact (K5).
+/// the longer axis by the shorter one k and Poisson's ratio: (g^(5/2) + (0.480 - 0.922 nu - 0.166 /
+/// k) / (k + 3.055)) p, g = (sqrt 5 - 1) / 2. Within 0.5 % for k from 1 to 47 and nu from 0.25 to
+/// 0.4; of a long ellipse it is that of the line contact (K5).
 template <class T, class X>
-X crown_shear(const X& pressure, const X& elongation, const T& poisson_ratio) {
+X crown_shear(const X& pressure, const X& slenderness, const T& poisson_ratio) {
   const X more =
-      poisson_ratio * number<X>(-0.922) + number<X>(0.48) - number<X>(0.166) / elongation;
-  return pressure * (max_shear(number<X>(1)) + more / (elongation + number<X>(3.055)));
+      poisson_ratio * number<X>(-0.922) + number<X>(0.48) - number<X>(0.166) / slenderness;
+  return pressure * (max_shear(number<X>(1)) + more / (slenderness + number<X>(3.055)));
 }
-/// (RB17) How deep it is, m, from half the ellipse's width b: (sqrt(g) - (2.85 - 2.68 nu) / (k^2 +
+/// (RB17) How deep it is, m, from half the shorter axis b: (sqrt(g) - (2.85 - 2.68 nu) / (k^2 +
 /// 3.41 k + 2.31)) b, within 1.5 % likewise.
 template <class T, class X>
-X crown_shear_depth(const X& half_width, const X& elongation, const T& poisson_ratio) {
+X crown_shear_depth(const X& half_axis, const X& slenderness, const T& poisson_ratio) {
   const X less = poisson_ratio * number<X>(-2.68) + number<X>(2.85);
-  const X square = elongation * (elongation + number<X>(3.41)) + number<X>(2.31);
-  return half_width * (shear_depth(number<X>(1)) - less / square);
+  const X square = slenderness * (slenderness + number<X>(3.41)) + number<X>(2.31);
+  return half_axis * (shear_depth(number<X>(1)) - less / square);
 }
 
 }  // namespace camlaw

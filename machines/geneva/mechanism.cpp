@@ -85,7 +85,7 @@ Mechanism planar_geneva_mechanism() {
 
 Mechanism spherical_geneva_mechanism() {
   return {.name = "geneva-spherical",
-          .title = "spherical Geneva, its axes at right angles, that drives a conveyor",
+          .title = "spherical Geneva with perpendicular axes that drives a conveyor",
           .source = "docs/theory.md, Geneva mechanisms",
           .parameters = parameters_of<SphericalGenevaDrive>(),
           .responses = drive_responses<SphericalGenevaDrive>(),

@@ -3,7 +3,7 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/index_drives/index_tables.h"
-#include "machines/index_drives/rib_responses.h"
+#include "machines/index_drives/rib_duty.h"
 #include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
@@ -15,7 +15,7 @@ Mechanism barrel_index_cam_mechanism() {
        .title = "barrel index drive: a barrel cam that turns a turret with axial rollers",
        .source = "docs/theory.md, Index drives",
        .parameters = parameters_of<BarrelIndexCam>(),
-       .responses = rib_responses<BarrelIndexCam>(),
+       .responses = rib_drive_responses<BarrelIndexCam>(),
        .peaks = rib_peaks(),
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},

@@ -3,7 +3,7 @@
 
 #include "machines/cams/buildable_checks.h"
 #include "machines/index_drives/index_tables.h"
-#include "machines/index_drives/rib_responses.h"
+#include "machines/index_drives/rib_duty.h"
 #include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
 
@@ -15,7 +15,7 @@ Mechanism globoidal_cam_mechanism() {
        .title = "roller gear index drive: a globoidal cam that turns a turret with radial rollers",
        .source = "docs/theory.md, Index drives",
        .parameters = parameters_of<GloboidalCam>(),
-       .responses = rib_responses<GloboidalCam>(),
+       .responses = rib_drive_responses<GloboidalCam>(),
        .peaks = rib_peaks(),
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers"}, .why_open = why_ribs_differ}},

@@ -6,6 +6,7 @@
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/pair_responses.h"
 #include "machines/index_drives/index_tables.h"
+#include "machines/index_drives/turret_duty.h"
 #include "machines/index_drives/turret_responses.h"
 #include "machines/model/append.h"
 #include "machines/model/usual_problem.h"
@@ -46,6 +47,51 @@ std::vector<MechanismResponse> roller_angles() {
               [](const auto& cam, const auto& f) { return cam.second().serving(f).angle; })};
 }
 
+/// (IX23) Seen from its place on the holding flank a roller will drive P - 1 places later.
+template <class T>
+std::vector<T> by_place(const ParallelIndexCam<T>& cam, std::span<const T> means) {
+  constexpr int kMostPlates = 4;
+  const auto driven = means.first(kServed), held = means.subspan(kServed);
+  std::vector<T> all(driven.begin(), driven.end());
+  all.resize(kServed + kMostPlates - 1, number<T>(0));
+  for (int plates = 2; plates <= kMostPlates; ++plates) {
+    const T half = number<T>(0.5), apart = cam.plates - number<T>(plates);
+    const T are_so_many = half - absolute(apart);
+    for (std::size_t place = 0; place < held.size(); ++place) {
+      T& sum = all[place + static_cast<std::size_t>(plates - 1)];
+      sum = sum + by_side(are_so_many, held[place], number<T>(0));
+    }
+  }
+  return all;
+}
+
+Write damage(int side, int place) {
+  return detail::written_integrand<ParallelIndexCam>(
+      [side, place](const auto& cam, const auto& motion) {
+        return cam.damage(side, place, cam.over_angle(motion));
+      });
+}
+
+std::vector<MechanismResponse> duty_of_rollers() {
+  const auto turns = [](const auto& cam, const auto& f) { return cam.bearing_turns(f); };
+  std::vector<MechanismResponse> all = turret_roller_speeds<ParallelIndexCam>(turns);
+  all.push_back(turret_static_fraction<ParallelIndexCam>(
+      [](const auto& cam, const auto& f) { return cam.contact_force(f); }));
+  append(all,
+         film_responses<ParallelIndexCam>({"undercut", "second_undercut"}, "loaded flank",
+                                          [](const auto& cam, const auto& f, const auto& formula) {
+                                            return cam.of_film(f, formula);
+                                          }));
+  std::vector<Write> damages;
+  for (const int side : {1, -1}) {
+    for (int place = 0; place < kServed; ++place) damages.push_back(damage(side, place));
+  }
+  append(all, turret_life<ParallelIndexCam>(
+                  std::move(damages), turns,
+                  [](const auto& cam, const auto& means) { return by_place(cam, means); }));
+  return all;
+}
+
 /// Drawn, but not exported as a profile: they are parts of several cams.
 std::vector<MechanismResponse> flanks() {
   std::vector<MechanismResponse> all = drawn_curve<ParallelIndexCam>(
@@ -65,6 +111,7 @@ std::vector<MechanismResponse> parallel_responses() {
   append(all, roller_angles());
   append(all, pair_responses<ParallelIndexCam>(kDriving, kHolding));
   append(all, pair_crown_responses<ParallelIndexCam>());
+  append(all, duty_of_rollers());
   append(all, flanks());
   append(all, extent_responses<ParallelIndexCam>(kHolding));
   all.push_back(cam_curve<ParallelIndexCam>(

@@ -3,9 +3,11 @@
 
 #include "machines/cams/bearing_side.h"
 #include "machines/cams/roller_arm.h"
+#include "machines/cams/roller_duty.h"
 #include "machines/contact/crowned_roller.h"
 #include "machines/index_drives/index_load.h"
 #include "machines/index_drives/index_parameters.h"
+#include "machines/index_drives/roller_shares.h"
 
 namespace camlaw {
 
@@ -25,6 +27,11 @@ struct IndexRoller {
   CamPoint<X> profile(const FollowerMotion<X>& f) const {
     return pitch_curve(f).inside(contact.roller_radius);
   }
+  /// (RB1) Its turns on its pin, by those of the cam, under which it passes by 1 + psi'.
+  X turns(const FollowerMotion<X>& f) const {
+    return roller_turns(number<X>(1), pitch_curve(f).speed(), X(f.ds + number<T>(1)),
+                        contact.roller_radius);
+  }
 };
 
 /// One flank of the cams of a parallel index drive: that under the roller which, after it has taken
@@ -37,17 +44,21 @@ struct IndexFlank {
   T gained;  ///< rad, since a roller took over, where the cycle begins
   RollerContact<T> contact;
 
+  /// A roller that took over when the turret had gained so much less.
+  template <class X>
+  IndexRoller<T, X> after(const X& gain) const {
+    return {arm, gain + begin, contact};
+  }
   /// (IX6) The roller that serves.
   template <class X>
   IndexRoller<T, X> serving(const FollowerMotion<X>& f) const {
-    return {arm, since_handover(X(f.s + gained), step) + begin, contact};
+    return after(since_handover(X(f.s + gained), step));
   }
   /// formula(serving roller).
   template <class X, class F>
   X of_roller(const FollowerMotion<X>& f, F formula) const {
-    return handed_over(X(f.s + gained), step, [&](const X& gain) {
-      return X(formula(IndexRoller<T, X>{arm, gain + begin, contact}));
-    });
+    return handed_over(X(f.s + gained), step,
+                       [&](const X& gain) { return X(formula(after(gain))); });
   }
 };
 
@@ -84,10 +95,16 @@ struct ParallelIndexCam {
   T bore_radius = given(cams::kBoreRadius);                       ///< r_0, m, of the cams
   T shaft_radius = given({"shaft_radius", "r_S", "mm", "m",
                           "radius of the turret's shaft beside the cams", 10, 0, 1e5});
-  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
-  T train_damping = given(cams::kTrainDamping);         ///< zeta
-  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
-  T crown_radius = given(turrets::kCrownRadius);        ///< R_k, m, of a roller along its axis
+  T train_stiffness = given(turrets::kTrainStiffness);     ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);            ///< zeta
+  T end_share = given(cams::kArmEndShare);                 ///< kappa, of the inertia
+  T crown_radius = given(turrets::kCrownRadius);           ///< R_k, m, of a roller along its axis
+  T dynamic_rating = given(cams::kDynamicRating);          ///< C, N, of a roller
+  T static_rating = given(cams::kStaticRating);            ///< C_0, N
+  T speed_limit = given(cams::kSpeedLimit);                ///< n_G, rad/s, of a roller on its pin
+  T viscosity = given(cams::kViscosity);                   ///< eta, Pa s
+  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
+  T roughness = given(cams::kRoughness);                   ///< R_q, m, of a roller and its cam
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
@@ -101,6 +118,13 @@ struct ParallelIndexCam {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
   IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
+  /// What each roller bears, and what lubricates it.
+  RollerDuty<T> duty() const {
+    return {crown_radius, dynamic_rating,     static_rating, speed_limit,
+            viscosity,    pressure_viscosity, roughness};
+  }
+  /// Rollers that share a turn of the turret.
+  T all_rollers() const { return rollers * plates; }
   /// The driving flank, and the holding one on the other side of the line of centres.
   IndexFlank<T> main() const { return flank(resting_angle() - lead(), lead()); }
   IndexFlank<T> second() const { return flank(lead() - resting_angle() - step(), step() - lead()); }
@@ -143,18 +167,41 @@ struct ParallelIndexCam {
   /// Greatest pressure, Pa, on the flank that bears. NaN where that one is undercut.
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
-    return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
-      return contact.stress(force, curvature);
+    return on_loaded(f, [&](const auto& roller, const X& force) {
+      return roller.contact.stress(force, roller.pitch_curve(f).curvature());
     });
   }
   /// formula(PressedRoller) of the roller on the flank that bears, crowned or not.
   template <class X, class F>
   X of_pressed(const FollowerMotion<X>& f, F formula) const {
-    const T crown_curvature = number<T>(1) / crown_radius;
-    return on_loaded(f, [&](const RollerContact<T>& contact, const X& force, const X& curvature) {
-      return X(formula(pressed_roller(force, X(contact.curvature_sum(curvature)), crown_curvature,
-                                      face_width, contact.material)));
+    return on_loaded(
+        f, [&](const auto& roller, const X& force) { return formula(pressed(roller, force, f)); });
+  }
+  /// formula(RollerFilm) of that roller: without a load the film has no bound.
+  template <class X, class F>
+  X of_film(const FollowerMotion<X>& f, F formula) const {
+    return on_bearing(f, [&](const auto& roller, const X& force) {
+      return formula(
+          roller_film(duty().lubricant(), pressed(roller, force, f),
+                      X(angular_speed * rolled_way(roller.pitch_curve(f), roller_radius))));
     });
+  }
+  /// (RB1) Turns on its pin of the roller on that flank, by those of the cams.
+  template <class X>
+  X bearing_turns(const FollowerMotion<X>& f) const {
+    return on_bearing(f, [&](const auto& roller, const X&) { return roller.turns(f); });
+  }
+  /// |N|^p nu of the roller that serves in a place on the driving flank (side 1) or the holding one
+  /// (side -1), 0 where the other one bears.
+  template <class X>
+  X damage(int side, int place, const FollowerMotion<X>& f) const {
+    const IndexFlank<T> flank = side > 0 ? main() : second();
+    const X gained = f.s + flank.gained;
+    const IndexRoller<T, X> roller = flank.after(X(gained - number<T>(place) * flank.step));
+    const X force =
+        greater_of(X(number<T>(side) * follower().torque(f) / turret_radius), number<X>(0));
+    const X damage = duty().to_life_exponent(X(force * roller.inclination(f))) * roller.turns(f);
+    return while_serving(gained, flank.step, place, damage);
   }
   /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the
   /// cam's surface. Well above 1 it cuts into the flank that it is to meet next.
@@ -169,18 +216,28 @@ struct ParallelIndexCam {
   }
 
  private:
-  /// formula(contact, force on the roller, N, curvature of its pitch curve, 1/m) of the flank that
-  /// bears, 0 where none does.
+  /// formula(roller, force on it, N) of the flank that bears, of the driving one without a load.
   template <class X, class F>
-  X on_loaded(const FollowerMotion<X>& f, F formula) const {
+  X on_bearing(const FollowerMotion<X>& f, F formula) const {
     const X force = follower().torque(f) / turret_radius, size = absolute(force);
     const auto of_flank = [&](const IndexFlank<T>& flank, int side) {
       return flank.of_roller(f, [&](const auto& roller) {
         const X inclined = number<T>(side) * roller.inclination(f);
-        return formula(roller.contact, X(size * inclined), roller.pitch_curve(f).curvature());
+        return formula(roller, X(size * inclined));
       });
     };
-    return unless_zero(force, by_side(force, of_flank(main(), 1), of_flank(second(), -1)));
+    return by_side(force, of_flank(main(), 1), of_flank(second(), -1));
+  }
+  /// The same, 0 without a load.
+  template <class X, class F>
+  X on_loaded(const FollowerMotion<X>& f, F formula) const {
+    return unless_zero(follower().torque(f), on_bearing(f, formula));
+  }
+  template <class X>
+  auto pressed(const IndexRoller<T, X>& roller, const X& force, const FollowerMotion<X>& f) const {
+    const RollerContact<T>& contact = roller.contact;
+    return pressed_roller(force, X(contact.curvature_sum(roller.pitch_curve(f).curvature())),
+                          duty().crown_curvature(), face_width, contact.material);
   }
   /// epsilon, rad.
   T lead() const { return number<T>(kTakeover) * step(); }

@@ -27,6 +27,10 @@ template <class Drive, class X>
 X rib_force(const Drive& drive, const RuledContact<X>& middle, const FollowerMotion<X>& f) {
   return drive.follower().torque(f) / drive.lever() * middle.inclination();
 }
+template <class Drive, class X>
+X rib_force(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
+  return rib_force(drive, drive.contact(RollerPlace::Middle, psi, f), f);
+}
 
 /// What names of responses in a plane across the roller begin with, and where that is.
 inline const char* place_prefix(RollerPlace place) {
@@ -62,34 +66,35 @@ auto rib_material(const Drive& drive) {
 template <class Drive, class X>
 X rib_stress(const Drive& drive, RollerPlace place, const X& psi, const FollowerMotion<X>& f) {
   const RuledContact<X> contact = drive.contact(place, psi, f);
-  const X force = rib_force(drive, drive.contact(RollerPlace::Middle, psi, f), f);
+  const X force = rib_force(drive, psi, f);
   const X sum = loaded_curvature(drive, contact, force);
   return unless_zero(force,
                      rib_material(drive).pressure(X(absolute(force) / drive.face_width), sum));
 }
 
-/// (RB15) formula(PressedRoller) of a driving roller at the angle psi, crowned about its middle or
-/// not.
-template <class Drive, class X, class F>
-X of_pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f, F formula) {
+/// (RB15) The driving roller at the angle psi, crowned about its middle or not.
+template <class Drive, class X>
+auto pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
   const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
   const X force = rib_force(drive, middle, f);
-  using T = std::decay_t<decltype(drive.face_width)>;
-  const T crown = number<T>(1) / drive.crown_radius;
-  const X sum = loaded_curvature(drive, middle, force);
-  return unless_zero(
-      force, X(formula(pressed_askew(X(absolute(force)), sum, middle.slant(drive.roller_radius),
-                                     crown, drive.face_width, rib_material(drive)))));
+  return pressed_askew(X(absolute(force)), X(loaded_curvature(drive, middle, force)),
+                       middle.slant(drive.roller_radius), drive.duty().crown_curvature(),
+                       drive.face_width, rib_material(drive));
 }
 
 /// Of the driving roller at each place of the turn: formula(drive, psi, f) with its angle psi.
-template <template <class> class M, class F>
-MechanismResponse rib_curve(ResponseAbout about, F formula) {
-  return cam_curve<M>(std::move(about), [formula](const auto& drive, const auto& f) {
+template <class F>
+auto of_driving_roller(F formula) {
+  return [formula](const auto& drive, const auto& f) {
     using X = std::decay_t<decltype(f.s)>;
     return handed_over(f.s, drive.step(),
                        [&](const X& gain) { return X(formula(drive, rib_angle(drive, gain), f)); });
-  });
+  };
+}
+
+template <template <class> class M, class F>
+MechanismResponse rib_curve(ResponseAbout about, F formula) {
+  return cam_curve<M>(std::move(about), of_driving_roller(formula));
 }
 
 /// A coordinate of a line of contact: 0 for x, 1 for y, 2 for z.
@@ -194,21 +199,18 @@ std::vector<MechanismResponse> rib_responses() {
         return drive.contact(RollerPlace::Middle, psi, f)
             .curvature_sum(drive.roller_radius, kHolds);
       }));
-  all.push_back(rib_curve<M>({"contact_force", "N", "N",
-                              "force between the loaded flank and its roller, positive where that "
-                              "is the driving one"},
-                             [](const auto& drive, const auto& psi, const auto& f) {
-                               return rib_force(drive, drive.contact(RollerPlace::Middle, psi, f),
-                                                f);
-                             }));
-  append(all, crown_responses<M>({"undercut", "second_undercut"},
-                                 [](const auto& drive, const auto& f, const auto& formula) {
-                                   using X = std::decay_t<decltype(f.s)>;
-                                   return handed_over(f.s, drive.step(), [&](const X& gain) {
-                                     return of_pressed_rib(drive, rib_angle(drive, gain), f,
-                                                           formula);
-                                   });
-                                 }));
+  all.push_back(rib_curve<M>(
+      {"contact_force", "N", "N",
+       "force between the loaded flank and its roller, positive where that "
+       "is the driving one"},
+      [](const auto& drive, const auto& psi, const auto& f) { return rib_force(drive, psi, f); }));
+  append(
+      all, crown_responses<M>({"undercut", "second_undercut"}, [](const auto& drive, const auto& f,
+                                                                  const auto& formula) {
+        return of_driving_roller([formula](const auto& its, const auto& psi, const auto& motion) {
+          return unless_zero(rib_force(its, psi, motion), formula(pressed_rib(its, psi, motion)));
+        })(drive, f);
+      }));
   append(all, contact_lines<M>());
   const auto number_of = [&](const char* name, const char* meaning, auto formula) {
     all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/scalar/absolute.h"
 #include "numerics/scalar/scalar.h"
 
 namespace camlaw {
@@ -72,6 +73,26 @@ struct RuledContact {
   template <class T>
   X slant(const T& radius) const {
     return tilt() * radius / length();
+  }
+  /// (IX21) Turns of the roller on its pin, by those of the cam, where it rolls in this plane on
+  /// the flank that drives (side -1) or holds (side 1).
+  template <class T>
+  X turns(const T& radius, double side) const {
+    return absolute(X(number<X>(1) / radius * length() + number<X>(side) * spin));
+  }
+  /// (IX22) What the roller slides along its axis by, m.
+  template <class T>
+  X axial_slip(const T& radius, double side) const {
+    return slide - number<X>(side) * radius * tilt();
+  }
+  /// (IX22) Mean of what both surfaces move towards the line of contact by, m.
+  template <class T>
+  X rolled_way(const T& radius, double side) const {
+    using std::sqrt;
+    const X g = slant(radius);
+    const X contact = length() * (number<X>(1) - undercut(radius, side));
+    const X slipped = number<X>(0.5 * side) * g * axial_slip(radius, side);
+    return absolute(X((contact - slipped) / sqrt(g * g + number<T>(1))));
   }
 
  private:

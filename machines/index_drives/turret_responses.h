@@ -21,13 +21,13 @@ inline TrainWords table_words() {
           .load = "torque",
           .elastic =
               "torque that turret, elastic train and load require, without friction; below "
-              "0 the holding flank bears",
+              "0 the holding flank carries it",
           .lost =
               "lowest speed at which the holding flank bears, with the elastic train and no "
               "friction; undefined if none is found",
           .least =
               "least torque with the elastic train, without friction; above 0 the driving "
-              "flank bears all round",
+              "flank carries the load all the time",
           .rigid = "turret_torque",
           .of_motion = {},
           .of_load = {"load_torque"}};

@@ -28,30 +28,36 @@ Write written_integrand(Integrand integrand) {
 
 }  // namespace detail
 
-/// The same from integrand(machine, motion) -> X and formula(machine, mean) -> T of a machine M<T>.
-template <template <class> class M, class Integrand, class F>
-MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
+/// The same from integrands of detail::written_integrand and formula(machine, means) -> T of a
+/// machine M<T>.
+template <template <class> class M, class F>
+MechanismResponse number_of_means(ResponseAbout about, const std::vector<Write>& integrands,
+                                  F formula) {
   using Numbers = std::span<const Expression>;
   const UnitFactor factor(about.stored, about.unit);
-  return recorded_mean(detail::described<M>(std::move(about)), parameters_of<M>().size(),
-                       detail::written_integrand<M>(integrand),
-                       [formula, factor](Numbers parameters, Numbers mean) {
-                         return factor.template as<Expression>() *
-                                formula(detail::machine_of<M>(parameters), mean[0]);
-                       });
+  return recorded_means(detail::described<M>(std::move(about)), parameters_of<M>().size(),
+                        integrands, [formula, factor](Numbers parameters, Numbers means) {
+                          return factor.template as<Expression>() *
+                                 formula(detail::machine_of<M>(parameters), means);
+                        });
+}
+
+/// The same of one integrand(machine, motion) -> X: formula(machine, mean) -> T.
+template <template <class> class M, class Integrand, class F>
+MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
+  return number_of_means<M>(
+      std::move(about), {detail::written_integrand<M>(integrand)},
+      [formula](const auto& machine, const auto& means) { return formula(machine, means[0]); });
 }
 
 /// The same of the means of two integrands: formula(machine, first, second) -> T.
 template <template <class> class M, class First, class Second, class F>
 MechanismResponse mean_number(ResponseAbout about, First first, Second second, F formula) {
-  using Numbers = std::span<const Expression>;
-  const UnitFactor factor(about.stored, about.unit);
-  return recorded_means(detail::described<M>(std::move(about)), parameters_of<M>().size(),
-                        {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},
-                        [formula, factor](Numbers parameters, Numbers means) {
-                          return factor.template as<Expression>() *
-                                 formula(detail::machine_of<M>(parameters), means[0], means[1]);
-                        });
+  return number_of_means<M>(
+      std::move(about), {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},
+      [formula](const auto& machine, const auto& means) {
+        return formula(machine, means[0], means[1]);
+      });
 }
 
 }  // namespace camlaw::problems

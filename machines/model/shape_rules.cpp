@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
+#include "machines/model/curvature.h"
 #include "numerics/formula/operations.h"
 #include "numerics/formula/steps.h"
 
@@ -13,198 +14,6 @@ namespace camlaw::problems {
 namespace {
 
 using optim::Shape;
-
-/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex. Where
-/// one variable alone varies: whether the function rises or falls with it, not strictly. Any of
-/// these says too that the set where the function has a value is convex.
-struct Curvature {
-  bool convex = false, concave = false, quasiconvex = false, quasiconcave = false;
-  bool rises = false, falls = false;
-
-  bool is_linear() const { return convex && concave; }
-  bool is_monotone() const { return rises || falls; }
-  bool is_quasilinear() const { return (quasiconvex && quasiconcave) || is_monotone(); }
-  /// Whether every set {f <= c} ({f >= c}) is convex.
-  bool convex_below() const { return quasiconvex || is_monotone(); }
-  bool convex_above() const { return quasiconcave || is_monotone(); }
-};
-constexpr Curvature kLinearShape{true, true, true, true};
-
-/// What is known of a step's result. A constant has every curvature.
-struct Ruled : Curvature {
-  bool is_constant = false;
-  Interval range;
-  bool is_sum_of_squares = false;  ///< of linear functions; constants of 0 or above count
-
-  bool is_not_negative() const { return range.lower() >= 0; }
-  bool is_not_positive() const { return range.upper() <= 0; }
-  bool is_positive() const { return range.lower() > 0; }
-  bool is_negative() const { return range.upper() < 0; }
-};
-
-Curvature mirrored(const Curvature& a) {
-  return {a.concave, a.convex, a.quasiconcave, a.quasiconvex, a.falls, a.rises};
-}
-Ruled negative(const Ruled& a) { return {mirrored(a), a.is_constant, -a.range}; }
-
-Curvature sum(const Ruled& a, const Ruled& b) {
-  if (a.is_constant) return b;
-  if (b.is_constant) return a;
-  const bool below = a.convex && b.convex, above = a.concave && b.concave;
-  return {below, above, below, above, a.rises && b.rises, a.falls && b.falls};
-}
-
-/// Of a constant factor of either sign, or its reciprocal: at a place it has one of them.
-Curvature scaled_by_unknown(const Curvature& a) {
-  return {a.is_linear(), a.is_linear(), a.is_quasilinear(), a.is_quasilinear()};
-}
-
-/// Of a constant factor and another.
-Curvature scaled(const Ruled& factor, const Ruled& a) {
-  if (factor.is_not_negative()) return a;
-  if (factor.is_not_positive()) return mirrored(a);
-  return scaled_by_unknown(a);
-}
-
-Curvature product(const Ruled& a, const Ruled& b) {
-  if (a.is_constant) return scaled(a, b);
-  if (b.is_constant) return scaled(b, a);
-  if (!a.is_not_negative() || !b.is_not_negative()) return {};
-  return {false, false, false, a.concave && b.concave, a.rises && b.rises, a.falls && b.falls};
-}
-
-/// Whether a step gives a sum of squares of linear functions, whose root is a norm.
-bool gives_sum_of_squares(Operation operation, bool same, const Ruled& a, const Ruled& b) {
-  const auto counts = [](const Ruled& x) {
-    return x.is_constant ? x.is_not_negative() : x.is_sum_of_squares;
-  };
-  switch (operation) {
-    case Operation::Add:
-      return counts(a) && counts(b);
-    case Operation::Multiply:
-      return same ? a.is_linear() : (a.is_constant || b.is_constant) && counts(a) && counts(b);
-    case Operation::Divide:
-      return b.is_constant && b.is_positive() && counts(a);
-    case Operation::Power:
-      return a.is_linear() && value_of(b.range) == 2;
-    default:
-      return false;
-  }
-}
-
-/// The root. A norm of linear functions is convex.
-Curvature root_of(const Ruled& a, const Curvature& increasing) {
-  Curvature result = increasing;
-  result.convex |= a.is_sum_of_squares;
-  result.quasiconvex |= a.is_sum_of_squares;
-  return result;
-}
-
-/// An increasing function of a. It keeps quasiconvex and quasiconcave; `is_convex` and `is_concave`
-/// say what it is itself.
-Curvature increasing(const Curvature& a, bool is_convex, bool is_concave) {
-  return {is_convex && a.convex,
-          is_concave && a.concave,
-          a.quasiconvex,
-          a.quasiconcave,
-          a.rises,
-          a.falls};
-}
-
-/// A function that has a value where a is 0 or above. That set is convex where a is quasiconcave.
-Curvature from_zero_on(const Ruled& a, const Curvature& result) {
-  return a.is_not_negative() || a.convex_above() ? result : Curvature{};
-}
-
-/// The arcsine, which has a value where a is within -1 and 1.
-Curvature arcsine(const Ruled& a) {
-  const bool inside = a.range.lower() >= -1 && a.range.upper() <= 1;
-  return inside || a.is_quasilinear() ? increasing(a, false, false) : Curvature{};
-}
-
-/// The tangent increases between plus and minus a right angle; from 0 on it is convex.
-Curvature tangent(const Ruled& a) {
-  const double right = (pi<Interval>() / Interval(2.0)).lower();
-  if (a.range.lower() <= -right || a.range.upper() >= right) return {};
-  return increasing(a, a.is_not_negative(), a.is_not_positive());
-}
-
-/// a where it is positive.
-Ruled where_positive(const Ruled& a) {
-  const double least = std::numeric_limits<double>::min(), most = std::max(least, a.range.upper());
-  const Interval range(std::max(least, a.range.lower()), most);
-  const Curvature own = a;
-  return {a.is_positive() || a.convex_above() ? own : Curvature{}, a.is_constant, range};
-}
-
-/// 1 / b of one sign: it decreases; of a positive b it is convex, of a negative one concave.
-Ruled reciprocal(const Ruled& b) {
-  Ruled result{Curvature{}, b.is_constant, quotient(Interval(1.0), b.range)};
-  const Curvature opposite = mirrored(b);
-  if (b.is_positive()) static_cast<Curvature&>(result) = increasing(opposite, true, false);
-  if (b.is_negative()) static_cast<Curvature&>(result) = increasing(opposite, false, true);
-  if (b.is_constant) static_cast<Curvature&>(result) = kLinearShape;
-  return result;
-}
-
-Curvature ratio(const Ruled& a, const Ruled& b) {
-  if (b.is_negative()) return ratio(negative(a), negative(b));
-  if (!b.is_positive()) return b.is_constant ? scaled_by_unknown(a) : Curvature{};
-  if (a.is_constant || b.is_constant) {
-    const Ruled divisor = reciprocal(b);
-    return a.is_constant ? scaled(a, divisor) : scaled(divisor, a);
-  }
-  const bool below =
-      a.convex && (a.is_not_negative() ? b.concave : a.is_not_positive() && b.convex);
-  const bool above =
-      a.concave && (a.is_not_negative() ? b.convex : a.is_not_positive() && b.concave);
-  const bool both_linear = a.is_linear() && b.is_linear();
-  return {false, false, both_linear || below, both_linear || above};
-}
-
-Curvature size_of(const Ruled& a) {
-  if (a.is_not_negative()) return a;
-  if (a.is_not_positive()) return mirrored(a);
-  return {a.is_linear(), false, a.is_quasilinear(), false};
-}
-
-Curvature powered(const Ruled& a, double p) {
-  const bool is_integer = is_integer_exponent(p);
-  if (p < 0) return a.is_positive() ? increasing(mirrored(a), true, false) : Curvature{};
-  if (a.is_not_negative()) return increasing(a, p >= 1, p <= 1);
-  if (!is_integer) return from_zero_on(a, increasing(a, p >= 1 && a.is_linear(), p <= 1));
-  if (std::fmod(p, 2) == 0) return increasing(size_of(a), true, false);
-  return increasing(a, false, a.is_not_positive());
-}
-
-Curvature greatest(const Curvature& a, const Curvature& b) {
-  return {
-      a.convex && b.convex, false, a.convex_below() && b.convex_below(), false, a.rises && b.rises,
-      a.falls && b.falls};
-}
-Curvature least(const Curvature& a, const Curvature& b) {
-  return mirrored(greatest(mirrored(a), mirrored(b)));
-}
-
-/// Of one or the other.
-Curvature common(const Curvature& a, const Curvature& b) {
-  return {a.convex && b.convex,
-          a.concave && b.concave,
-          a.convex_below() && b.convex_below(),
-          a.convex_above() && b.convex_above(),
-          a.rises && b.rises,
-          a.falls && b.falls};
-}
-
-Shape shape_of(const Curvature& a) {
-  if (a.is_linear()) return Shape::Linear;
-  if (a.quasiconvex && a.quasiconcave) return Shape::Quasilinear;
-  if (a.convex) return Shape::Convex;
-  if (a.concave) return Shape::Concave;
-  if (a.is_monotone()) return Shape::Quasilinear;
-  if (a.quasiconvex) return Shape::Quasiconvex;
-  return a.quasiconcave ? Shape::Quasiconcave : Shape::General;
-}
 
 class Rules {
  public:
@@ -269,8 +78,32 @@ class Rules {
     const std::size_t used = operands(step.operation);
     const bool is_constant =
         a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
-    return {is_constant ? kLinearShape : curvature(step, a, b, c), is_constant, range,
-            !is_constant && gives_sum_of_squares(step.operation, step.a == step.b, a, b)};
+    Curvature own = is_constant ? kLinearShape : curvature(step, a, b, c);
+    const bool is_log_convex = !is_constant && gives_log_convex(step.operation, a, b);
+    own.convex |= is_log_convex;
+    own.quasiconvex |= is_log_convex;
+    return {own, is_constant, range,
+            !is_constant && gives_sum_of_squares(step.operation, step.a == step.b, a, b),
+            is_log_convex};
+  }
+
+  /// Of two factors. x log(x / y) of linear x and y > 0 is convex, x log(y / x) concave.
+  Curvature of_factors(const Step& step, const Ruled& a, const Ruled& b) const {
+    Curvature result = product(a, b);
+    for (const auto& [x, other] : {std::pair(step.a, step.b), std::pair(step.b, step.a)}) {
+      if (steps_[other].operation != Operation::Log || !ruled_[x].is_linear()) continue;
+      const std::size_t inside = steps_[other].a;
+      const Step& divided = steps_[inside];
+      const auto is_ratio = [&](std::size_t above, std::size_t below, std::size_t y) {
+        return divided.operation == Operation::Divide && divided.a == above && divided.b == below &&
+               ruled_[y].is_linear() && ruled_[y].is_positive();
+      };
+      const bool is_convex = inside == x || is_ratio(x, divided.b, divided.b);
+      const bool is_concave = is_ratio(divided.a, x, divided.a);
+      result.convex |= is_convex, result.quasiconvex |= is_convex;
+      result.concave |= is_concave, result.quasiconcave |= is_concave;
+    }
+    return result;
   }
 
   Curvature curvature(const Step& step, const Ruled& a, const Ruled& b, const Ruled& c) const {
@@ -282,13 +115,13 @@ class Rules {
       case Operation::Negate:
         return mirrored(a);
       case Operation::Multiply:
-        return step.a == step.b ? powered(a, 2) : product(a, b);
+        return step.a == step.b ? powered(a, 2) : of_factors(step, a, b);
       case Operation::Divide:
         return ratio(a, b);
       case Operation::Sqrt:
-        return root_of(a, from_zero_on(a, increasing(a, false, true)));
-      case Operation::Log:  // at 0 it is infinite, and the set above need not be convex
-        return a.is_positive() || a.convex_above() ? increasing(a, false, true) : Curvature{};
+        return root_of(a);
+      case Operation::Log:
+        return logarithm(a);
       case Operation::Exp:
         return increasing(a, true, false);
       case Operation::Atan:

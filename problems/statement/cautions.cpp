@@ -100,14 +100,15 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
     if (!counts(design, prefix + "crown_radius", prefix + "crown_")) continue;
     const EvaluatedResponse known = evaluate_response(design, response);
     const bool is_long = known.highest > kKnownElongation;
-    if (!is_long && !(known.lowest > 0 && known.lowest < 1)) continue;
+    if (!is_long && !(known.lowest > 0 && known.lowest < 1 / kKnownElongation)) continue;
     found.push_back(
         {"the contact of a crowned roller is outside of what its formulas are checked for",
-         fmt::format("{} is {:.4g} at {:.4g} {}; from 1 to {:.3g} {}crown_stress is within 0.5 % "
-                     "of Hertz's solution",
-                     response.name, is_long ? known.highest : known.lowest,
-                     is_long ? known.highest_at : known.lowest_at, known.along, kKnownElongation,
-                     prefix)});
+         fmt::format(
+             "{} is {:.4g} at {:.4g} {}; from {:.2g} to {:.3g} {}crown_stress is within 0.5 % "
+             "of Hertz's solution",
+             response.name, is_long ? known.highest : known.lowest,
+             is_long ? known.highest_at : known.lowest_at, known.along, 1 / kKnownElongation,
+             kKnownElongation, prefix)});
   }
 }
 

@@ -101,7 +101,7 @@ class Sensitivity(_Told):
     @property
     def derivatives(self) -> Any:
         """A table of derivatives: of the objective and of each limited number by each parameter, with
-        the elasticity, % for 1 %. If `exact` is false, a derivative is worked out by differences."""
+        the elasticity, % for 1 %. If `exact` is false, a derivative comes from finite differences."""
         return tables.of_rows(self.facts["sensitivity"]["derivatives"])
 
     @property
@@ -112,7 +112,7 @@ class Sensitivity(_Told):
 
 
 class Tolerance(_Told):
-    """How a design fares in manufacture: worst cases and yield. `facts` has what 'camlaw tolerance
+    """What manufacturing tolerances do to a design: worst cases and yield. `facts` has what 'camlaw tolerance
     --json' prints.
     """
 

@@ -162,9 +162,9 @@ def fit(
     own name. law: the law whose coefficients are fitted; by default every law is tried. mechanism: a
     mechanism's name, a problem file or a Problem: what runs on a measured cam, or the machine whose
     curve was recorded and whose variables are unknown; `set` sets its values. response: the recorded
-    curve, if several columns could be one. shift: what is unknown about the record: "centre", or for a
+    curve, if several columns could be one. shift: the unknown offsets of the record: "centre", or for a
     recorded curve "abscissa" and "value". loss: "none", "huber" or "cauchy". time_limit: seconds, or a
-    text such as "1 min"; the answer is then the best of what was tried. workers: processes that fit
+    text such as "1 min"; the answer is then the best fit so far. workers: processes that fit
     laws side by side if that takes longer than a few seconds; the fit does not depend on them. Raises
     InputError.
     """

@@ -28,8 +28,8 @@ class Front(Answer):
 
     @classmethod
     def load(cls, path: str | Path) -> Front:
-        """Reads the front that a study's record holds, without a search. What is damaged or wrong in
-        the record does not count; notes says so."""
+        """Reads the front that a study's record holds, without a search. Damaged or wrong entries
+        of the record are left out; notes names them."""
         return cls(native.front_file(checked_path(path)))
 
     @property
@@ -56,7 +56,7 @@ class Front(Answer):
 
     @property
     def notes(self) -> list[str]:
-        """Remarks on its record, and on how it was worked out."""
+        """Remarks on its record, and on how it was computed."""
         return [*self._native.notes, *filter(None, [self._native.remark])]
 
     @property
@@ -92,7 +92,7 @@ class Front(Answer):
         return self[self._native.compromise(list(numbers(weights, "weights")))]
 
     def sensitivity(self, k: int, tolerances: Mapping[str, Any] | None = None) -> Check:
-        """How a design fares if it is not made exactly: `tolerances` by variable; by default
+        """What happens to a design that is not made exactly: `tolerances` by variable; by default
         0.02 mm of a length, 0.1 deg of an angle and a hundredth of anything else."""
         facts, text, html = self._native.sensitivity(
             place(k, "point", len(self)), units.settings_of(mapping(tolerances, "tolerances"))

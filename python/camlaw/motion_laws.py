@@ -116,7 +116,7 @@ class Law:
 
     @property
     def ends(self) -> str:
-        """What joins it at both ends, after VDI 2143: "R-R" from rest to rest."""
+        """The states that it connects, after VDI 2143: "R-R" leads from rest to rest."""
         return self._native.ends
 
     @property
@@ -191,7 +191,7 @@ class Law:
         return self._native.limit_index()
 
     def facts(self) -> dict[str, Any]:
-        """All that 'camlaw law NAME --json' says of the law."""
+        """Everything that 'camlaw law NAME --json' prints."""
         return self._native.facts()
 
     def samples(self, count: int = 361) -> Any:

@@ -264,7 +264,7 @@ class Problem(Searches):
     ) -> Evaluation:
         """Every response at the variables' starts or at these values, proved over the whole cycle.
 
-        time_limit: seconds, or a text such as "1 min", after which proofs end; what they leave open is
+        time_limit: seconds, or a text such as "1 min", after which proofs end; what is still open then is
         not proved, and facts["cut_short"] says why.
         """
         problem = self.set(values, **more) if values is not None or more else self

@@ -77,7 +77,7 @@ class Result(Answer):
 
     @classmethod
     def load(cls, path: str | Path) -> Result:
-        """Reads a result's file. camlaw believes nothing in it: review says where the file and its design
+        """Reads a result's file. camlaw computes everything in it again: review says where the file and its design
         disagree. If they do, verdict, objective and margins are not the file's, but those of its
         design."""
         result = cls(native.result_file(checked_path(path)))

@@ -136,7 +136,7 @@ class Searches:
     ) -> Result:
         """Finds the best design, with a verdict.
 
-        The problem decides what is not given here. starts: how many places to search from. start: the
+        Arguments that are left out are taken from the problem. starts: how many places to search from. start: the
         values to begin at, or a Result whose design to begin at. time_limit: seconds, or a text such as
         "1 min", after which the best design so far is the answer. memory: bytes that the search may
         use, or a text such as "4 GB". workers: processes that search side by side, from several starts
@@ -184,8 +184,8 @@ class Searches:
     ) -> Front:
         """Finds the front of two or more objectives.
 
-        workers: processes that search side by side; the front does not depend on them. They are started
-        afresh, so that it does not matter which threads run here. executor: carries the searches out
+        workers: processes that search side by side; the front does not depend on them. They are new
+        processes, so threads of this one do no harm. executor: carries the searches out
         instead, perhaps on other machines: a client of Dask, an executor of concurrent.futures, or a
         function that makes one, which is called again if the executor breaks; the front is the same
         (docs/scale.md). record: a file to which the study is written while it runs; with resume, what
@@ -265,7 +265,7 @@ class Searches:
     ) -> Sensitivity:
         """Finds how objective and limits depend on the parameters at the variables' starts.
 
-        There is an exact derivative by every parameter, with its elasticity. Sobol indices are taken
+        The answer has the exact derivative with respect to every parameter, and its elasticity. Sobol indices are taken
         over ranges: those of `over`, such as {"stroke": ("18 mm", "22 mm")}, or else the problem's, or
         else 1 % to either side.
         """
@@ -297,7 +297,8 @@ class Searches:
         progress: Progress = None,
         **more: Any,
     ) -> Tolerance:
-        """Finds how the design at the variables' starts fares in manufacture: worst case and yield.
+        """Finds what manufacturing tolerances do to the design at the variables' starts: worst case
+        and yield.
 
         tolerances: deviations, plus and minus, such as {"base_radius": "0.02 mm"}; without any, the
         problem's variations are used. samples: the number of parts from which the yield is estimated, by

@@ -65,7 +65,7 @@ def _listed(text: str, name: str) -> str:
 
 
 class Sweep(Answer):
-    """What came of each combination: sweep.table has a row for each, and sweep[k] is a design."""
+    """The result of each combination: sweep.table has a row for each, and sweep[k] is a design."""
 
     def __init__(self, native_sweep: Any) -> None:
         self._native = native_sweep
@@ -75,8 +75,8 @@ class Sweep(Answer):
 
     @classmethod
     def load(cls, path: str | Path) -> Sweep:
-        """Reads the sweep that a study's record holds, without a search. What is damaged or wrong in
-        the record does not count; notes says so."""
+        """Reads the sweep that a study's record holds, without a search. Damaged or wrong entries
+        of the record are left out; notes names them."""
         sweep = cls(native.sweep_file(checked_path(path)))
         sweep._file = checked_path(path)
         return sweep
@@ -111,7 +111,7 @@ class Sweep(Answer):
 
     @property
     def notes(self) -> list[str]:
-        """Remarks on its record and on how it was worked out, such as what was left out."""
+        """Remarks on its record and on how it was computed, such as what was left out."""
         return self._native.notes()
 
     def csv(self, path: str | Path | None = None) -> str:

@@ -189,6 +189,66 @@ TEST_CASE("lines of contact and curvatures along a roller are those of a numeric
 
 namespace {
 
+/// The velocity of the roller's surface and of the line of contact over the cam at phi = 0, by
+/// small steps.
+template <class Drive>
+void check_rolling(const Drive& drive, const TurretMotion& motion) {
+  const Mover<Drive> mover{drive, motion};
+  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
+  const RuledContact<double> contact = drive.contact(RollerPlace::Middle, motion.psi, f);
+  const double u = drive.distance_at(RollerPlace::Middle), r = drive.roller_radius, h = 1e-3;
+  for (const double side : {-1.0, 1.0}) {
+    if (contact.undercut(r, side) > 0.8) continue;
+    const double theta = mover.touching(0, u, -contact.pressure_angle() + (side < 0 ? kPi : 0));
+    // A point that is fixed to the turret, seen from the cam.
+    const Vector body = 1 / (2 * h) * (mover.surface(h, u, theta) - mover.surface(-h, u, theta));
+    const Line roller = mover.axis(0, u);
+    const Vector spoke = unit(mover.surface(0, u, theta) - roller.at);
+    const Vector round = cross(roller.along, spoke);
+    CHECK(dot(body, spoke) == Approx(0).margin(1e-5 * length(body) + 1e-6));
+    CHECK(contact.turns(r, side) == Approx(std::abs(dot(body, round)) / r).epsilon(1e-5));
+    const double slip = dot(body, roller.along);
+    CHECK(std::abs(contact.axial_slip(r, side)) == Approx(std::abs(slip)).margin(1e-4));
+    // The line of contact: along it, and where its points are on the cam a little later.
+    const Vector line = unit(mover.surface(0, u * (1 + h), mover.touching(0, u * (1 + h), theta)) -
+                             mover.surface(0, u * (1 - h), mover.touching(0, u * (1 - h), theta)));
+    const Vector across = cross(line, spoke);
+    const Vector moved = 1 / (2 * h) *
+                         (mover.surface(h, u, mover.touching(h, u, theta)) -
+                          mover.surface(-h, u, mover.touching(-h, u, theta)));
+    // The roller rolls: only the slip along its axis is left of its surface's velocity.
+    const double flank = -dot(moved, across);
+    const double mean = flank + 0.5 * slip * dot(roller.along, across);
+    CHECK(contact.rolled_way(r, side) == Approx(std::abs(mean)).epsilon(1e-4));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a roller between ribs turns, slides and moves its contact as small steps show",
+          "[index-drives]") {
+  std::mt19937_64 random(20261130);
+  std::uniform_real_distribution<double> even(-1, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const TurretMotion motion{0.35 * even(random), 0.5 + 0.4 * even(random), 0.8 * even(random)};
+    GloboidalCam<double> gear;
+    gear.axis_distance = 120 + 20 * even(random);
+    gear.turret_radius = 70;
+    gear.roller_radius = 11 + 3 * even(random);
+    gear.face_width = 14;
+    check_rolling(gear, motion);
+    BarrelIndexCam<double> drum;
+    drum.axis_distance = 80 + 10 * even(random);
+    drum.turret_radius = 80;
+    drum.cam_radius = 60 + 10 * even(random);
+    drum.roller_radius = 10 + 3 * even(random);
+    drum.face_width = 14;
+    check_rolling(drum, motion);
+  }
+}
+
+namespace {
+
 /// Principal curvatures of the gap between a crowned roller and the flank that a roller without a
 /// crown has cut, the smaller one first: a polynomial through places of the flank about the middle.
 template <class Drive>
@@ -240,8 +300,8 @@ void check_crown(Drive drive, const TurretMotion& motion, double crown) {
     const auto stated =
         pressed_askew(1.0, contact.curvature_sum(drive.roller_radius, side),
                       contact.slant(drive.roller_radius), 1 / crown, drive.face_width, {});
-    CHECK(stated.greater == Approx(found[1]).epsilon(2e-3));
-    CHECK(stated.smaller == Approx(found[0]).epsilon(1e-2));
+    CHECK(stated.rolling == Approx(found[1]).epsilon(2e-3));
+    CHECK(stated.along == Approx(found[0]).epsilon(1e-2));
   }
 }
 

@@ -201,6 +201,17 @@ TEST_CASE("the ellipse of a crowned roller is Hertz's within the error that is s
     CHECK(found.pressure ==
           Approx(1.5 * force / (kPi * found.half_length * found.half_width)).epsilon(1e-12));
   }
+  // A crown sharper than the roller: the axes change their places, nothing else.
+  for (const double ratio : {1.3, 7.0, 80.0}) {
+    const auto found = contact_ellipse(force, along, ratio * along, modulus);
+    const auto turned = contact_ellipse(force, ratio * along, along, modulus);
+    CHECK(found.pressure == Approx(turned.pressure).epsilon(1e-14));
+    CHECK(found.half_length == Approx(turned.half_width).epsilon(1e-14));
+    CHECK(found.half_width == Approx(turned.half_length).epsilon(1e-14));
+    CHECK(found.elongation == Approx(1 / turned.elongation).epsilon(1e-14));
+    CHECK(found.slenderness == turned.elongation);
+    CHECK(found.lesser_half_axis() == found.half_length);
+  }
   CHECK(worst < 0.0025);
   CHECK(worst_longer < 0.005);
   CHECK(worst_length < 0.011);
