@@ -82,7 +82,8 @@ Complex<T> with_remainder(const Complex<T>& sum, const Complex<T>& last) {
   }
 }
 
-/// At |z| = 8 the series cancels to 1/370 of its largest term, the recurrence to 1/8.
+/// At |z| = 8 the series cancels to 1/370 of its largest term; the recurrence hardly cancels from
+/// there on.
 constexpr double kSeries = 8;
 
 /// phi_k(z) = integral of exp(z (1 - u)) u^(k-1) / (k-1)! du over [0, 1], phi_0 = exp; k from 0 to

@@ -113,8 +113,8 @@ class Interior {
     now_.s -= change;
     now_.z = (now_.z + weights.cwiseProduct(change)).cwiseMax(0);
     look();
-    // A step that balances the columns may double what is left of gap and rows, both far within
-    // their tolerances by then, but must not start from nothing.
+    // A step that balances the columns may double what is left of gap and rows, which are far
+    // within their tolerances by then; what is rounding already may grow to kRounding.
     constexpr double kMore = 2, kRounding = 1e-12;
     const bool holds = now_.s.minCoeff() > 0 && gap() <= kMore * gap_before &&
                        primal() <= kMore * primal_before + kRounding;

@@ -144,10 +144,10 @@ double block_squares(const std::vector<double>& r) {
 }
 
 bool is_curve(const ResidualPattern& pattern, std::size_t n) {
-  // With fewer residuals kDeviations is more than any curve shows.
+  // In fewer residuals noise alone has a correlation of kMost in one record of 80 or more often.
   constexpr std::size_t kEnough = 20;
-  // Noise passes 3.7 deviations once in 10 000 records. Half of a correlation is a curve however
-  // few samples there are, and less than a tenth none that matters.
+  // Noise passes 3.7 deviations once in 10 000 records. A correlation of a half counts however few
+  // samples there are, one of less than a tenth never does.
   constexpr double kDeviations = 3.7, kMost = 0.5, kLeast = 0.1;
   constexpr double kSquares = 2.3;  // chi-square of 30 over 30 at 1e-4
   if (n < kEnough) return false;

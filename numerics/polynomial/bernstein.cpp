@@ -25,8 +25,7 @@ std::vector<T> bernstein_weights(std::size_t n) {
 /// (P3): quick, but it takes sums about the left end that cancel, by as much as 3^n.
 template <class T>
 void by_left_end(std::vector<T>& c) {
-  // Degrees of all laws but a few; others take their weights afresh.
-  constexpr std::size_t kCached = 41;
+  constexpr std::size_t kCached = 41;  // higher degrees, which are rare, take their weights afresh
   static const auto cache = [] {
     std::array<std::vector<T>, kCached> weights;
     for (std::size_t n = 0; n < kCached; ++n) weights[n] = bernstein_weights<T>(n);

@@ -56,7 +56,7 @@ void judge_alone(const Problem& problem, Trail& trail) {
 }
 
 int count_of_starts(const Setting& setting) {
-  // Seven that are drawn miss a basin of a third of the box once in 17 times.
+  // Seven drawn at random miss a basin of a third of the box once in 17 times.
   constexpr int kStarts = 8;
   // These begin nearer to a design, and each takes longer.
   constexpr int kStartsOfMany = 3;

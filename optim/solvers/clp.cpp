@@ -210,8 +210,7 @@ int pivoted(ClpSimplex& model, int most, bool primal_first) {
 }
 
 void load(const QuadraticProgram& linear, const SolverOptions& options, ClpSimplex& model) {
-  // With less the pivots' rounding keeps the simplex method from ending.
-  constexpr double kTightest = 1e-10;
+  constexpr double kTightest = 1e-10;  // its pivots round to about as much
   model.setLogLevel(0);
   model.loadProblem(matrix_of(linear), open_ends(linear.lower).data(),
                     open_ends(linear.upper).data(), linear.cost.data(),

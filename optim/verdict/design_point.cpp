@@ -45,7 +45,7 @@ double merit(double distance, double room, double factor) {
 
 std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
                                         const std::vector<Variation>& variations) {
-  // Steps settle linearly; a step of 1/4096 that is no better is taken as the last one.
+  // The steps settle linearly. One of 1/2048 of the way is taken whether it is better or not.
   constexpr int kSteps = 100, kHalvings = 12;
   // Chance leads beyond nine deviations once in 1e19. The value in the middle is rounded by less
   // than kSmall of it.

@@ -58,7 +58,7 @@ class PieceKernel final : public Kernel {
 /// Designs close about one, within the bounds, that differ in a function's inputs.
 std::vector<std::vector<double>> designs_beside(const Problem& problem, const Function& f,
                                                 const Scales& scales, Design x) {
-  // The design and 63 others miss a piece of a tenth of the box once in 760 times.
+  // The design and 63 others at random miss a tenth of the box once in 760 times.
   constexpr int kDrawn = 64;
   Problem box;
   for (const std::size_t input : f.inputs()) {

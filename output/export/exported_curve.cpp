@@ -90,8 +90,7 @@ Extent extent_of(const std::vector<ExportedCurve>& curves) {
 }
 
 std::string plain_text(const std::string& text) {
-  // A comment's line on paper; some controllers take no longer ones.
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMost = 200;  // a line of a comment; a title may be far longer
   std::string result;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);

@@ -156,8 +156,7 @@ std::string siemens(const PiecewiseMotion& path, std::span<const std::string> co
 
 const std::vector<DriveFormat>& drive_formats() {
   using P = DrivePath;
-  // The first keeps files and arrays to a size that controllers load; LCamHdl's basic cam has 50
-  // segments.
+  // A drive that states no limit itself takes kMany; the basic cam of LCamHdl has 50 segments.
   constexpr std::size_t kMany = 10000, kSegmentsOfCam = 50;
   static const std::vector<DriveFormat> formats{
       {"beckhoff-points",
