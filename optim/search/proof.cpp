@@ -116,7 +116,7 @@ bool WatchedProblem::learn(Design x, const Assessment& a) {
 }
 
 void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
-  // Each adds the angles at which the proof failed, and few curves have more than one.
+  // Each adds to what is watched the angles at which the proof of the round before failed.
   constexpr int kRounds = 10;
   Found& found = trail.found;
   Reached reached;
