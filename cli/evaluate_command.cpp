@@ -44,7 +44,7 @@ struct EvaluateOptions {
 /// Tables and pictures of the curves that were asked for.
 std::vector<OutputFile> curve_files(const EvaluateOptions& options,
                                     const ProblemStatement& statement) {
-  constexpr int kSteps = 720;
+  constexpr int kSteps = 720;  // half a degree of a turn
   std::vector<OutputFile> files;
   const auto& responses = statement.mechanism->responses;
   const bool has_curves = std::any_of(responses.begin(), responses.end(),

@@ -49,6 +49,7 @@ int show_law(const LawOptions& options) {
     set_argument(member, assignment, read_quantity);
   }
   const Law<double> law = member.law();
+  // Both ends and a point each degree, were the motion one turn.
   constexpr int kDefaultSamples = 361;
   const int samples = samples_of(options).value_or(kDefaultSamples);
   std::vector<OutputFile> files;

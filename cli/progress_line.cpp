@@ -12,7 +12,7 @@
 namespace camlaw::cli {
 namespace {
 
-constexpr int kWidth = 78;
+constexpr int kWidth = 78;  // of the 80 columns that any terminal has
 
 }  // namespace
 

@@ -160,6 +160,7 @@ void Replacing::add(const fs::path& target, std::string_view content, const fs::
 
 /// A second name for what stands in a file's place, by which it can come back.
 void Replacing::keep_old(File& file) {
+  // The name is free at the first, unless another program makes such ones too.
   constexpr int kTries = 100;
   if (fs::is_directory(fs::symlink_status(file.target))) {
     fail_to_write(file.named, "it is a folder");

@@ -10,7 +10,7 @@
 namespace camlaw::cli {
 
 std::string state_text(const SearchState& state) {
-  constexpr int kDigits = 5;
+  constexpr int kDigits = 5;  // enough to see the best value move
   std::string text = fmt::format("iteration {}", state.iteration);
   if (state.done > 0 && state.combinations > 1) {
     const double through = std::floor(state.done * static_cast<double>(state.combinations));

@@ -86,7 +86,7 @@ std::vector<std::filesystem::path> possible_files(const std::filesystem::path& o
 }  // namespace
 
 std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem::path& out) {
-  constexpr int kSamples = 361;
+  constexpr int kSamples = 361;  // both ends and a point each degree, were the motion one turn
   std::vector<OutputFile> files;
   if (const std::optional<Member> law = answer.law()) {
     const Law<double> shape = law->law();
@@ -109,6 +109,7 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
 
 /// Whether one step of a search may take so long that it is not left to itself.
 bool is_large(const problems::ProblemStatement& statement) {
+  // A factorisation then takes longer than a person waits for Ctrl-C (optimisation: Time).
   constexpr std::size_t kLarge = 100;
   std::size_t pieces = 0;
   for (const Member& law : statement.laws) {

@@ -150,7 +150,7 @@ class Parent {
 
   /// Waits a little for what the child tells; false after the last.
   bool read_more() {
-    constexpr int kMilliseconds = 20;
+    constexpr int kMilliseconds = 20;  // limits and signals are looked at 50 times a second
     pollfd file{socket_, POLLIN, 0};
     if (poll(&file, 1, kMilliseconds) <= 0) return true;
     const bool is_open = inbox_.read_some(socket_);

@@ -36,6 +36,7 @@ PlainDerivatives term_sizes(const Piece<double>& piece, double x) {
 
 BreakSide break_side(const Piece<double>& piece, double x) {
   BreakSide side{derivatives<kCurveOrders>(piece, x), term_sizes(piece, x)};
+  // Coefficients that were fitted or read lose up to twelve bits of their terms.
   constexpr double kRoundings = 4096;
   for (std::size_t k = 0; k < kCurveOrders; ++k) {
     const double slope = k + 1 < kCurveOrders ? std::abs(side.value[k + 1]) : 0;

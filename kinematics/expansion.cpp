@@ -9,6 +9,7 @@ namespace camlaw {
 namespace {
 
 constexpr std::size_t kOrders = Expansion::kOrders;
+/// Polynomials with more terms are enclosed by plain intervals, which are wider.
 constexpr std::size_t kMostTerms = 16;
 using Terms = std::array<double, kMostTerms>;
 

@@ -11,6 +11,7 @@ namespace {
 
 /// Whether s .. s^(order) do not jump inside.
 bool is_smooth_inside(const Law<double>& law, int order) {
+  // Splines of high degree cancel to seven or eight digits of their derivatives.
   constexpr double kRounding = 1e-7;
   const auto& pieces = law.pieces();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {

@@ -85,6 +85,7 @@ double* limit_among(PeakLimits& limits, Quantity quantity) {
 
 double least_peak(Quantity quantity, PeakLimits limits) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // The least time rounds by some units of the last place; a limit must not be above.
   constexpr double kRounding = 1e-13;
   double* peak = limit_among(limits, quantity);
   if (peak == nullptr)

@@ -131,6 +131,7 @@ Peak<T> follow(const Law<T>& law, Quantity q, const Extremum& e) {
     if (const auto moment = closed_moment(piece, x)) return {*moment, x};
   }
   auto f = quantity_from(q, camlaw::derivatives<6>(piece, x));
+  // Of the value: Newton's quotient has no digits where the second derivative has none.
   constexpr double kFlat = 1e-8;
   const double size = std::max(1.0, std::abs(value_of(f[0])));
   const bool moves = e.where == Where::Stationary && std::abs(value_of(f[2])) > kFlat * size;

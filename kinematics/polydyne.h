@@ -21,7 +21,8 @@ namespace detail {
 /// Where a motion over a cycle, of polynomials and harmonics, jumps in one of its derivatives from
 /// 2 to `highest`, against the largest of each; the cycle's end meets its beginning.
 inline std::optional<Impossible> polydyne_fault(const Law<double>& wanted, std::size_t highest) {
-  constexpr std::size_t kOrders = 5;
+  constexpr std::size_t kOrders = 5;  // s to s'''', which the lift has in its acceleration
+  // Of the largest derivative: a coefficient with seven digits joins as well.
   constexpr double kSlack = 1e-6;
   constexpr std::array kNames{"displacement", "velocity", "acceleration", "jerk",
                               "derivative of the jerk"};

@@ -52,6 +52,7 @@ Ends natural_ends(const Piece<double>& first, const Piece<double>& last) {
 }
 
 bool vanishes(const Law<double>& law, bool at_end, std::size_t order) {
+  // Splines of high degree cancel to seven or eight digits of their derivatives.
   constexpr double kRounding = 1e-7;
   const auto d = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
   return std::abs(d[order]) <= kRounding;

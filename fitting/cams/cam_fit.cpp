@@ -189,7 +189,7 @@ double offset_of(const MeasuredCam& cam) {
 /// Other offsets from which steps may lead to the right one, as differences: none at all, the other
 /// side, and quarters of the lowest pitch radius to both sides.
 std::vector<double> less_offset(const MeasuredCam& cam) {
-  constexpr int kQuarters = 2;
+  constexpr int kQuarters = 2;  // offsets beyond half of the lowest pitch radius are not built
   const double stated = offset_of(cam), lowest = cam.lift.lowest();
   const double quarter = std::abs(cam.lift.coordinate(lowest)) / 4;
   std::vector<double> less;

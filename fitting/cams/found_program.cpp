@@ -66,6 +66,7 @@ struct Turn {
 
   /// Of the stroke.
   double share(double level) const {
+    // Levels that two motions share differ by the rounding of their fits.
     constexpr double kEnd = 1e-9;
     const double x = (level - lowest) / (highest - lowest);
     return x < kEnd ? 0 : x > 1 - kEnd ? 1 : x;

@@ -345,7 +345,7 @@ Possible<std::vector<LiftSample>> MeasuredLift::possible_samples() const {
 }
 
 Law<double> MeasuredLift::law(int angles) const {
-  constexpr int kLeast = 12;
+  constexpr int kLeast = 12;  // the order of the spline, a few spans and some angles to tell it by
   if (angles < kLeast) {
     refuse(fmt::format("{} angles are too few for a law, {} are needed", angles, kLeast));
   }

@@ -71,6 +71,7 @@ void check_round(const std::vector<double>& steps) {
 }
 
 void check_gaps(std::vector<double> theta) {
+  // Over a wider gap a smooth curve tells nothing of the profile.
   constexpr double kMostGap = kTurn / 8;
   std::sort(theta.begin(), theta.end());
   for (std::size_t k = 0; k < theta.size(); ++k) {

@@ -23,6 +23,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
+/// More worn regions leave too little of a motion to tell its law.
 constexpr std::size_t kMostStretches = 2;
 /// Of the samples before a motion, in it and after it that may depart: else they would not show the
 /// law and its ends.
@@ -75,6 +76,8 @@ class LawWithout {
       basis = optim::column_space(columns.colwise().normalized());
       left -= basis * (basis.transpose() * left);
     }
+    // Every pair of blocks bounds a window: twice as many take four times as long. A block of one
+    // sample would be a window for each outlier.
     constexpr std::size_t kBlocks = 80, kLeastOfBlock = 2;
     blocks_ = std::min(kBlocks, std::max<std::size_t>(1, count_ / kLeastOfBlock));
     const Index p = basis.cols();
@@ -149,6 +152,7 @@ class LawWithout {
 /// times its scatter a sample may leave for it to stay.
 std::optional<Gap> next_window(const LawWithout& law, const std::vector<Gap>& windows, double in) {
   constexpr double kMost = 0.5;  // of all samples
+  // A window that is a tenth too wide or too narrow still leads to the right one.
   constexpr double kWider = 1.2;
   const auto value = [&](const std::vector<Gap>& of) -> std::optional<double> {
     const auto squares = law.squares(of);
@@ -282,6 +286,7 @@ bool shows_motion(const MotionSamples& samples, const LawFit& law,
 std::optional<Reading> fitted(const FoundMotion& motion, const LawFit& start,
                               const std::vector<Departure>& windows, LawFitOptions options,
                               const Scatter& scatter) {
+  // Windows that do not settle go to and fro between two sets of samples.
   constexpr int kPasses = 6;
   options.skew = start.skew;
   options.like = start.motion();
@@ -353,8 +358,8 @@ double score_of(const LawFit& law, const std::vector<Departure>& departures,
 
 std::vector<Reading> readings_of(const FoundMotion& motion, const std::vector<LawFit>& ranking,
                                  const LawFitOptions& options, const Scatter& scatter) {
-  constexpr std::size_t kTried = 12;
-  constexpr double kNear = 80;  // what fitting may gain over the first order
+  constexpr std::size_t kTried = 12;  // each is a fit of a law; the first order ranks them (WR3)
+  constexpr double kNear = 80;        // what fitting may gain over the first order
   LawFitOptions plain = options;
   plain.loss = optim::Loss::None;
   plain.loss_scale.reset();
@@ -372,6 +377,7 @@ std::vector<Reading> readings_of(const FoundMotion& motion, const std::vector<La
 }
 
 bool tell_other_wear(const Reading& a, const Reading& b) {
+  // A depth is read off nine neighbours, with half of a sample's noise.
   constexpr double kDeeper = 1.0 / 6;
   return !std::equal(a.departures.begin(), a.departures.end(), b.departures.begin(),
                      b.departures.end(), [](const Departure& one, const Departure& other) {
@@ -381,6 +387,7 @@ bool tell_other_wear(const Reading& a, const Reading& b) {
 }
 
 std::vector<Reading> rivals_of(const Reading& chosen, const std::vector<Reading>& readings) {
+  // A reading with a score (WR1) that is 15 more is 1800 times less likely.
   constexpr double kAsWell = 15;
   std::vector<Reading> rivals;
   if (readings.empty()) return rivals;

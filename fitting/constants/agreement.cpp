@@ -10,11 +10,12 @@
 namespace camlaw::problems {
 namespace {
 
+/// From afar a step may be cut a dozen times; near a solution Newton's steps take a few.
 constexpr int kSearchSteps = 40, kNearSteps = 15;
 
 /// Apart by no more than what searches that end at the same values differ by.
 bool reaches(double low, double high, double value) {
-  constexpr double kAlike = 1e-3;
+  constexpr double kAlike = 1e-3;  // of their range, or of the value
   const double room = kAlike * std::max(high - low, kAlike * std::abs(value));
   return value >= low - room && value <= high + room;
 }
@@ -100,7 +101,8 @@ void Agreement::hold(std::size_t unknown, double value) {
 /// The default values, and the places with less misfit than all about them. Of a constant that is
 /// printed more precisely than places lie close, what counts is a share of its value.
 std::vector<std::vector<double>> Agreement::starts() const {
-  constexpr std::size_t kStarts = 10;
+  constexpr std::size_t kStarts = 10;  // each is a search of up to kSearchSteps programs
+  // Of the value: so much a constant changes between neighbouring places.
   constexpr double kResolved = 0.05;
   const auto& places = model_->places();
   std::vector<double> misfits;

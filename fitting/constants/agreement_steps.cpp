@@ -9,11 +9,12 @@
 namespace camlaw::problems {
 namespace {
 
+/// In scales: shorter steps change the last digits of the constants, longer ones leave any range.
 constexpr double kLeastReach = 1e-10, kMostReach = 1e4;
 
 /// A law may end where its room does: most of the way there.
 std::vector<double> short_of(const std::vector<double>& from, const std::vector<double>& to) {
-  constexpr double kShare = 0.9;
+  constexpr double kShare = 0.9;  // at the very end the law may have no length left for a phase
   std::vector<double> result = from;
   for (std::size_t i = 0; i < from.size(); ++i) result[i] += kShare * (to[i] - from[i]);
   return result;
@@ -22,6 +23,7 @@ std::vector<double> short_of(const std::vector<double>& from, const std::vector<
 }  // namespace
 
 double half_of(const PrintedConstant& printed) {
+  // Of the value: what is printed with all digits still has a width to divide by.
   constexpr double kRounding = 1e-9;
   return std::max((printed.high - printed.low) / 2, kRounding * std::abs(printed.value));
 }
@@ -113,6 +115,7 @@ void AgreementSteps::add_cuts(const std::vector<double>& beyond, std::vector<Row
     for (std::size_t i = 0; i < beyond.size(); ++i) cut.limit += cut.slopes[i] * beyond[i];
     cuts.push_back(std::move(cut));
   }
+  // Each is a row of every program; the last ones lie near where the steps are.
   constexpr std::size_t kMost = 12;
   if (cuts.size() > kMost) {
     cuts.erase(cuts.begin(), cuts.end() - static_cast<std::ptrdiff_t>(kMost));
@@ -217,6 +220,8 @@ std::optional<std::vector<double>> AgreementSteps::to_agreement(std::vector<doub
   std::vector<Row> cuts;
   double before = here;  // some steps ago
   for (int k = 0; k < steps && !agrees(x); ++k) {
+    // A start that five steps bring no tenth nearer is in a valley of its own; the next start may
+    // not be. Within two widths of the print it goes on.
     constexpr int kEvery = 5;
     constexpr double kSlow = 0.9;
     if (k % kEvery == kEvery - 1) {
@@ -245,6 +250,7 @@ std::optional<std::vector<double>> AgreementSteps::to_agreement(std::vector<doub
 
 std::vector<std::vector<double>> AgreementSteps::to_extreme(std::size_t unknown, double sign,
                                                             std::vector<double> x) const {
+  // A path along the edge of what agrees bends; each step is led back onto it by at most four.
   constexpr int kSteps = 100, kBack = 4;
   constexpr double kEnd = 1e-7;         // of the scale
   constexpr double kAtEdge = 1 - 1e-4;  // of the misfit: farther inside, the path would be lost

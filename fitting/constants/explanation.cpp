@@ -71,7 +71,7 @@ std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
                                      const Solution& solution, std::span<const Solution> all,
                                      double limit) {
-  constexpr int kAllDigits = 17;
+  constexpr int kAllDigits = 17;  // digits that tell any double
   std::vector<double> x = solution.x;
   ConstantsFit result{model.law_at(x), {}, {}, 0, false, true};
   Agreement search(model, agreeing);

@@ -14,6 +14,8 @@ class Finder {
       : f_(f), low_(low), high_(high) {}
 
   void look(const SlopedValue& a, const SlopedValue& b, int depth) {
+    // Cells of 1e-12 of a place's distance hold what doubles tell apart. Where the law ends, 1/4096
+    // of that distance is near enough.
     constexpr int kDeepest = 40, kDeepestAtEdge = 12;
     const bool some = std::isfinite(a.value), other = std::isfinite(b.value);
     const double length = b.x - a.x;
@@ -94,7 +96,7 @@ class Finder {
   /// Where a function that only rises, or only falls, takes a value, by Newton's steps between
   /// brackets.
   double crossing(SlopedValue a, SlopedValue b, double target) const {
-    constexpr int kSteps = 60;
+    constexpr int kSteps = 60;  // more halvings than a double has bits
     const bool rises = b.value > a.value;
     SlopedValue at = a;
     for (int step = 0; step < kSteps; ++step) {
@@ -108,7 +110,7 @@ class Finder {
       at = f_(next);
       if (std::isnan(at.value)) break;
       ((at.value < target) == rises ? a : b) = at;
-      constexpr double kNear = 1e-13;
+      constexpr double kNear = 1e-13;  // of the value: constants are computed to some 1e-14
       if (std::abs(at.value - target) <= kNear * std::abs(target)) break;
       if (std::abs(at.x - before) <= kNear * std::abs(at.x)) break;
     }

@@ -176,6 +176,7 @@ void PrintedModel::find_scales() const {
       const double change = std::abs(here->values[c] / here->slopes[c * unknowns_.size() + i]);
       if (std::isfinite(change)) size = std::min(size, change);
     }
+    // Of the range: a constant that changes without end is no scale.
     constexpr double kLeast = 1e-6;
     scales_.push_back({u.lower, u.upper, u.default_value, std::max(size, kLeast * range)});
   }

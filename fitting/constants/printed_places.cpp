@@ -18,6 +18,7 @@ std::size_t count_for(std::size_t unknowns) {
 
 /// On every third place one coordinate is at an end; the first are the corners, where they are few.
 void onto_edges(std::size_t number, std::span<double> t) {
+  // Corners double in number with each unknown. Two thirds of the places stay inside.
   constexpr std::size_t kFew = 3, kEvery = 3;
   const std::size_t n = t.size();
   if (n <= kFew && number < (std::size_t{1} << n)) {

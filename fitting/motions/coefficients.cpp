@@ -32,6 +32,7 @@ bool can_be_skewed(const Member& law) {
   const auto crossover = std::find_if(parameters.begin(), parameters.end(),
                                       [](const Parameter& p) { return p.name == kCrossover; });
   if (crossover == parameters.end()) return false;
+  // Enough to be seen beside rounding, and within the range of any coefficient.
   constexpr double kAside = 0.01;
   Member other{law.family, law.family->defaults()};
   if (!is_symmetric(other.law())) return false;

@@ -75,7 +75,7 @@ struct Found {
 
 /// Over the place the squares have several valleys: a grid finds the right one.
 Found best_place(const Window& window, const Shape& shape, double low, double high) {
-  constexpr int kSteps = 40;
+  constexpr int kSteps = 40;  // they tell valleys apart; Brent's method goes on between two of them
   const double step = (high - low) / kSteps;
   const auto squares = [&](double place) { return fitted(window, shape, place).squares; };
   Found best{low, std::numeric_limits<double>::infinity(), step, {}};
@@ -84,7 +84,7 @@ Found best_place(const Window& window, const Shape& shape, double low, double hi
     best.grid.push_back(here);
     if (here < best.squares) best.place = place, best.squares = here;
   }
-  constexpr int kBits = 24;
+  constexpr int kBits = 24;  // half of a double's digits: the squares at their least tell no more
   const auto [place, least] = boost::math::tools::brent_find_minima(
       squares, std::max(low, best.place - step), std::min(high, best.place + step), kBits);
   if (least < best.squares) best.place = place, best.squares = least;
@@ -105,7 +105,7 @@ double error_of(const Window& window, const Shape& shape, double place) {
 
 /// Neighbours are averaged where there are more than a fit needs.
 CornerSamples in_few(const CornerSamples& all) {
-  constexpr std::size_t kMost = 600;
+  constexpr std::size_t kMost = 600;  // samples: each place of the grid takes a fit to all of them
   const std::size_t group = (all.x.size() + kMost - 1) / kMost;
   if (group < 2) return all;
   CornerSamples few;
@@ -187,8 +187,8 @@ Moments moments(const Window& window, const Found& found, double low) {
 /// Where noise blurs the place too much for its squares to be a parabola: moments over a grid that
 /// is made finer until several of its places are likely.
 Moments fine_moments(const Window& window, const Shape& shape, Found found, double low) {
-  constexpr int kRounds = 12;
-  constexpr double kEnough = 4;
+  constexpr int kRounds = 12;    // a round makes the grid ten times finer: twelve reach rounding
+  constexpr double kEnough = 4;  // a mean and a deviation over fewer places would be the grid's
   Moments result = moments(window, found, low);
   for (int round = 0; round < kRounds && result.places < kEnough; ++round) {
     low = found.place - 2 * found.step;
@@ -200,7 +200,7 @@ Moments fine_moments(const Window& window, const Shape& shape, Found found, doub
 
 /// Whether the lift goes one way only from the level on each side, but for what noise hides.
 bool goes_one_way(const Window& window, const Shape& shape, const VectorXd& coefficients) {
-  constexpr int kSteps = 24;
+  constexpr int kSteps = 24;  // polynomials of up to four terms turn at most three times
   const bool both = window.scale.before > 0 && window.scale.after > 0;
   for (int side = 0; side < (both ? 2 : 1); ++side) {
     double highest = 0, lowest = 0, back = 0, now = 0;
@@ -214,7 +214,7 @@ bool goes_one_way(const Window& window, const Shape& shape, const VectorXd& coef
       highest = std::max(highest, now), lowest = std::min(lowest, now);
       back = std::max(back, std::min(highest - now, now - lowest));
     }
-    constexpr double kOfTravel = 1e-3;
+    constexpr double kOfTravel = 1e-3;  // of the way: so little of a turn is the series' own misfit
     if (std::max(back, std::min(highest, -lowest)) > window.noise + kOfTravel * std::abs(now))
       return false;
   }
@@ -262,7 +262,7 @@ void add_candidates(const Window& window, double low, double high,
 }
 
 /// (I12) The candidates' mean, each as likely as its cost says. Its error is the deviation from
-/// there of candidates whose costs count a quarter less: none of them is quite the law.
+/// there of candidates whose costs count a fifth less: none of them is quite the law.
 Corner mean_of(const std::vector<CornerCandidate>& all) {
   const auto best = std::min_element(all.begin(), all.end(),
                                      [](const auto& a, const auto& b) { return a.cost < b.cost; });
@@ -274,7 +274,7 @@ Corner mean_of(const std::vector<CornerCandidate>& all) {
     }
     return weighted / sum;
   };
-  constexpr double kDoubt = 1.25;
+  constexpr double kDoubt = 1.25;  // tau of (I12): no series is exactly the law
   const double away = mean(1, [&](const CornerCandidate& c) { return c.place - best->place; });
   const double place = best->place + away;
   const double squares = mean(kDoubt, [&](const CornerCandidate& c) {

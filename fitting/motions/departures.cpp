@@ -28,7 +28,7 @@ std::vector<LeftOver> left_of(const MotionSamples& samples, const LawFit& fit) {
 
 /// On which side of the law the neighbours of sample k lie together: 1, -1, or 0 on none.
 int side_at(const std::vector<LeftOver>& left, std::size_t k, double noise) {
-  constexpr double kBeyond = 4.5;
+  constexpr double kBeyond = 4.5;  // deviations: noise passes them once in 150 000 samples
   const std::size_t first = std::min(std::max(k, kHalf) - kHalf, left.size() - 2 * kHalf - 1);
   double mean = 0;
   for (std::size_t j = first; j <= first + 2 * kHalf; ++j) mean += left[j].value / kCount;
@@ -94,7 +94,7 @@ std::vector<Departure> joined(const std::vector<Departure>& stretches) {
 }  // namespace
 
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise) {
-  constexpr double kMost = 0.5;
+  constexpr double kMost = 0.5;  // where more depart, the law is not that of the samples
   const std::vector<LeftOver> left = left_of(samples, fit);
   if (left.size() < 2 * kHalf + 1) return {};
   std::vector<Departure> found;

@@ -28,6 +28,8 @@ std::vector<std::size_t> inside(const MotionSamples& samples, const FoundSegment
 /// How far the centre lies off by what moves in the dwells: least squares of a level for each dwell
 /// and the centre for all. None where they are too short to tell.
 std::optional<Eigen::Vector2d> by_dwells(const WithoutFault& record, const FoundCycle& cycle) {
+  // Over a shorter arc (deg) a centre that lies off looks like a slope of the dwell, and fewer
+  // samples are mostly noise.
   constexpr double kShortest = 60, kFewest = 20;
   std::vector<std::vector<std::size_t>> dwells;
   double length = 0;
@@ -75,6 +77,8 @@ Possible<RankedMotions> ranked(const FoundCycle& cycle, const std::vector<Member
 /// The laws that tell the motions best with the fault fitted along, some of each motion; some of
 /// them without coefficients, which would follow what a step leaves of a large fault.
 std::vector<Member> best_with(const RankedMotions& found, const PossibleFault& fault) {
+  // The first order ranks laws only roughly, so that some are fitted; flexible laws come first and
+  // must not be the only ones.
   constexpr std::size_t kTried = 3, kPlain = 6;
   std::vector<Member> result;
   std::set<std::string> names;
@@ -111,6 +115,7 @@ std::size_t RankedMotions::count() const {
 Possible<FaultFit> fit_fault(const TakeOut& take_out, Eigen::VectorXd start,
                              const std::vector<Member>& laws, const LawFitOptions& options,
                              const RankedMotions* first) {
+  // Gauss-Newton's steps settle in a few; each fits all laws to the record anew.
   constexpr int kSteps = 8;
   constexpr double kSettled = 0.05;  // of its standard error
   constexpr double kFirst = 0.8;     // of the work
@@ -170,6 +175,7 @@ FaultTest followed(const FaultTest& test, const RankedMotions& motions, const Ta
 
 Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
                    const LawFitOptions& options) {
+  // The centre is linear in the dwells but for what it turns the angles by.
   constexpr int kDwellSteps = 8;
   constexpr double kSettled = 0.05;  // of the noise
   Eigen::VectorXd centre = Eigen::VectorXd::Zero(2);

@@ -52,7 +52,7 @@ struct Parting {
 };
 
 std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_angle) {
-  constexpr double kGap = 10;
+  constexpr double kGap = 10;  // times the range of all others: a pause of the record is shorter
   const bool is_long = is_angle && left.range() > kLongestTurn;
   for (std::size_t k = 0; k < most; ++k) {
     const std::size_t inner = left.first + k + 1, outer = left.last - k - 1;
@@ -78,8 +78,9 @@ struct OddOne {
 
 /// Among few samples the one without which the others are smooth.
 std::optional<OddOne> odd_one(const MotionSamples& samples) {
+  // A cubic takes four neighbours, and four more rows have to judge a row without it.
   constexpr std::size_t kLeast = 9;
-  constexpr double kOdd = 8;
+  constexpr double kOdd = 8;  // of the others' largest miss: noise makes no such multiple
   const std::vector<std::size_t> order = optim::order_of(samples.place);
   if (order.size() < kLeast) return {};
   std::vector<double> x, s;
@@ -114,11 +115,14 @@ std::optional<OddOne> odd_one(const MotionSamples& samples) {
 }  // namespace
 
 bool are_few(std::size_t off, std::size_t rows) {
+  // Slips of a hand or of a probe: more have a cause that the fit does not know.
   constexpr std::size_t kFew = 3, kOneIn = 50;
   return off <= std::max(kFew, rows / kOneIn);
 }
 
 void leave_out_stray_places(MotionRecord& record) {
+  // Of fewer rows each may be the one that counts. One in twenty at an end may be of another
+  // record.
   constexpr std::size_t kLeast = 5, kOneIn = 20;
   const std::size_t count = record.samples.place.size();
   if (count < kLeast) return;
@@ -143,6 +147,7 @@ void leave_out_stray_places(MotionRecord& record) {
 }
 
 void leave_out_far_values(MotionRecord& record, double period) {
+  // Fewer rows leave a smoothing spline no freedom (bad_samples).
   constexpr std::size_t kEnough = 24;
   const MotionSamples& samples = record.samples;
   std::vector<std::size_t> far;

@@ -26,7 +26,7 @@ using Gaps = std::array<int, 2>;
 /// Shares of the gaps at which the ends are held; without a value they are fitted inside the gaps.
 using Shares = std::optional<std::array<double, 2>>;
 constexpr std::array<double, 2> kMiddle{0.5, 0.5};
-constexpr double kSameMerit = 1e-9;
+constexpr double kSameMerit = 1e-9;  // of the sum: fits that end at one place differ by rounding
 
 /// What is fitted, and the places that an end with a jump lies between.
 struct Jumping {
@@ -124,7 +124,9 @@ optim::FitResult settled(const Jumping& jumping, InGaps in) {
 /// The variance of an end by the jump alone: over gaps, each as likely as it is wide and as the fit
 /// within it is good.
 double variance_by_jump(const Jumping& jumping, const InGaps& best, std::size_t end) {
+  // Gaps to either side: an end is known to a few where it can be told at all.
   constexpr int kFar = 8;
+  // Of all likelihood: farther gaps add nothing to a variance that is told with two digits.
   constexpr double kLeast = 1e-4;
   const double noise = best.fit.merit / std::max(1, best.fit.degrees_of_freedom);
   double weights = 0, sum = 0, squares = 0;
@@ -175,6 +177,7 @@ optim::FitResult with_what_jumps_tell(const Jumping& jumping, const InGaps& best
   const MatrixXd own = information(free, free);
   const Eigen::VectorXd size = own.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = size.asDiagonal() * own * size.asDiagonal();
+  // With columns of length one: beyond it an inverse has no digits that count.
   constexpr double kSingular = 1e-12;
   const auto inverse = optim::positive_definite_inverse(scaled, kSingular);
   if (!inverse) return fit;

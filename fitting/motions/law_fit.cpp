@@ -74,7 +74,7 @@ double size_of(const MotionSamples& samples, const optim::FitResult& fit) {
 /// Whether a law that leaves this much is not behind the samples, as another one leaves so little:
 /// its weight (LC2) is below e^-100.
 bool is_out(const MotionSamples& samples, double sum, const LawFitOptions& options) {
-  constexpr double kFar = 200;
+  constexpr double kFar = 200;  // twice 100, as the weight is exp(-E / 2)
   if (!options.least_sum) return false;
   const double least = std::max(*options.least_sum, least_sum_of_squares(samples));
   return sum > least * (1 + kFar / static_cast<double>(samples.value.size()));
@@ -135,6 +135,7 @@ Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, co
                                                 const FitParameters& parameters,
                                                 const LawFitOptions& options,
                                                 const LawResiduals& all, Starts starts) {
+  // Blocks with a break that two fits in turn move to and fro need all samples.
   constexpr int kRounds = 5;
   std::vector<double> breaks = all.breaks(starts.front());
   for (int round = 0; round < kRounds; ++round) {
@@ -157,7 +158,7 @@ Possible<std::optional<FitOf>> fit_of_stand_ins(const LawFitSamples& samples, co
 /// not behind the samples that need not be so.
 bool is_of_all(const MotionSamples& samples, const optim::FitResult& fit,
                const std::vector<double>& left, const LawFitOptions& options) {
-  constexpr double kSame = 1e-5;
+  constexpr double kSame = 1e-5;  // stand-ins tell laws to 1e-5 of the sum (FS10)
   const double sum = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
   return std::abs(fit.sum_of_squares - sum) <= kSame * sum || is_out(samples, sum, options);
 }
@@ -300,6 +301,7 @@ void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
 
 Possible<double> cross_validated(const MotionSamples& samples, const LawFit& fit,
                                  const MotionGuess& guess, const LawFitOptions& options) {
+  // The usual ten folds: each fit has nine tenths of the samples.
   constexpr std::size_t kFolds = 10;
   const std::size_t n = samples.place.size();
   const auto part = [&](const std::vector<std::size_t>& which) {

@@ -11,6 +11,8 @@ namespace camlaw::problems {
 namespace {
 
 MotionSamples few_of(const MotionSamples& samples, const MotionRange& range, optim::Loss loss) {
+  // A hundred means show every valley of a fit. Under a loss a mean of three hides an outlier, if
+  // thirty means are left.
   constexpr std::size_t kMeans = 100, kLeast = 3, kEnough = 90;
   MotionSamples few = between(samples, range.low, range.high);
   const std::size_t count = few.value.size();

@@ -39,7 +39,7 @@ std::string taken_as(const SampleColumn& column, int order) {
 
 /// Of angles that would be a whole turn if they were in radians.
 std::optional<std::string> taken_as_plain(const SampleColumn& angle) {
-  constexpr double kNearly = 0.9;
+  constexpr double kNearly = 0.9;  // of a turn: a record without its last step may be a whole one
   if (!angle.unit.empty() || !is_named(angle.name, ColumnKind::Angle)) return {};
   const auto [low, high] = std::minmax_element(angle.values.begin(), angle.values.end());
   if (angle.values.empty() || !(*high - *low > kNearly * kTurn)) return {};
@@ -105,6 +105,7 @@ MotionRecord motion_record(const SampleTable& table) {
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
   leave_out_stray_places(record);
+  // A fit takes as long as there are samples; most records end with 10 000 means.
   constexpr std::size_t kMostMeans = 100000;
   Condensed means =
       condensed(std::move(samples.place), std::move(samples.value), samples.resolution, kMostMeans);
@@ -123,13 +124,14 @@ MotionRecord motion_record(const SampleTable& table) {
 MotionSamples motion_samples(const SampleTable& table) { return motion_record(table).samples; }
 
 double cycle_period(const MotionSamples& samples) {
-  constexpr double kWhole = 0.95;
+  constexpr double kWhole = 0.95;  // of a turn: a record with a row each 15 deg covers 345 deg
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
   const bool is_turn = samples.place_unit == "deg" && *high - *low > kWhole * kTurnDegrees;
   return is_turn ? kTurnDegrees : 0;
 }
 
 Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
+  // Fewer samples leave a smoothing spline no freedom (bad_samples).
   constexpr std::size_t kEnough = 24;
   FoundCycle result;
   const auto [first, last] = std::minmax_element(samples.place.begin(), samples.place.end());

@@ -22,13 +22,14 @@ namespace {
 constexpr double kListed = 0.05, kDistrusted = 1e-4;
 
 bool is_exact(const LawFit& fit) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the stroke: samples with nine exact digits have no noise
   return fit.fit.rms < kRounding * std::abs(fit.to - fit.from);
 }
 
 /// `chance`: of one in normal noise.
 Outliers outliers_of(const MotionFit& fit, double chance) {
   const LawFit& best = fit.best();
+  // Of the range: a sample that is as near is off by its last printed digit.
   constexpr double kRounding = 1e-6;
   double size = 0;
   for (const double y : fit.motion.samples.value) size = std::max(size, std::abs(y - best.from));
@@ -105,6 +106,7 @@ std::optional<Law<double>> smoothed(const MotionFit& fit) {
 /// Intervals by profiles of the first law and others that count.
 void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
                     std::vector<LawFit>& ranking) {
+  // Of all weight: laws with less hardly move a quantile of the mixture (LC3).
   constexpr double kCounts = 0.01;
   for (LawFit& fit : ranking) {
     if (&fit != &ranking.front() && fit.weight < kCounts) continue;

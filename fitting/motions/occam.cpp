@@ -45,7 +45,7 @@ VectorXd information_of(const MatrixXd& jacobian, const OwnColumns& columns, std
                            MatrixXd(optim::as_eigen(fit.covariance)(columns.own, columns.own)) *
                            scale.asDiagonal();
     if (!known.allFinite()) return {};
-    constexpr double kLeast = 1e-30;
+    constexpr double kLeast = 1e-30;  // an eigenvalue that rounding leaves at 0 or below
     return optim::symmetric_eigen(known).values.cwiseMax(kLeast).cwiseInverse();
   }
   MatrixXd others = jacobian.leftCols(static_cast<Index>(first));
@@ -63,7 +63,7 @@ VectorXd information_of(const MatrixXd& jacobian, const OwnColumns& columns, std
 Occam occam_of(const optim::Residuals& residuals,
                const std::vector<optim::FitParameter>& parameters, std::size_t first, double size,
                double deviation, const optim::FitResult& fit) {
-  constexpr double kMost = 0.1;
+  constexpr double kMost = 0.1;  // of the stroke: the prior's reach of a coefficient (LC1)
   const std::size_t m = parameters.size(), n = residuals.count();
   const auto samples = static_cast<double>(residuals.measurements());
   // Where a coefficient has no effect to first order it has one to second order, as a rule: a

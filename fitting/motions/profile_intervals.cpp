@@ -17,7 +17,10 @@ namespace {
 /// not.
 double reach(const optim::FitParameter& parameter, const std::function<double(double)>& deviations,
              double wanted, double step) {
+  // With steps in proportion three are enough where residuals bend little.
   constexpr int kSteps = 8;
+  // Two digits of an interval are shown. Where residuals bend, a step in proportion may be off by
+  // as much as four times.
   constexpr double kNear = 0.03, kMost = 4, kLeast = 0.25;
   const double value = parameter.start, bound = step > 0 ? parameter.upper : parameter.lower;
   double inside = 0;  // as far as it is known to be below

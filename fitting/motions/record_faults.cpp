@@ -248,7 +248,7 @@ FaultTest test_fault(const std::vector<std::vector<LawFit>>& rankings,
 }
 
 std::vector<FaultTest> seen_faults(std::vector<FaultTest> tests) {
-  constexpr double kAsWell = 4;
+  constexpr double kAsWell = 4;  // exp(-4 / 2): a seventh of the likelihood
   std::erase_if(tests, [](const FaultTest& test) {
     return !(test.gain > (test.with_plain_laws ? kGainWithPlainLaws : kGainOfFault));
   });

@@ -85,7 +85,7 @@ std::optional<FoundCycle> as_one(const FoundCycle& several, const MotionSamples&
 /// Whether one motion leaves no more than several do, but for chance and rounding.
 bool follows_as_well(const FittedCycle& one, const FittedCycle& several,
                      const MotionSamples& samples) {
-  constexpr double kNearly = 1.2;
+  constexpr double kNearly = 1.2;  // the deviation of a hundred samples is known to 7 %
   double least = rounding_deviation(samples);
   for (const MotionFit& fit : several.fits) least = std::max(least, fit.best().fit.rms);
   return one.fits.front().best().fit.rms <= kNearly * least;
@@ -136,7 +136,7 @@ bool is_on_curve(const FaultyRow& row, const LawFit& law, const MotionSamples& s
 /// too smooth: rows that lie on the motion found without them are none. Fits again with them.
 void fit_with_rows_at_breaks(RecordedMotion& found, double period, const std::vector<Member>& laws,
                              const LawFitOptions& options) {
-  constexpr int kTimes = 2;
+  constexpr int kTimes = 2;  // the second fit has the first one's rows and may take back some more
   for (int k = 0; k < kTimes && are_tried(found.cycle) && found.cycle.fits.size() == 1; ++k) {
     const LawFit law = found.cycle.fits.front().best();
     const std::size_t count = put_back(found.record, [&](const FaultyRow& row) {

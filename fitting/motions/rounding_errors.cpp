@@ -90,7 +90,7 @@ void add_waves(const MotionSamples& samples, const Linearised& all,
 }  // namespace
 
 double least_sum_of_squares(const MotionSamples& samples) {
-  constexpr double kRounding = 1e-10;
+  constexpr double kRounding = 1e-10;  // of the values: a sum below it is the fit's own rounding
   double size = 0;
   for (const double y : samples.value) size = std::max(size, std::abs(y));
   const double floor = std::max(kRounding * size, rounding_deviation(samples));

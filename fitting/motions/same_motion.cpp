@@ -6,8 +6,8 @@
 namespace camlaw::problems {
 
 bool same_motion(const Member& a, const Member& b) {
-  constexpr int kPlaces = 64;
-  constexpr double kSame = 1e-9;
+  constexpr int kPlaces = 64;     // laws that differ do so at most of as many places
+  constexpr double kSame = 1e-9;  // of the stroke: rounding of two formulas for one law
   const Law<double> first = a.law(), second = b.law();
   for (int i = 0; i < kPlaces; ++i) {
     const double x = (i + 0.5) / kPlaces;

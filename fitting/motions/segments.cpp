@@ -29,7 +29,7 @@ void check(const SegmentOptions& options) {
 
 /// Whether one chain goes all the way round.
 bool is_closed(const LiftCurve& lift, const std::vector<Chain>& chains) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the turn: the sum of the motions' lengths rounds
   return lift.is_periodic && chains.size() == 1 &&
          chains[0].back().place - chains[0].front().place > (1 - kRounding) * lift.length();
 }

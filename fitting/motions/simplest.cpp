@@ -18,6 +18,8 @@ int significant(double whole) {
 }  // namespace
 
 SimpleNumber simplest_between(double low, double high) {
+  // Digits that tell any double. Fractions up to twelfths are what designers write, and cost as
+  // much as two digits.
   constexpr int kMostDigits = 17, kDenominators = 12, kOfFraction = 2;
   if (low <= 0 && high >= 0) return {0, 1};
   const double middle = low + (high - low) / 2;

@@ -88,6 +88,7 @@ Shifts add_shifts(std::vector<optim::FitParameter>& parameters, const RecordedCu
   const double infinity = optim::kInfinity;
   if (options.place_shift) {
     shifts.place = parameters.size();
+    // Half a turn leads to any place of it; a wrong zero of an encoder is about a degree off.
     constexpr double kMost = 180, kTypical = 1;
     parameters.push_back(
         {"place_shift", record.response.response->along, -kMost, kMost, 0, kTypical});
@@ -189,7 +190,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   }
   const std::vector<double>& r = result.fit.residuals;
   result.left = optim::residual_pattern(record.place, optim::counted_residuals(result.fit));
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the values: the model's own rounding
   result.outliers = find_outliers(record.place, r, result.fit.rank, kRounding * size);
   const bool exact = result.fit.rms < kRounding * size;
   result.distrust = exact ? result.fit.reason : distrust_of(result, record, options);

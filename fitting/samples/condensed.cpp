@@ -47,7 +47,11 @@ std::vector<double> second_differences(const std::vector<double>& values, std::s
 /// and the bend are those of second differences.
 std::size_t each_by_noise(const std::vector<double>& place, const std::vector<double>& value,
                           double resolution) {
+  // Fits are no better with more means. Second differences over ten means show a bend that noise
+  // hides from neighbours.
   constexpr std::size_t kEnough = 10000, kLag = 10;
+  // A hundredth of a mean's noise moves no fit. The largest tenth of the bends may be corners or
+  // outliers.
   constexpr double kOfNoise = 0.01, kMost = 0.9;
   constexpr double kNoiseInMost = 4.5;  // of noise alone 9 in 10 second differences are below
   const std::size_t n = place.size(), each = (n + kEnough - 1) / kEnough;
@@ -91,7 +95,7 @@ void add_mean(const Group& group, double far, Condensed& result) {
 
 Condensed means_of_neighbours(std::vector<double> place, std::vector<double> value,
                               std::size_t each, double resolution) {
-  constexpr double kFar = 6;
+  constexpr double kFar = 6;  // deviations, of as many values of one place as there may be
   if (each <= 1) return {std::move(place), std::move(value)};
   Condensed result;
   result.each = each;

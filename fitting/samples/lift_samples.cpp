@@ -28,6 +28,7 @@ std::optional<Impossible> bad_lengths(std::size_t x, std::size_t s) {
 std::optional<Impossible> bad_samples(std::span<const double> phi, std::span<const double> s,
                                       std::optional<double> period, std::optional<double> noise) {
   if (auto fault = bad_lengths(phi.size(), s.size())) return fault;
+  // A smoothing spline needs its order, some spans, and samples to spare.
   constexpr std::size_t kLeast = 24;
   if (phi.size() < kLeast) {
     return no_segments(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
@@ -38,7 +39,7 @@ std::optional<Impossible> bad_samples(std::span<const double> phi, std::span<con
     }
   }
   const auto [low, high] = std::minmax_element(s.begin(), s.end());
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // of the lift: values of one level differ by rounding
   if (*high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high))) {
     return no_segments(fmt::format("the lift is {:.6g} throughout: it shows no motion", *low));
   }
@@ -70,7 +71,7 @@ std::vector<SamePlace> sorted(std::span<const double> phi, std::span<const doubl
     places.emplace_back(x, i);
   }
   std::sort(places.begin(), places.end());
-  constexpr double kOne = 1e-9;
+  constexpr double kOne = 1e-9;  // of the range: places of one row differ by rounding
   const double range = places.back().first - places.front().first;
   std::vector<SamePlace> groups;
   for (const auto& [x, index] : places) {
@@ -96,7 +97,7 @@ Possible<std::vector<double>> misses(std::span<const double> x, std::span<const 
     constexpr double kMost = 5;
     if (miss.noise * miss.noise < kMost) sizes.push_back(std::abs(miss.by) / miss.noise);
   }
-  constexpr std::size_t kLeast = 8;
+  constexpr std::size_t kLeast = 8;  // the median of so many sizes is known to 40 %
   if (sizes.size() < kLeast) return no_segments("too few neighbouring samples to tell their noise");
   return sizes;
 }
@@ -108,7 +109,7 @@ double shown_noise(const std::vector<double>& sizes, double least_noise) {
 
 /// The size of a miss beyond which a normal deviation does not make it likely.
 double suspect_from(const std::vector<double>& sizes, double least_noise) {
-  constexpr double kSuspect = 5;
+  constexpr double kSuspect = 5;  // deviations: noise passes them once in two million samples
   return kSuspect * shown_noise(sizes, least_noise);
 }
 
@@ -125,6 +126,7 @@ Possible<std::vector<double>> outliers_in(const LiftSamples& lift, std::optional
   for (const auto& sample : curve->samples()) residuals.push_back(sample.residual);
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const auto freedom = static_cast<std::size_t>(std::lround(curve->degrees_of_freedom()));
+  // Of the lift: the spline itself is as far off where an exact law turns sharply.
   constexpr double kLeast = 1e-4;
   const Outliers found =
       find_outliers(lift.phi, residuals, freedom,
@@ -149,7 +151,7 @@ LiftSamples seen_from(const LiftSamples& lift, bool end) {
 /// The greatest miss at the first samples that are not left out, in the unit of one sample's noise;
 /// none where they have too few neighbours.
 std::optional<double> first_misses(const LiftSamples& lift, const std::vector<bool>& is_off) {
-  constexpr std::size_t kFirst = 12;
+  constexpr std::size_t kFirst = 12;  // twelve samples give the eight misses that misses() needs
   std::vector<double> x, s;
   for (std::size_t i = 0; i < lift.phi.size() && x.size() < kFirst; ++i) {
     if (!is_off[i]) x.push_back(lift.phi[i]), s.push_back(lift.s[i]);
@@ -186,6 +188,7 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
 /// The same of both ends of samples that do not go round.
 void find_off_at_ends(const LiftSamples& lift, const std::vector<double>& sizes, double least_noise,
                       std::vector<double>& off) {
+  // Of the lift: the spline itself is as far off where an exact law turns sharply.
   constexpr double kLeast = 1e-4;
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const double least = std::max(suspect_from(sizes, least_noise), kLeast * (*high - *low));
@@ -202,6 +205,7 @@ Possible<double> possible_noise(std::span<const double> x, std::span<const doubl
   if (auto fault = bad_lengths(x.size(), s.size())) return std::move(*fault);
   const auto sizes = misses(x, s);
   if (!sizes) return sizes.reason();
+  // The median of |e| is 1 / 1.4826 of a normal deviation.
   constexpr double kNormalOverMedian = 1.4826022185056018;
   return kNormalOverMedian * optim::median(*sizes);
 }

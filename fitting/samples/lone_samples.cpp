@@ -98,7 +98,7 @@ CubicMiss cubic_miss(std::span<const double> x, std::span<const double> s,
 
 CubicMiss miss_without(std::span<const double> x, std::span<const double> s,
                        const std::vector<bool>& left_out, std::size_t i) {
-  constexpr std::size_t kPoints = 4;
+  constexpr std::size_t kPoints = 4;  // a cubic takes four
   const auto [left, right] = neighbours_of(left_out, i);
   std::vector<std::size_t> at;
   for (std::size_t k = 0; k < kPoints && at.size() < kPoints; ++k) {
@@ -111,6 +111,8 @@ CubicMiss miss_without(std::span<const double> x, std::span<const double> s,
 std::vector<bool> lone_samples(std::span<const double> x, std::span<const double> s,
                                std::span<const double> residuals,
                                const std::vector<std::size_t>& suspects, double noise) {
+  // A sample that is off misses its neighbours' cubic by what it lies off the curve. Others that
+  // are off beside it may hide more than half of that; with all suspects left out little is hidden.
   constexpr double kOwn = 0.5, kOwnOfAll = 0.2;
   const LoneSearch search{x, s, noise};
   std::vector<bool> is_suspect(x.size()), is_off(x.size());

@@ -82,6 +82,7 @@ MotionGuess guess_motion(const MotionSamples& samples) {
     end = std::max(end, samples.place[i]);
   }
   if (end > begin) guess = {begin, end, 0, 1};
+  // About those of the modified sine, 1.76 and 5.53, in the middle of common laws.
   constexpr double kTypicalB = 1.8, kTypicalC = 5.5;
   const double length = guess.end - guess.begin;
   guess.from = 0;

@@ -13,6 +13,7 @@ namespace {
 
 /// The larger of the lower quartiles of the five neighbours' sizes on each side.
 double beside(const std::vector<double>& sizes, std::size_t i) {
+  // (FS4): five on each side, of which the quartile passes one or two other outliers.
   constexpr std::size_t kReach = 5;
   const std::size_t begin = i > kReach ? i - kReach : 0;
   const std::size_t end = std::min(i + kReach + 1, sizes.size());
@@ -31,7 +32,7 @@ Outliers find_outliers(std::span<const double> place, std::span<const double> re
   if (place.size() != residual.size()) {
     throw std::invalid_argument("outliers: there must be as many residuals as abscissas");
   }
-  constexpr double kBeside = 5;
+  constexpr double kBeside = 5;  // (FS4): where a law is wrong, neighbours lie off as well
   const std::size_t count = residual.size();
   Outliers result;
   constexpr std::size_t kFreedom = 10;  // fewer do not tell their deviation
@@ -57,7 +58,7 @@ Outliers find_outliers(std::span<const double> place, std::span<const double> re
 }
 
 bool draws(const Outliers& found, std::span<const double> residual) {
-  constexpr double kDrawn = 0.1;
+  constexpr double kDrawn = 0.1;  // of the sum of squares: less hardly pulls a fit
   double squares = 0, all = 0;
   for (const double r : residual) all += r * r;
   for (const std::size_t i : found.samples) squares += residual[i] * residual[i];

@@ -162,7 +162,7 @@ StandIns SampleBlocks::stand_ins(std::span<const double> breaks) const {
 }
 
 bool SampleBlocks::are_for(std::span<const double> breaks, std::span<const double> others) const {
-  constexpr double kBeside = 0.25;
+  constexpr double kBeside = 0.25;  // of a block's width, as in stand_ins()
   const std::vector<bool> kept = broken(breaks, kBeside), needed = broken(others, 0);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     if (needed[k] && !kept[k]) return false;

@@ -13,7 +13,7 @@
 namespace camlaw {
 namespace {
 
-constexpr int kMostDegree = 25;
+constexpr int kMostDegree = 25;           // as b-spline takes
 constexpr double kMostCoefficient = 100;  // as b-spline takes
 
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
@@ -53,6 +53,7 @@ std::vector<std::size_t> free_coefficients(const FreeLaw& shape) {
 }
 
 void check_knots(const FreeLaw& shape) {
+  // 1 - x rounds by less, and what is written with ten digits is meant as it stands.
   constexpr double kKnotRounding = 1e-12;
   const auto& knots = shape.knots;
   for (std::size_t i = 0; i < knots.size(); ++i) {

@@ -7,7 +7,7 @@
 namespace camlaw::detail {
 namespace {
 
-constexpr double kSlack = 1e-6;
+constexpr double kSlack = 1e-6;  // of a stroke of 1: values that are stated with seven digits join
 
 using State = std::array<double, 3>;  // s, v, a
 
@@ -67,7 +67,7 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
 
 /// A value without what is mere rounding beside another one.
 double beside(double value, double other) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // some thousands of units of the last place
   return std::abs(value) <= kRounding * std::abs(other) ? 0 : value;
 }
 

@@ -165,7 +165,7 @@ bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
   if (segment.rests) return true;
   const auto motion =
       running_law(segment).derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the mean velocity: a law that rests has less by rounding
   for (std::size_t k = 1; k <= static_cast<std::size_t>(matched); ++k) {
     if (std::abs(motion[k]) > kRounding) return false;
   }

@@ -139,6 +139,7 @@ void check_program(const StatedProgram& program) {
     level = segment.to;
     sum += segment.angle;
   }
+  // Of the turn: a hundred angles with ten digits add up so well.
   constexpr double kRounding = 1e-9;
   if (std::abs(sum - kCycle) > kRounding * kCycle) {
     refuse_program(fmt::format("the angles add up to {:.10g} deg, not 360", sum));

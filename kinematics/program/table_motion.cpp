@@ -17,7 +17,7 @@ namespace camlaw {
 namespace {
 
 constexpr std::size_t kFewest = 8;  // rows that a curve of degree 5 can be told from
-constexpr std::size_t kDegree = 5;
+constexpr std::size_t kDegree = 5;  // a spline of this degree has a smooth jerk
 
 void check_rows(std::span<const double> x, std::span<const double> s) {
   if (x.size() != s.size() || x.size() < kFewest) {
@@ -118,7 +118,7 @@ optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const
                     "from {:.3g} to {:.3g} of the table's range",
                     least, most));
   }
-  constexpr int kHalvings = 40;
+  constexpr int kHalvings = 40;  // 45 powers of ten are halved to 1e-10 of one
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     (deviation_of(at(middle)) < wanted ? low : high) = middle;

@@ -81,6 +81,7 @@ void put_some(const Lanes<V>& m, MotionRows out, std::size_t i, std::size_t coun
 template <class V, bool FromZero, class Body>
 std::size_t run_blocks(const Stretch<V>& stretch, const double* x, std::size_t n, MotionRows out,
                        const Body& body) {
+  // Four vectors side by side hide each other's latency.
   constexpr std::size_t kBlock = 4 * kWidth<V>;
   std::size_t i = 0;
   for (; i + kBlock <= n; i += kBlock) {

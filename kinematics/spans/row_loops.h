@@ -151,6 +151,7 @@ std::size_t run_of_rows(const PieceRows& law, const double* x, std::size_t n, Mo
 template <class V, int Degree, bool Wave, class Table>
 void motion_of_rows(const PieceRows& law, const Table& table, const double* x, std::size_t n,
                     MotionRows out) {
+  // Four vectors side by side hide each other's latency.
   constexpr std::size_t kBlock = 4 * kWidth<V>;
   const auto motion = [&](const V& at) {
     return row_motion<V, Degree, Wave, Wave>(table(find_pieces<V>(law, at)), at);

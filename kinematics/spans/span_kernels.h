@@ -32,6 +32,7 @@ struct PieceNumbers {
 /// A law of several pieces, each of which is a row of eight numbers: c_0 to c_6 and the origin of a
 /// polynomial; or c_0 to c_3, origin, sine, cosine and frequency of a polynomial with one harmonic.
 struct PieceRows {
+  /// A row fills a cache line of 64 bytes, and a vector of the widest set.
   static constexpr std::size_t kNumbers = 8;
 
   const double* ends = nullptr;  ///< what each piece's points lie below; the pieces begin at 0

@@ -118,6 +118,7 @@ class PointTrace {
   }
 
  private:
+  /// A point of 100 mm radius moves by 0.15 um over the narrowest cells, 1e-4 deg.
   static constexpr double kFinest = 1 << 22;
   using Box = std::pair<Interval, Interval>;
 
@@ -181,7 +182,7 @@ class Sight {
       double from, to, apart_from, apart_to, least;  ///< of the arm's angle; less that touched
       bool operator<(const Part& other) const { return least > other.least; }
     };
-    constexpr int kMostParts = 150000;
+    constexpr int kMostParts = 150000;  // what so many parts leave open counts as not proved
     std::priority_queue<Part> parts;
     double done = optim::kInfinity;  // of what needs no further look
     int looked = 0;
@@ -222,7 +223,9 @@ class Sight {
 
  private:
   Meeting least(bool depths) const {
+    // A lobe of the profile, or a bend of the arm's way, is wider than two degrees.
     constexpr int kSamples = 180;
+    // The nearest place may lie in another valley, by what samples miss.
     constexpr std::size_t kStarts = 4;
     const std::vector<Meeting> all = nearest_samples(kSamples, depths);
     std::vector<Meeting> starts;
@@ -276,7 +279,7 @@ class Sight {
   }
   /// By steps along both angles and both diagonals, halved where none leads lower.
   Meeting descended(Meeting here, double step, bool depths) const {
-    constexpr double kLeast = 1e-8;
+    constexpr double kLeast = 1e-8;  // deg: the gap changes by its square, 1e-20 of the cam's size
     constexpr std::array<std::array<int, 2>, 8> kWays{
         {{1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
     while (step > kLeast) {

@@ -55,6 +55,7 @@ struct RollerDuty {
     return power(absolute(force), kExponent);
   }
 
+  /// The exponent of roller bearings in ISO 281, whose rating is for a million revolutions.
   static constexpr double kExponent = 10.0 / 3, kMillion = 1e6;
 };
 

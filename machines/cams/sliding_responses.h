@@ -16,6 +16,7 @@ std::vector<MechanismResponse> sliding_responses(const std::vector<std::string>&
       cam_curve<M>({"profile_wear", "mm", "m",
                     "depth of wear of the profile in a million turns, by Archard's law"},
                    [](const auto& cam, const auto& f) {
+                     // The response states the wear of so many turns.
                      constexpr double kTurns = 1e6;
                      return kTurns * cam.wear(f);
                    })};

@@ -10,7 +10,7 @@ namespace camlaw {
 /// its derivatives lie within over the box.
 template <class Visit>
 void visit_boxes(const Law<Interval>& law, Visit visit) {
-  constexpr int kBoxes = 64;
+  constexpr int kBoxes = 64;  // each bound is wider than the range by the square of a box's length
   for (const Piece<Interval>& piece : law.pieces()) {
     const PieceExpander expander(piece);
     const Interval length = (piece.end - piece.begin) / Interval(kBoxes);

@@ -24,9 +24,10 @@ enum LossPart : std::size_t { Natural, LossDamping, Preload, SpringRise, AtCam, 
 
 constexpr double kTopTurns = 10;       // of the cam in a natural period
 constexpr double kMostPeriods = 2500;  // in a turn, of which each needs its samples
+/// With less there are too many sharp resonances to step over.
 constexpr double kLeastDamping = 0.002;
-constexpr double kSamples = 16;  // in a period
-constexpr int kMostSteps = 20000;
+constexpr double kSamples = 16;    // in a period
+constexpr int kMostSteps = 20000;  // steps between speeds, each with a search over the turn
 constexpr double kBracket =
     1e-5;                         // of the speed: so close together the first crossing is bracketed
 constexpr double kProved = 1e-8;  // of the speed, on either side of it
@@ -333,6 +334,7 @@ class LossKernel final : public optim::Kernel {
   }
 
   static bool leaves_at(const LossTrain& train, double speed, const optim::Place& place) {
+    // Deg: at the place itself, which may be a break, no side is enclosed.
     constexpr double kAside = 1e-9;
     const auto force = train.force(speed, speed);
     const double angle = std::clamp(place.angle + (place.from_left ? -kAside : kAside), 0.0, 360.0);

@@ -38,7 +38,7 @@ constexpr double kFar = 4, kDampedFar = 55, kFreeFar = 21;
 }  // namespace
 
 double acceleration_variation(const Law<Interval>& law) {
-  constexpr int kSecond = 2, kThird = 3;
+  constexpr int kSecond = 2, kThird = 3;  // orders of the derivatives of s
   Interval sum(0.0);
   std::vector<Interval> begins, ends;
   for (const Piece<Interval>& piece : law.pieces()) {

@@ -169,7 +169,7 @@ SpeedCurve::SpeedCurve(std::vector<Recorded> parts, const UnitFactor& factor,
                  !parts_[Fastest].formula.uses().empty()) {}
 
 optim::Place SpeedCurve::tied(optim::Place place, optim::Design x) const {
-  constexpr double kBeside = 1e-12;
+  constexpr double kBeside = 1e-12;  // of the speed: rounding of the formula for an end
   if (!ends_move_) return place;
   const std::vector<double> ends = trace(x)->breaks();
   for (std::size_t i = 0; i < ends.size(); ++i) {

@@ -89,6 +89,7 @@ double TurnHarmonics::size(int k) const {
 }
 
 SteadyReach TurnHarmonics::reach(Steady which, const Interval& turns, const Interval& zeta) const {
+  // From so many turns in a natural period on, a closed form bounds all harmonics.
   constexpr double kFar = 4;
   constexpr int kMost = 4000;  // harmonics: of a train with more of them nothing is said
   constexpr SteadyReach kNothing{kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};

@@ -40,7 +40,7 @@ std::string why_rollers_differ(double stations, double rollers, double advance, 
   if (!(advance > 0))
     return fmt::format("an index drive advances by 1 station or more in a cycle; {:g} is given",
                        advance);
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of a pitch: what is meant to be an integer
   if (std::abs(pitches - std::round(pitches)) > kRounding) {
     return fmt::format(
         "an advance by {:g} of {:g} stations is {:.4g} pitches of the {:g} rollers of a cam; it "

@@ -27,6 +27,7 @@ bool is_polynomial(const LinearLaw& law) {
 /// Whether no design has a pulse on the curve. A jump is affine in the design too: where neither
 /// the own law nor some others have one, none has.
 bool has_no_pulse(const CurveParts& parts, const LawBinding& law, const LinearLaw& linear) {
+  // A jump hardly vanishes by chance at three designs that differ in all numbers.
   constexpr std::size_t kOthers = 3;
   if (!parts.uses[2] && !parts.uses[3]) return true;
   if (pulse_place(parts.cycle, *linear.law, parts.uses)) return false;
@@ -70,6 +71,7 @@ struct AffineCurve::Gains {
 };
 
 std::optional<AffineCurve::Gains> AffineCurve::gains_of(const optim::Kernel& point) {
+  // An affine formula rounds by a few units of the last place of its terms.
   constexpr double kSame = 1e-12;
   constexpr std::array<double, 4> kSome{0.37, 1.21, -3.7, 17.3};
   const std::array<double, 4> none{};

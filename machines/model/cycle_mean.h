@@ -21,6 +21,7 @@ inline constexpr int kLeastSteps = 2;
 /// so that its square, of twice the frequency, is integrated as well.
 template <class T>
 double harmonic_rate(const Piece<T>& piece) {
+  // Ten places in a step integrate the square, which turns by 4 rad, to rounding.
   constexpr double kTurn = 2;
   double rate = 0;
   for (const auto& h : piece.harmonics) {

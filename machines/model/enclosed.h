@@ -28,6 +28,7 @@ inline Interval interval_of(const optim::Bounds& bounds) {
 /// What is known of a value that exists where a condition is 0 or above.
 template <std::size_t N>
 Series<Interval, N> known_where(const Interval& condition, Series<Interval, N> value) {
+  // Rounding of the condition at its edge, where the formula still has its value.
   constexpr double kRounding = 1e-12;
   if (condition.lower() >= -kRounding * magnitude(condition)) return value;
   for (Interval& c : value.c) c = Interval::whole();

@@ -7,7 +7,7 @@ namespace camlaw::problems {
 
 Point highest_along_ranges(const Box& box, const std::vector<Point>& places,
                            const std::function<double(const Point&)>& value) {
-  constexpr int kSteps = 32;
+  constexpr int kSteps = 32;  // a top that the grid misses may be as narrow along one range
   Point best = places.front();
   double highest = value(best);
   const auto look = [&](const Point& p) {

@@ -197,8 +197,8 @@ std::vector<Point> places_of(const Box& box) {
 
 std::vector<Point> tops_of(const Box& box, const std::vector<Point>& places,
                            const std::function<double(const Point&)>& value) {
-  constexpr std::size_t kMost = 4;
-  constexpr double kLow = 0.5;  // of the range of the values: others are not climbed from
+  constexpr std::size_t kMost = 4;  // each climb takes some tens of looks at the curve
+  constexpr double kLow = 0.5;      // of the range of the values: others are not climbed from
   std::vector<double> values;
   for (const Point& place : places) {
     values.push_back(value(place));
@@ -239,8 +239,8 @@ bool is_top(const Point& p, const Box& box, const Point& slopes) {
 
 std::optional<double> top_along(double from, const Rise& here, const Bounds& bounds,
                                 const std::function<Rise(double)>& along) {
-  constexpr double kSmall = 1e-14;  // of the range
-  constexpr int kMostHalvings = 20;
+  constexpr double kSmall = 1e-14;   // of the range
+  constexpr int kMostHalvings = 20;  // to a millionth of a step: waves on the path are wider
   constexpr std::uintmax_t kMostLooks = 40;
   const double width = bounds.upper - bounds.lower;
   double near = from, far = std::clamp(from + std::copysign(width / kStepsOfOne, here.slope),
@@ -327,6 +327,7 @@ double rise_over(const Slopes& here, const Point& step) {
 }  // namespace
 
 Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes) {
+  // Newton's method takes a few; one that goes on is on a ridge that bends.
   constexpr int kSteps = 40;
   constexpr double kSmall = 1e-13, kShort = 1e-4;  // of the range
   constexpr double kRounding = 1e-15;              // of the value: no value shows a lesser rise

@@ -61,6 +61,7 @@ class StillAngle final : public optim::Kernel {
 }  // namespace
 
 std::optional<std::size_t> joint_at(const Law<double>& law, double x) {
+  // Angles turned into x differ in the last places of the law's length (at_break).
   constexpr double kBeside = 1e-14;
   std::optional<std::size_t> joint;
   for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {

@@ -49,6 +49,8 @@ double root_between(const F& f, double low, double high, double at_low, double a
 
 /// Even steps over a piece of a law that has so many.
 int steps_of_piece(std::size_t pieces) {
+  // Two changes of sign between neighbouring steps are missed; a law of many pieces has fewer in
+  // each.
   constexpr int kFewest = 8, kMost = 64, kOfLaw = 512;
   return std::clamp(kOfLaw / static_cast<int>(pieces), kFewest, kMost);
 }

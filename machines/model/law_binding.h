@@ -112,6 +112,8 @@ class LawBinding {
   /// gradient and hessian; `derivatives` is 0, 1 or 2.
   MotionDerivatives end_derivative(PieceEnd end, std::size_t order, std::span<const double> values,
                                    int derivatives) const;
+  /// Laws rest with the first few derivatives at 0; where all below this order vanish, the order of
+  /// a rest counts as unknown.
   static constexpr std::size_t kEndOrders = 8;
   /// The x of an end of a piece, wherever that moves, in [0] of value, gradient and hessian.
   MotionDerivatives end_place(PieceEnd end, std::span<const double> values, int derivatives) const;

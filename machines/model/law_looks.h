@@ -16,7 +16,7 @@ namespace camlaw::problems {
 /// in other scalars, differ in the last places.
 template <class S>
 double at_break(const Law<S>& law, double x) {
-  constexpr double kBeside = 1e-14;
+  constexpr double kBeside = 1e-14;  // of the law's length: some fifty units of the last place
   const auto& pieces = law.pieces();
   const auto near = std::partition_point(pieces.begin(), pieces.end(), [&](const auto& piece) {
     return value_of(piece.end) < x - kBeside;

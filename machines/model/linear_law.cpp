@@ -74,6 +74,7 @@ struct Told {
 /// The parameter that moves a piece in a pair of lanes, from 0 on, by its largest number; none
 /// where none does. -1 where more than one may.
 std::optional<std::ptrdiff_t> told_by(const std::vector<Told>& numbers) {
+  // A slope that is 1e-9 of the largest still tells the index to 1e-7.
   constexpr double kSame = 1e-6, kCounts = 1e-9;
   double largest = 0, count = 0;
   for (const Told& number : numbers) {

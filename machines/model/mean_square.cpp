@@ -97,6 +97,7 @@ std::vector<Affine> squares_of(const LawBinding& law, int order) {
 
 /// Whether a derivative jumps where two pieces meet, at the member's own values or with others.
 bool jumps_at(const LawBinding& law, std::span<const double> zeros, double x, int order) {
+  // Splines of high degree cancel to seven or eight digits of their derivatives.
   constexpr double kRounding = 1e-7;
   const auto m = static_cast<std::size_t>(order);
   const auto left = law.motion(x, Side::Left, zeros, 1),

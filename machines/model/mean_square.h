@@ -54,6 +54,7 @@ double largest_part(const ceres::Jet<T, N>& x) {
 /// that T carries derivatives by.
 template <class T>
 bool jumps_between(const Law<T>& law, int order) {
+  // Splines of high degree cancel to seven or eight digits of their derivatives.
   constexpr double kRounding = 1e-7;
   const auto& pieces = law.pieces();
   const auto k = static_cast<std::size_t>(order);

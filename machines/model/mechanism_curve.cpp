@@ -39,6 +39,7 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
   const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto index = static_cast<std::size_t>(&stretch - parts_->cycle.stretches.data());
   const double at = law_place(stretch, place).x;
+  // Angles turned into x differ in the last places of the law's length (at_break).
   constexpr double kBeside = 1e-14;
   const auto number = [&](std::size_t i) { return static_cast<int>(index * kMostPieces + i); };
   if (at <= kBeside) place.joint = number(kBeginOfStretch);

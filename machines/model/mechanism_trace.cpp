@@ -39,6 +39,8 @@ MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
 /// Where what is chosen between differs, and no less so the nearer one looks: the contact stress of
 /// a follower that changes its flank goes through 0 as a root does.
 void MechanismTrace::keep_jumps(const std::vector<double>& places) {
+  // A jump stays as it is a hundred millionth of the stretch away. A root falls to a hundredth over
+  // that, and a cubic root to a twentieth; 0.7 tells them apart.
   constexpr double kSame = 1e-9, kFarther = 1e4 * kBesideJump, kStays = 0.7;
   for (const double angle : places) {
     const double before = at({angle, true})[0], behind = at({angle})[0];

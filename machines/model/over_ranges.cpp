@@ -71,6 +71,7 @@ class WithinDomain final : public optim::Kernel {
 
  private:
   static bool is_inside(const optim::Bounds& condition) {
+    // Rounding of the condition at its edge, where the formula still has its value.
     constexpr double kRounding = 1e-12;
     const double size = std::max(std::abs(condition.lower), std::abs(condition.upper));
     return std::isfinite(size) && condition.lower >= -kRounding * size;

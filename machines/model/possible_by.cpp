@@ -81,7 +81,7 @@ std::optional<std::size_t> widest(const std::vector<Bounds>& box, std::span<cons
 /// Looks at one condition all over a box, which is halved where its bounds leave open whether it
 /// holds.
 MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const Bounds> whole) {
-  constexpr int kParts = 500;
+  constexpr int kParts = 500;  // parts, each one enclosure: a proof that needs more is given up
   std::vector<std::vector<Bounds>> left{{whole.begin(), whole.end()}};
   for (int parts = 0; !left.empty(); ++parts) {
     const std::vector<Bounds> box = std::move(left.back());

@@ -26,7 +26,7 @@ BreakSide side_of(const Standing& at) {
 
 /// Whether derivative k jumps. Most breaks are told by the values alone, which cost little.
 bool jumps_between(const Standing& left, const Standing& right, std::size_t k) {
-  constexpr double kSame = 1e-13;
+  constexpr double kSame = 1e-13;  // smaller jumps are rounding whatever the law
   const double before = derivatives<4>(left.piece, left.x)[k] * (left.returning ? -1 : 1);
   const double after = derivatives<4>(right.piece, right.x)[k] * (right.returning ? -1 : 1);
   if (std::abs(before - after) <= kSame) return false;

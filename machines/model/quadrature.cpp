@@ -49,6 +49,7 @@ const MeanRule& mean_rule() {
 
 double gauss_error(std::span<const double, kMeanPoints> values) {
   static const auto kWeights = coefficient_weights();
+  // Coefficients that fall by less than a tenth each tell no sum of those behind.
   constexpr double kSlowest = 0.9;
   std::array<double, kDegreePairs> even{}, odd{};
   for (std::size_t k = 0; k < kHalfRule; ++k) {

@@ -113,6 +113,8 @@ class Quadrature {
   }
 
  private:
+  /// Sums round by 1e-14 of the integral of the integrand's size, and no answer shows eleven
+  /// digits.
   static constexpr double kError = 1e-11;
   static constexpr std::size_t kMostAdded = 4000;  ///< steps: what is noise stays noise in any
   static constexpr double kShortest = 1e-13;       ///< what is left of a jump

@@ -10,6 +10,7 @@
 
 namespace camlaw::problems {
 
+/// A design for each thread of a search, and some that it goes back to.
 inline constexpr std::size_t kRecentlyKept = 8;
 
 /// Keeps what was made for the last few keys: many rows of a problem are evaluated at one design.

@@ -25,18 +25,20 @@ double velocity_terms(const Piece<double>& piece) {
 }  // namespace
 
 double velocity_rounding(const Law<double>& law) {
-  constexpr double kRounding = 4e-15;
+  constexpr double kRounding = 4e-15;  // some twenty units of the last place of the terms
   double terms = 0;
   for (const Piece<double>& piece : law.pieces()) terms = std::max(terms, velocity_terms(piece));
   return kRounding * terms;
 }
 
 double resting_velocity(double inside, double rounding) {
+  // Far below what any product or sum of a machine shows, far above denormals.
   constexpr double kTiny = 1e-100;
   return std::abs(inside) > rounding ? std::copysign(kTiny, inside) : 0;
 }
 
 double velocity_from_within(double v, const Piece<double>& piece, double x, double rounding) {
+  // The velocity there, 1e-3 to a power of up to 4, is above rounding.
   constexpr double kBeside = 1e-3;
   if (!(std::abs(v) <= rounding)) return v;
   const double beside = kBeside * (piece.end - piece.begin);
@@ -52,6 +54,7 @@ double resting_displacement(double s, double inside) {
 }
 
 double displacement_from_within(double s, const Piece<double>& piece, double x) {
+  // The displacement there, 1e-2 to a power of up to 5, is above rounding.
   constexpr double kBeside = 1e-2;
   const double beside = kBeside * (piece.end - piece.begin);
   const bool at_begin = x <= piece.begin + beside;
@@ -63,7 +66,7 @@ double displacement_from_within(double s, const Piece<double>& piece, double x) 
 }
 
 double without_traces(double value) {
-  constexpr double kTraces = 1e-80;
+  constexpr double kTraces = 1e-80;  // what is left of the 1e-100 of a resting velocity
   return std::abs(value) < kTraces ? 0 : value;
 }
 

@@ -24,6 +24,8 @@ double some_share(std::size_t index) {
 /// by chance.
 std::vector<Law<double>> laws_about(const Law<double>& own, const LawBinding& binding,
                                     optim::Design x) {
+  // The first derivative vanishes by chance for one law, hardly for four. A neighbour may be no
+  // law: then others are tried, nearer ones at last.
   constexpr std::size_t kLaws = 4, kTries = 12;
   std::vector<Law<double>> laws{own};
   Member member = binding.member_at(x);
@@ -139,6 +141,7 @@ struct PieceSize {
 };
 
 PieceSize size_of(const CurveAt& curve, const Stretch& stretch, const Piece<double>& piece) {
+  // The largest of five places is a size to within a factor that does not matter.
   constexpr int kPlaces = 5;
   PieceSize size;
   for (int i = 0; i < kPlaces; ++i) {

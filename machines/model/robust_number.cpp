@@ -199,6 +199,7 @@ class RobustKernel final : public optim::Kernel {
 
 /// The same parts whatever the problem.
 std::vector<Point> offsets_of(const std::vector<VaryingParameter>& varying, std::size_t count) {
+  // Any would do: it is the same for all, so that their designs compare.
   constexpr std::uint64_t kSeed = 1;
   SobolPoints points(varying.size(), kSeed);
   std::vector<Point> offsets(count, Point(varying.size()));
@@ -230,6 +231,8 @@ std::string Robust::text() const {
 }
 
 std::size_t Robust::parts() const {
+  // The mean of 32 even points of few numbers is good to some per cent of the deviation; a quantile
+  // has four points beyond it at least.
   constexpr std::size_t kOfMean = 32, kLeast = 64;
   constexpr double kBeyond = 4;
   if (!is_quantile) return kOfMean;

@@ -38,6 +38,7 @@ RunningWork::RunningWork(const TurnSections<double>& turn) : whole_(detail::turn
 void RunningWork::add_steps(const TurnSections<double>& turn,
                             const TurnSections<double>::Section& section, double begin, double end,
                             int halvings) {
+  // What ten terms leave of the torque is then the rounding of their sums.
   constexpr double kRounding = 1e-13;
   Step step{std::midpoint(begin, end), (end - begin) / 2, 0, {}};
   const auto& [places, weights] = gauss_legendre(kTerms);

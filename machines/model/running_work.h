@@ -20,6 +20,7 @@ class RunningWork {
   double at(double share) const;
 
  private:
+  /// The quadrature's own places tell as many terms, and a smooth step needs no halving.
   static constexpr std::size_t kTerms = 10;
   using Terms = std::array<double, kTerms>;
   /// From t = -1 to 1 the torque is the sum of terms[n] P_n(t), of Legendre's polynomials.

@@ -167,6 +167,7 @@ class MeanSquareOnShaft {
   static Interval both_ways(const Sections<Interval>& turns, const std::vector<Interval>& phases,
                             const Beginnings<Interval>& all,
                             const std::vector<Stretch<Interval>>& stretches) {
+    // Rounding of a phase overlaps by less of the turn, ranges of a phase by more.
     constexpr double kWide = 1e-9;
     Interval sum(0.0);
     double largest = 0;

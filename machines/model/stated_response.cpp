@@ -116,6 +116,7 @@ class Writer {
   };
 
   static void check_depth() {
+    // Formulas are written by calls within calls, for which the stack must do.
     constexpr int kDeepest = 40;
     if (Writing::depth() <= kDeepest) return;
     throw std::invalid_argument(

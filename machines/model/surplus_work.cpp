@@ -74,6 +74,7 @@ class WorksBefore {
   }
 
  private:
+  // A program's rows and second derivatives are asked for at few designs in turn.
   static constexpr std::size_t kDesigns = 4;
   /// Passes that the derivatives by all variables take.
   static std::size_t blocks(const TurnRecord& record) {

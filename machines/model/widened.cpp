@@ -102,8 +102,8 @@ OwnInputs own_inputs(const Function& f, const Widened& wide) {
 }
 
 Point told(const Function& f, const Widened& wide, Design x, const Point& p) {
-  constexpr double kSame = 1e-12;
-  constexpr double kNear = 1e-7;  // of a range: a climb to a pole at an end stops short of it
+  constexpr double kSame = 1e-12;  // of the value: a parameter that changes less has no part in it
+  constexpr double kNear = 1e-7;   // of a range: a climb to a pole at an end stops short of it
   const double value = f.value(wide.design(x, p));
   Point result = p;
   const Box box = wide.box_at(x);

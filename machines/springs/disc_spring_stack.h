@@ -81,7 +81,7 @@ inline int least_series(const DiscSpring<double>& spring, double deflection, dou
 
 /// The fewest nested springs that carry the force with each deflected by s.
 inline int least_parallel(const DiscSpring<double>& spring, double force, double s) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // of a quotient that is meant to be an integer
   return static_cast<int>(std::ceil(force / spring.force(s) * (1 - kRounding)));
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = FormulaTree::Kind;
 
-constexpr int kDeepest = 64;
+constexpr int kDeepest = 64;  // the reader calls itself for each level, for which the stack must do
 constexpr std::size_t kMostParts = 2000;
 constexpr std::array<std::string_view, 3> kPartWords{"peak", "highest", "lowest"};
 

@@ -121,6 +121,7 @@ FormulaRoots::FormulaRoots(const std::vector<Step>& steps) {
 }
 
 double FormulaRoots::place(const Root& root, double* plain, std::size_t scalar) const {
+  // Places by hash: a machine has a few roots, each in some scalars.
   constexpr std::size_t kKept = 64;
   thread_local std::array<Place, kKept> found;
   Place& known = found[(root.hash + scalar) % kKept];

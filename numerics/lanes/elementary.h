@@ -53,6 +53,7 @@ V with_sign(const V& size, const Integers<V>& sign) {
 /// 16/7; above it c = pi/2 and t = -1/x. So |t| <= 7/16, where the polynomial holds.
 template <class V>
 V arctangent(const V& x) {
+  // The nearest double to pi / 4, and what it leaves.
   constexpr double kQuarterPi = 7.85398163397448278999e-01, kRest = 3.06161699786838301793e-17;
   const V size = size_of(x), none = {}, one = none + 1.0;
   const auto low = size<0.4375, high = size> 16.0 / 7;
@@ -83,6 +84,7 @@ V arctangent(const V& x) {
 template <class V>
 V arcsine(const V& x) {
   using I = Integers<V>;
+  // What the nearest double to pi / 2 leaves.
   constexpr double kHalfPiRest = 6.12323399573676603587e-17;
   constexpr double kQuarterPi = 7.85398163397448278999e-01;
   const V size = size_of(x);
@@ -116,6 +118,7 @@ V logarithm(const V& x) {
   using U = typename Unsigned<V>::Type;
   constexpr double kLog2 = 6.93147180369123816490e-01;      // its leading bits
   constexpr double kLog2Rest = 1.90821492927058770002e-10;  // what they leave
+  // The leading bits of sqrt(1/2), and of 1: 1 + f begins at the first.
   constexpr std::uint64_t kRootOfHalf = 0x3fe6a09eULL << 32, kOne = 0x3ff00000ULL << 32;
   constexpr std::uint64_t kFraction = 0xfffffffffffffULL;  // the bits of a number's fraction
   constexpr double kInfinity = __builtin_inf();

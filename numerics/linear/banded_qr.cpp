@@ -33,7 +33,7 @@ std::vector<int> rows_by_first_column(const RowMatrix& A) {
 /// Of entries of columns whose lengths are near one. std::hypot takes ten times as long, and is
 /// needed only where squares underflow.
 double length_of(double x, double y) {
-  constexpr double kSafe = 1e-280;
+  constexpr double kSafe = 1e-280;  // below it the smaller square loses digits at 1e-308
   const double square = x * x + y * y;
   return square > kSafe ? std::sqrt(square) : std::hypot(x, y);
 }

@@ -12,6 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
+/// The slopes fall to kSmall in a few tens; a path that rounding holds up must end.
 constexpr int kMaxIterations = 150;
 
 /// m times slope, relative to its first value, at which bounded columns tell on which side they

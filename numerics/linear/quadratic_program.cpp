@@ -113,6 +113,8 @@ class Interior {
     now_.s -= change;
     now_.z = (now_.z + weights.cwiseProduct(change)).cwiseMax(0);
     look();
+    // A step that balances the columns may double what is left of gap and rows, which are far
+    // within their tolerances by then; what is rounding already may grow to kRounding.
     constexpr double kMore = 2, kRounding = 1e-12;
     const bool holds = now_.s.minCoeff() > 0 && gap() <= kMore * gap_before &&
                        primal() <= kMore * primal_before + kRounding;
@@ -125,6 +127,8 @@ class Interior {
   /// Of a start: a share of what rows, as they are scaled, have room for on average; 1 where none
   /// has room.
   double least_slack(const VectorXd& room) const {
+    // Slacks of a tenth of the room begin inside and near what the rows say; no step starts nearer
+    // to a row than kLeast.
     constexpr double kShare = 0.1, kMost = 1, kLeast = 1e-6, kNone = 1e-9;
     double sum = 0;
     int count = 0;
@@ -226,6 +230,7 @@ class Interior {
   /// Whether rounding has left of the residuals of columns or equations more than a step is to take
   /// away.
   bool is_lost(const Step& step) const {
+    // A step with three digits still gains; with fewer the residuals stay.
     constexpr double kMuch = 1e-3;
     const double columns = relative(dual_ + change_of_dual(step), column_terms_);
     const double equations = relative(equation_ + sides_.equations * step.y, equation_terms_);
@@ -271,7 +276,10 @@ InteriorSolution with_multipliers(const ProgramSides& sides, const Interior::Ste
 
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
+  // With a gap of 2e-11 of the objective a free law's slopes are balanced to what the verdict asks;
+  // an answer with seven digits is worth looking at.
   constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9;
+  // A method that is off its path may take a dozen steps to come back.
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
   for (int idle = 0;;) {

@@ -102,7 +102,7 @@ double mixture_quantile(std::span<const StudentPart> parts, double q) {
     low = std::min(low, own), high = std::max(high, own);
     sum += part.weight;
   }
-  constexpr int kHalvings = 60;
+  constexpr int kHalvings = 60;  // more halvings than a double has bits
   for (int i = 0; i < kHalvings && low < high; ++i) {
     const double middle = std::midpoint(low, high);
     double below = 0;
@@ -124,6 +124,8 @@ double neighbour_correlation(const std::vector<double>& r) {
 }
 
 double block_squares(const std::vector<double>& r) {
+  // Blocks enough that their mean square is known to a quarter; blocks of fewer than four samples
+  // tell no more than the correlation of neighbours.
   constexpr std::size_t kBlocks = 30, kLeast = 4;
   const std::size_t n = r.size();
   if (n < kLeast * kBlocks) return 1;
@@ -142,7 +144,10 @@ double block_squares(const std::vector<double>& r) {
 }
 
 bool is_curve(const ResidualPattern& pattern, std::size_t n) {
+  // In fewer residuals noise alone has a correlation of kMost in one record of 80 or more often.
   constexpr std::size_t kEnough = 20;
+  // Noise passes 3.7 deviations once in 10 000 records. A correlation of a half counts however few
+  // samples there are, one of less than a tenth never does.
   constexpr double kDeviations = 3.7, kMost = 0.5, kLeast = 0.1;
   constexpr double kSquares = 2.3;  // chi-square of 30 over 30 at 1e-4
   if (n < kEnough) return false;

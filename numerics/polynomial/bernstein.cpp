@@ -25,7 +25,7 @@ std::vector<T> bernstein_weights(std::size_t n) {
 /// (P3): quick, but it takes sums about the left end that cancel, by as much as 3^n.
 template <class T>
 void by_left_end(std::vector<T>& c) {
-  constexpr std::size_t kCached = 41;
+  constexpr std::size_t kCached = 41;  // higher degrees, which are rare, take their weights afresh
   static const auto cache = [] {
     std::array<std::vector<T>, kCached> weights;
     for (std::size_t n = 0; n < kCached; ++n) weights[n] = bernstein_weights<T>(n);
@@ -61,6 +61,7 @@ void by_horner(std::vector<T>& c) {
 
 template <class T>
 double to_bernstein(std::vector<T>& c) {
+  // Two digits may be lost for the quicker way; a rounding is half a unit of the last place.
   constexpr double kMuch = 100, kRounding = 0x1p-53;
   double sum = 0, amplified = 0, power = 1;
   for (const T& each : c) {

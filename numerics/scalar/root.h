@@ -44,7 +44,7 @@ double root_between(const F& f, double low, double high) {
 /// two in one cell are not seen. NaN where there is none. f(x), level(x) -> double.
 template <class F, class Level>
 double root_of(double low, double high, const F& f, const Level& level) {
-  constexpr int kCells = 96;
+  constexpr int kCells = 96;  // each takes a value of f; two roots in one cell are not seen
   double root = std::numeric_limits<double>::quiet_NaN(), highest = root;
   const auto take = [&](double x) {
     const double its = level(x);

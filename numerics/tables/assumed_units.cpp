@@ -34,6 +34,7 @@ double range_of(const SampleColumn& column) {
 }  // namespace
 
 std::optional<std::string> assume_degrees(SampleColumn& column) {
+  // A turn, and a little more where a record goes beyond it.
   constexpr double kMostRadians = 1.05 * kTurn;
   if (!column.unit.empty() || !is_named(column.name, ColumnKind::Angle)) return {};
   if (!(range_of(column) > kMostRadians)) return {};
@@ -77,6 +78,7 @@ bool goes_round(const SampleTable& table) {
     if (!std::isnan(before)) turned += std::remainder(angle - before, kTurn);
     before = angle;
   }
+  // The record may end a step or some outliers short of where it began.
   constexpr double kNearlyRound = 0.9;
   return std::abs(turned) > kNearlyRound * kTurn;
 }

@@ -51,7 +51,7 @@ bool are_rounded(const std::vector<double>& values, double step) {
 /// equal.
 double rough_step(const std::vector<double>& values, double last_digit) {
   const double size = std::max(std::abs(values.front()), std::abs(values.back()));
-  constexpr double kSame = 1e-12;
+  constexpr double kSame = 1e-12;  // of the largest: repeated values differ by rounding
   std::vector<double> differences;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double difference = values[i] - values[i - 1];
@@ -70,6 +70,7 @@ double rough_step(const std::vector<double>& values, double last_digit) {
 /// How many steps each of the sorted values is from the first; the step becomes more certain the
 /// more steps are counted.
 std::vector<double> counted_steps(const std::vector<double>& values, double step) {
+  // A first step may be off by its last digit, over eight by an eighth of it.
   constexpr double kMany = 8;
   std::vector<double> counts{0};
   for (std::size_t i = 1; i < values.size(); ++i) {
@@ -106,6 +107,8 @@ double common_step(std::vector<double> values, double last_digit) {
   const std::vector<double> counts = counted_steps(values, rough);
   if (counts.back() < 1) return 0;
   const auto [begin, step] = line_through(counts, values);
+  // Half a last digit is a value's own rounding, and half as much the line's; an encoder's steps
+  // are even to a thousandth.
   constexpr double kNear = 1e-3, kOfDigit = 0.75;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double off = std::abs(values[i] - begin - step * counts[i]);

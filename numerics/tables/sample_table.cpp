@@ -46,7 +46,7 @@ class Decimals {
   }
 
  private:
-  static constexpr int kMost = 30;
+  static constexpr int kMost = 30;  // decimals to either side: no measured value has more
   std::array<std::size_t, 2 * kMost + 1> counts_{};
 };
 

@@ -24,7 +24,7 @@ std::string unit_text(const Dimension& d) {
 }  // namespace
 
 bool operator==(const Dimension& a, const Dimension& b) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // powers such as 1/3 + 1/3 + 1/3 add up with rounding
   for (std::size_t i = 0; i < a.powers.size(); ++i) {
     if (std::abs(a.powers[i] - b.powers[i]) > kRounding) return false;
   }

@@ -63,6 +63,7 @@ std::string folded(std::string_view text) {
 
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
   const std::string wanted = folded(typed);
+  // Of likeness: names with fewer letters in common are no slip of the pen.
   constexpr double kNear = 0.3;
   std::vector<std::pair<double, std::string>> ranked;
   for (const std::string& name : known) {
@@ -80,7 +81,7 @@ std::vector<std::string> near_names(std::string_view typed, const std::vector<st
 
 void refuse_name(const std::string& what, std::string_view name,
                  const std::vector<std::string>& known, const std::string& list) {
-  constexpr std::size_t kFew = 12;
+  constexpr std::size_t kFew = 12;  // as many names fit on a line or two
   const auto near = near_names(name, known);
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   throw std::invalid_argument(

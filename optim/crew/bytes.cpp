@@ -72,7 +72,7 @@ class ItemList final : public nlohmann::json_sax<json> {
     return add(std::string(value.begin(), value.end()));
   }
   bool start_array(std::size_t) override {
-    constexpr int kDeepest = 64;
+    constexpr int kDeepest = 64;  // damaged bytes must not exhaust the stack of what reads them
     return ++depth_ <= kDeepest && add(Begin{});
   }
   bool end_array() override {

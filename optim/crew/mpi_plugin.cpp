@@ -31,7 +31,7 @@ Ranks& ranks() {
   return all;
 }
 
-constexpr int kTag = 1;
+constexpr int kTag = 1;  // any number will do, as there is one kind of message
 
 void forget_sent() {
   ranks().sending.remove_if([](Sending& message) {

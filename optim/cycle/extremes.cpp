@@ -30,7 +30,7 @@ struct Sample {
 /// The maximum between two places where the slope turns from up to down: Newton's method on the
 /// slope, kept inside by bisection.
 Sample polished(const Turned& curve, double left, double right, Sample best) {
-  constexpr int kSteps = 60;
+  constexpr int kSteps = 60;  // more halvings than a double has bits
   double x = best.place.angle;
   for (int step = 0; step < kSteps; ++step) {
     const auto f = curve({x});
@@ -42,7 +42,7 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
     const double next = inside ? newton : std::midpoint(left, right);
     const double width = std::abs(next - x);
     x = next;
-    constexpr double kLastDigits = 1e-15;
+    constexpr double kLastDigits = 1e-15;  // a step of a few units of the last place moves nothing
     if (width <= kLastDigits * std::max(std::abs(x), right - left) || !(left < right)) break;
   }
   const auto f = curve({x});
@@ -54,7 +54,7 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
 /// is rounding. Stays between left and right, which lie in one smooth stretch, and is no lower than
 /// the place.
 Sample climbed(const Turned& curve, const Sample& from, double left, double right) {
-  constexpr double kFirst = 1e-9, kRounding = 1e-9;
+  constexpr double kFirst = 1e-9, kRounding = 1e-9;  // of the stretch; of the value
   if (!(from.f[1] != 0)) return from;
   const auto better = [&](const Sample& top) { return top.f[0] >= from.f[0] ? top : from; };
   const double uphill = from.f[1] > 0 ? 1 : -1;
@@ -136,8 +136,8 @@ void add_stretch(const Turned& curve, const Samples& s, std::vector<Extreme>& fo
 /// each end that stands as high as the highest found from `first` on.
 void add_level_ends(const Turned& curve, const Samples& s, std::size_t first,
                     std::vector<Extreme>& found) {
-  constexpr double kLevel = 1e-9;
-  constexpr double kNear = 1e-6;  // of the stretch: an end that near a maximum is that place
+  constexpr double kLevel = 1e-9;  // of the highest: rounding leaves no more of what is level
+  constexpr double kNear = 1e-6;   // of the stretch: an end that near a maximum is that place
   const double near = kNear * (s.place(s.last()).angle - s.place(0).angle);
   double highest = -kInfinity;
   for (std::size_t i = first; i < found.size(); ++i) {
@@ -156,7 +156,7 @@ void add_level_ends(const Turned& curve, const Samples& s, std::size_t first,
 }  // namespace
 
 std::vector<Extreme> searched_maxima(const Trace& trace, double sign, int samples) {
-  constexpr int kFewest = 8;
+  constexpr int kFewest = 8;  // a short stretch may hold several turns of the curve
   const Turned curve{trace, sign};
   const std::vector<double> breaks = trace.breaks();
   const double cycle = breaks.back() - breaks.front();
@@ -238,6 +238,7 @@ double value_in_full(const Trace& trace, Place place) {
 }  // namespace
 
 Extreme looked_closely(const Trace& trace, double sign, const Extreme& peak) {
+  // Each round has to climb higher, and looks at bounds however long they take.
   constexpr int kRounds = 8;
   Extreme best = peak;
   for (int round = 0; round < kRounds && std::isfinite(best.value); ++round) {
@@ -311,8 +312,11 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
 }
 
 ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
+  // A round ends at a higher summit, and no curve is expected to have as many above the samples; a
+  // peak whose stretches do not close within so many boxes is called sampled (optimisation: Where a
+  // curve is highest).
   constexpr int kRounds = 200, kMostBoxes = 20000;
-  constexpr double kSlack = 1e-9;
+  constexpr double kSlack = 1e-9;  // far above rounding, far below the digits that are printed
   // A value over ranges whose top is level can be told, but not be proved to so few digits.
   constexpr std::int64_t kMostParts = 50'000;
   const std::int64_t most_parts = PartsOfBounds::looked_at() + kMostParts;

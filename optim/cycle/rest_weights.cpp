@@ -24,6 +24,7 @@ double RestWeights::at(Place place) const {
 }
 
 bool vanishes(double largest_slope) {
+  // Where a limit vanishes, rounding leaves slopes of some 1e-17 of the row's size.
   constexpr double kRounding = 1e-11;
   return !(largest_slope > kRounding);
 }

@@ -24,6 +24,7 @@ class RestWeights {
   bool is_rest(Place place) const { return at(place) <= kRest; }
 
  private:
+  /// At a weight this small rounding of the limit, 1e-16, leaves its quotient seven digits.
   static constexpr double kRest = 1e-9;
   std::vector<Rest> rests_;
 };

@@ -64,6 +64,7 @@ class Changes {
   Changes(const Problem& problem, Design about)
       : scales_(free_scales(problem, typical_scales(problem, about))),
         about_(about.begin(), about.end()) {
+    // With more variables, the slopes at eight designs take long.
     constexpr std::size_t kSampled = 300;
     constexpr int kDesigns = 8, kFewDesigns = 2;  // of many variables, for curves alone
     const bool many = scales_.size() > kSampled;
@@ -104,6 +105,7 @@ class Changes {
   }
 
   double at_design(const Response& response) const {
+    // A change of 0 at a stationary point, or without end beside a pole, is no scale.
     constexpr double kFar = 100;
     const double here = typical_change(response, about_, scales_);
     const double usual = is_alike(response) ? 0 : typical(response);
@@ -142,7 +144,7 @@ double larger_bound(const Constraint& c) {
 
 void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::vector<double>& own,
                    ConstraintScale& size) {
-  constexpr double kShare = 1e-6;
+  constexpr double kShare = 1e-6;     // of the bound, or of the size of what acts (SC3)
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
   constexpr double kCancels = 1e-6;   // of typical changes of a curve: rounding leaves so much
   const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
@@ -197,7 +199,7 @@ double objective_typical(const Objective& objective, double typical, const Chang
 }
 
 double objective_tolerance(const Objective& objective, double typical, Design x) {
-  constexpr double kShare = 1e-7;
+  constexpr double kShare = 1e-7;  // as the conditions of optimality have to hold (SC3)
   if (objective.tolerance) return *objective.tolerance;
   const double value = std::abs(objective_value(objective, x));
   return kShare * (std::isfinite(value) ? std::max(value, typical) : typical);

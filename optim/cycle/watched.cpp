@@ -14,7 +14,7 @@ class WatchedTrace final : public Trace {
  public:
   WatchedTrace(std::unique_ptr<Trace> trace, const std::vector<double>& angles)
       : trace_(std::move(trace)), breaks_(trace_->breaks()) {
-    constexpr double kSame = 1e-12;
+    constexpr double kSame = 1e-12;  // of the cycle: rounding moves one angle by no more
     const double first = breaks_.front(), last = breaks_.back();
     for (const double angle : angles) {
       const bool stands = std::any_of(breaks_.begin(), breaks_.end(), [&](double known) {

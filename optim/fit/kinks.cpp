@@ -41,7 +41,7 @@ double slope_along(const FitPoint& point, const VectorXd& direction) {
 /// where the residuals are undefined between them.
 template <class IsBefore>
 std::optional<Sides> narrowed(const Residuals& residuals, Sides sides, IsBefore is_before) {
-  constexpr int kMost = 200;
+  constexpr int kMost = 200;  // some 60 make neighbours of most numbers, more are needed beside 0
   for (int i = 0; i < kMost; ++i) {
     const VectorXd p = (sides.before.p + sides.after.p) / 2;
     if (p == sides.before.p || p == sides.after.p) break;
@@ -56,7 +56,7 @@ std::optional<Sides> narrowed(const Residuals& residuals, Sides sides, IsBefore 
 /// direction's end where it still falls there.
 std::optional<Sides> lowest_along(const Residuals& residuals, const FitBox& box,
                                   const FitPoint& point, const VectorXd& direction) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // of the sum: rounding alone may raise it by so much
   const double most = point.sum() * (1 + kRounding);
   const auto falls = [&](const FitPoint& at) {
     return slope_along(at, direction) < 0 && at.sum() <= most;
@@ -101,6 +101,8 @@ bool move_back(const Residuals& residuals, FitPoint& point, Kink& kink) {
     return row.transpose().cwiseQuotient(lengths);
   };
   const VectorXd jump = scaled(kink.after - kink.before);
+  // Thirteen factors lead from rounding to the length of the residuals; a jump that differs by more
+  // than a third is another one.
   constexpr double kFactor = 16, kAlike = 0.3;
   double by =
       kEpsilon * std::max(point.p.cwiseProduct(lengths).cwiseAbs().maxCoeff(), point.r.norm());
@@ -151,6 +153,7 @@ std::vector<double> best_shares(const FitPoint& point, const std::vector<bool>& 
     changes.col(static_cast<Index>(k)) = r * of_free(kink.after - kink.before);
     gradient += shares[k] * changes.col(static_cast<Index>(k));
   }
+  // A round is a few products; shares that depend on each other settle by a factor each.
   constexpr int kRounds = 200;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t k = 0; k < kinks.size(); ++k) {
@@ -219,7 +222,7 @@ bool leave(const Residuals& residuals, const std::vector<double>& shares, FitPoi
 
 std::optional<FitPoint> minimum_at_kinks(const Residuals& residuals, const FitBox& box,
                                          FitPoint point) {
-  constexpr int kMostSteps = 50;
+  constexpr int kMostSteps = 50;  // each finds a kink, leaves one or follows those it stands at
   // Steps in turn that lead to no kink and gain next to nothing, as little as the step before: it
   // is not a kink that ends the descent, but a valley too flat to follow. Where the gains fall, the
   // descent is about to end.

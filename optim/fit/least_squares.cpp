@@ -254,7 +254,7 @@ class Search {
 
   /// Parameters that rounding has set beside a bound stand at it.
   VectorXd at_bounds(VectorXd p) const {
-    constexpr double kBeside = 1e-12;
+    constexpr double kBeside = 1e-12;  // of the parameter's size
     for (Index j = 0; j < p.size(); ++j) {
       if (p[j] - box_.lower[j] < kBeside * scales_[j]) p[j] = box_.lower[j];
       if (box_.upper[j] - p[j] < kBeside * scales_[j]) p[j] = box_.upper[j];
@@ -290,6 +290,7 @@ class Search {
 
   /// Fits and estimates in turn, from a fit without a loss.
   End with_estimated_scale(const End& plain, Way way) {
+    // A scale that has not settled by then alternates, and the answer says so.
     constexpr int kRounds = 100;
     // The scale enters the fit smoothly, so its last digits move nothing; a rough fit only ranks.
     constexpr double kSettled = 1e-8, kRoughly = 1e-3;

@@ -67,7 +67,7 @@ class BoxFront final : public PartFront {
     for (const Between& between : rooms_between()) {
       if (front.covers(between.corner)) continue;
       const double w = between.width(0) / front.range[0], h = between.width(1) / front.range[1];
-      constexpr double kClosed = 1e-5;
+      constexpr double kClosed = 1e-5;  // of the ranges: ten times what a search is eased by (ease)
       if (!(std::hypot(w, h) > kClosed)) continue;
       // Of equal costs the better end has the rest.
       const bool is_thin =
@@ -167,7 +167,7 @@ class BoxFront final : public PartFront {
 
   /// A point of another combination that this one may beat, as far as it has been looked at.
   const FrontPoint* find_rival(const Between& between, const FrontSoFar& front) const {
-    constexpr double kSame = 1e-6;
+    constexpr double kSame = 1e-6;  // of the range: what a search is eased by (ease)
     const auto is_rival = [&](const FrontPoint& p) {
       if (p.part == part_) return false;
       for (std::size_t i = 0; i < 2; ++i) {
@@ -195,7 +195,7 @@ class BoxFront final : public PartFront {
   /// A search in the room between them that came to no less than one of its ends: nothing is on its
   /// side.
   static void narrow(Between& between, const Fact& fact) {
-    constexpr double kSame = 1e-6;
+    constexpr double kSame = 1e-6;  // of the width: what a search is eased by (ease)
     const std::size_t along = 1 - fact.sought;
     const FrontPoint& near = along == 0 ? *between.left : *between.right;
     const FrontPoint& far = along == 0 ? *between.right : *between.left;

@@ -72,7 +72,7 @@ class DirectionFront final : public PartFront {
   }
 
   std::optional<Task> task_for(const FrontPoint& scouted, const FrontSoFar& front) const override {
-    constexpr double kNoticed = 1e-3;
+    constexpr double kNoticed = 1e-3;  // of the range, as where two costs are swept by boxes
     if (!improves(scouted, front, kNoticed)) return {};
     Task task = as_good_as(scouted, part_, 0);
     task.starts = {scouted.x};
@@ -223,6 +223,7 @@ class DirectionFront final : public PartFront {
   /// A hole becomes a place to look at, as far as no search was near it.
   void add(std::vector<OpenPlace>& places, const Hole& hole, const Known& known,
            const FrontSoFar& front) const {
+    // In ranges: points of any front that can be shown lie farther apart.
     constexpr double kClosed = 1e-4;
     if (hole.is_beyond && is_closed(hole, known.empty, known.points[hole.about.front()])) return;
     double size = hole.size;
@@ -244,6 +245,7 @@ class DirectionFront final : public PartFront {
 
   /// Whether this very place was: what came of it is not on the front, or all that is about it.
   static bool was_asked_for(const Hole& hole, const std::vector<Costs>& looked) {
+    // A hole's place moves by as much of its size when the front's ranges change.
     constexpr double kSame = 0.05;
     return std::any_of(looked.begin(), looked.end(), [&](const Costs& place) {
       return distance_aside(place, hole.place) <= kSame * hole.size;
@@ -279,6 +281,8 @@ class DirectionFront final : public PartFront {
 
   /// Whether a search beyond the point, or one that led to it, has found nothing in the direction.
   static bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& point) {
+    // A point nearby stands for the one that was searched from, and a direction within 60 degrees
+    // leads to the same empty region.
     constexpr double kSame = 0.3, kCosine = 0.5;
     return std::any_of(looks.begin(), looks.end(), [&](const Look& look) {
       if (!look.is_beyond) return false;
@@ -305,6 +309,8 @@ class DirectionFront final : public PartFront {
   /// What a search has told: it has reached the place if it came to a point that is new, not far
   /// aside from where it was sent.
   Look looked(const Asked& asked, const Outcome& outcome) {
+    // In units of the hole's size, which is its distance from the nearest point: farther aside a
+    // point lies in another hole, and a point nearer than that to a known one fills no hole.
     constexpr double kReached = 0.5, kNew = 0.45;
     Look look{asked.place, asked.size, asked.is_beyond, false, false, asked.from, {}};
     bool is_new = false;

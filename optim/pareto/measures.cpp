@@ -68,6 +68,7 @@ Costs ranges(std::span<const Costs> front, const Costs& tolerances) {
 }
 
 Costs default_reference(std::span<const Costs> front, const Costs& tolerances) {
+  // Of the range: measured from the nadir itself, the ends would count for nothing.
   constexpr double kShare = 0.1;
   const Costs range = ranges(front, tolerances);
   Costs reference = nadir(front);

@@ -89,6 +89,7 @@ void set_up(Sweep& sweep) {
 
 /// Searches in the largest places that are open, until the front has as many points as wanted.
 void refine(Sweep& sweep) {
+  // A sweep takes a few per point; one that comes upon nothing new has to end.
   constexpr std::size_t kTasksPerPoint = 20;
   const std::size_t limit =
       sweep.front.tasks + kTasksPerPoint * sweep.options.points + 64 * sweep.parts.size();
@@ -112,6 +113,7 @@ void polish(Sweep& sweep, const Scouted& scouted) {
 /// Designs of the scout that show that a search was stuck are searched from, and what that leads
 /// to is refined as well.
 void look_again(Sweep& sweep, const Scouted& scouted) {
+  // Each round is a sweep of its own and leaves fewer designs to the next.
   constexpr int kRounds = 5;
   for (int round = 0; round < kRounds && !sweep.front.stopped; ++round) {
     std::vector<Task> tasks = tasks_where_stuck(scouted, sweep, kAtOnce);
@@ -200,6 +202,7 @@ void settle_bounds(Sweep& sweep) {
 }  // namespace
 
 bool Front::counts(const FrontPoint& point, std::size_t objective) const {
+  // Of all weights: an interior-point method leaves less to idle limits.
   constexpr double kNothing = 1e-6;
   if (point.weights.empty()) return false;
   double sum = 0, its = 0;

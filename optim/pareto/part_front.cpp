@@ -20,7 +20,7 @@ int rank(const FrontPoint& point) {
 }
 
 bool lie_together(const Costs& a, const Costs& b, const FrontSoFar& front) {
-  constexpr double kTogether = 1e-7;
+  constexpr double kTogether = 1e-7;  // of the range: as near as an optimum is known (SC3)
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double same = std::max(kTogether * front.range[i], front.tolerances[i]);
     if (std::abs(a[i] - b[i]) > same) return false;
@@ -89,7 +89,7 @@ bool FrontSoFar::are_equal(const Costs& place, const Costs& other) const {
 }
 
 FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // where no tolerance is known, rounding makes costs differ
   const std::vector<bool> kept = non_dominated(costs_of(points), kRounding, tolerances);
   FrontSoFar front;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -107,6 +107,8 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& toleranc
 }
 
 double ease(double cost, double range) {
+  // Searches miss a limit by less than kShare, so that the known point stays possible. Of a cost
+  // whose range is small beside its value, solvers tell no more than kTold.
   constexpr double kShare = 1e-6, kTold = 1e-8;
   return std::max(kShare * range, kTold * std::abs(cost));
 }
@@ -122,6 +124,7 @@ FrontPoint doubted(FrontPoint point) {
 }
 
 double worth(const FrontPoint& beside_end) {
+  // Of the range: what is certified is given up only for a clear gain.
   constexpr double kCertified = 1e-3, kElse = 1e-2;
   return beside_end.verdict == Verdict::Certified ? kCertified : kElse;
 }

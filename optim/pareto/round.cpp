@@ -48,6 +48,7 @@ std::vector<Task> largest(const std::vector<OpenPlace>& places, std::size_t coun
 
 /// Whether a place is near one that this part is to look at already.
 bool is_taken(const OpenPlace& place, const std::vector<const OpenPlace*>& taken) {
+  // Of the size: searches in two holes that are nearer lead to the same points.
   constexpr double kApart = 0.8;
   return std::any_of(taken.begin(), taken.end(), [&](const OpenPlace* other) {
     return other->task.part == place.task.part &&

@@ -25,6 +25,8 @@ bool may_help(const Problem& multi, const ParetoOptions& options) {
 }
 
 Task scout_task(std::size_t part, const ParetoOptions& options) {
+  // Alone NSGA-II gets the population and the generations of Deb and others (2002); as a scout it
+  // has to find the region of each part, which the searches then refine.
   constexpr std::size_t kFewest = 40, kMost = 100, kGenerations = 50, kAlone = 250;
   const bool alone = options.method == ParetoMethod::Nsga2;
   const std::size_t usual =

@@ -107,6 +107,8 @@ void add_between(std::vector<Hole>& result, std::span<const Costs> places,
 
 void add_beyond(std::vector<Hole>& result, std::span<const Costs> places,
                 std::span<const Gap> gaps) {
+  // The mean of neighbours is not aside inside an even mesh, 0.43 steps aside at the rim of one of
+  // triangles and one step at the end of a row; a cost this near its minimum cannot be less.
   constexpr double kOneSided = 0.35, kLeast = 1e-3;
   std::vector<std::vector<std::size_t>> neighbours(places.size());
   std::vector<double> reach(places.size(), 0.0);

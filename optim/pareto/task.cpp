@@ -154,6 +154,7 @@ FrontPoint point_of(const Problem& multi, const Task& task, const Stated& stated
 
 /// How near a cost may come to a limit of a task as to be held by it.
 double slack_at(double cost, double limit) {
+  // A solver leaves less between a cost and the limit that holds it.
   constexpr double kSlack = 1e-6;
   return kSlack * std::max(std::abs(cost), std::abs(limit - cost));
 }
@@ -161,7 +162,7 @@ double slack_at(double cost, double limit) {
 /// Whether a cost keeps clear of the limit that a task set it: the task's optimum does not tell how
 /// small it could be.
 bool is_free(const FrontPoint& point, const Task& task, std::size_t i) {
-  constexpr double kSlack = 1e-6;
+  constexpr double kSlack = 1e-6;  // a solver leaves less to a limit that does not hold
   if (task.kind == Task::Kind::Toward) return point.weights[i] * task.direction[i] <= kSlack;
   if (i == task.sought || i >= task.bounds.size()) return false;
   const double limit = task.bounds[i];

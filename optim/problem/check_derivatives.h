@@ -27,6 +27,8 @@ struct DerivativeCheck {
   std::vector<std::string> shapes;  ///< responses whose declared shape does not hold, in words
 };
 
+/// Differences of a smooth response leave less; a term that is missing or has the wrong sign shows
+/// in the first digits.
 inline constexpr double kDerivativeTolerance = 1e-6;
 
 /// Every first and second derivative of objective and constraints at x (of curves at places over

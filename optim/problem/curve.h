@@ -135,7 +135,7 @@ class Curve {
 };
 
 inline double Curve::largest(Design x) const {
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 8;  // as many as a search for peaks takes at least in a stretch
   const auto one = trace(x);
   const std::vector<double> breaks = one->breaks();
   double largest = 0;

@@ -64,7 +64,7 @@ class Places {
         bases_(primes(problem.variables.size())) {}
 
   std::vector<double> operator()(int number) const {
-    constexpr double kReach = 10;
+    constexpr double kReach = 10;  // typical changes to either side, where no bound says how far
     std::vector<double> x = first_;
     for (std::size_t i = 0; number > 0 && i < x.size(); ++i) {
       const Variable& v = problem_.variables[i];

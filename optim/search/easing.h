@@ -40,6 +40,8 @@ std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
 std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
                             OptimiseOptions options);
 
+/// Each takes a search; of the limits that contradict one another few are of use to who has to
+/// decide which to ease.
 inline constexpr std::size_t kMostEased = 4;
 
 }  // namespace camlaw::optim

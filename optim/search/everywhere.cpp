@@ -60,6 +60,7 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
 /// Interrupted, with what was found by then.
 bool look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
                      Found& found) {
+  // A better design was found each time; a division takes up to 30000 boxes.
   constexpr int kTimes = 8;
   const Problem guarded = interruptible(problem, deadline);
   for (int i = 0; i <= kTimes && how.divides; ++i) {

@@ -18,6 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 /// The solver's tolerance, tight enough for every constraint's own.
 SolverOptions tightened(const Problem& problem, const Scales& scales, SolverOptions options) {
+  // Rounding of scaled rows keeps solvers from coming nearer (SC4).
   constexpr double kTightest = 1e-11;
   for (const ConstraintScale& c : scales.constraints) {
     options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
@@ -146,7 +147,7 @@ double take(const Problem& problem, const Program& program, const Solution& solu
 /// What the solver left may pass limits by a little, and look better by what that is worth.
 bool is_no_worse(const Problem& problem, const Scales& scales, Design polished, Design solved,
                  Aim aim, bool settled) {
-  constexpr double kShare = 1e-6;
+  constexpr double kShare = 1e-6;  // of the scales: the value of what the solver's tolerance allows
   if (aim == Aim::LeastViolation) {
     const double before = largest_violation(problem, scales, solved);
     return largest_violation(problem, scales, polished) <= before * (1 + kShare);
@@ -162,6 +163,8 @@ bool is_no_worse(const Problem& problem, const Scales& scales, Design polished, 
 
 void run(const Problem& problem, const Scales& scales, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
+  // Free laws of degree 5 take four to six programs (XM7). A peak that is a millionth of a
+  // tolerance too high moves the conditions of optimality by nothing that counts.
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
   double share = 0.1;  // of a tolerance: what the exchange goes after

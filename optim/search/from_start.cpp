@@ -14,7 +14,7 @@ namespace {
 /// that sharpens the multipliers, and takes less than another method.
 void search_rescaled(std::vector<double> x, const Solver& solver, const Setting& setting,
                      Trail& trail, Reached& reached) {
-  constexpr int kTimes = 3;
+  constexpr int kTimes = 3;  // scales that still differ tenfold after that do not settle
   for (int i = 0; i < kTimes; ++i) {
     Scales there = scales(setting.problem, x);
     const bool sharpens = i == 0 && solver.solves_linear_programs();

@@ -83,6 +83,7 @@ class HeldCurve final : public ForwardingCurve {
 }  // namespace
 
 IntoDomain drawn_towards(std::vector<double> inside, std::function<bool(Design)> is_within) {
+  // They reach the last bits of the distance, so that the step ends at the edge.
   constexpr int kHalvings = 50;
   struct Last {
     std::mutex mutex;

@@ -18,7 +18,10 @@ bool is_quick(const Response& response) {
 /// How many designs, the start among them, are looked at: few where each takes a search over the
 /// cycle, none where they would not fill the box.
 int designs_to_look_at(const Problem& problem) {
+  // Variables: in more dimensions so many points leave the box empty.
   constexpr std::size_t kFew = 10, kFewOfSearches = 4;
+  // The start and others: among 384 others one led to 8.73 N m of two cams, where eight starts had
+  // all ended at 11.94.
   constexpr int kQuick = 501, kSearched = 385;
   if (problem.variables.size() > (is_quick(problem) ? kFew : kFewOfSearches)) return 0;
   return is_quick(problem) ? kQuick : kSearched;

@@ -30,7 +30,7 @@ void add_rows(const Function& function, double rows, Extent& extent) {
 
 /// The places that are looked at first, with the inputs that a few of them have.
 void add_curve(const Curve& curve, Design x, Extent& extent) {
-  constexpr std::size_t kSampled = 5;
+  constexpr std::size_t kSampled = 5;  // places beside each other see as many inputs
   const auto breaks = curve.trace(x)->breaks();
   const double places = static_cast<double>(places_at_first(breaks.size()));
   for (std::size_t i = 0; i < kSampled; ++i) {

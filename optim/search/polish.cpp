@@ -12,8 +12,8 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr int kMostVariables = 300;
-constexpr double kHolds = 1e-9;  // over the scales: a limit with less does not hold the design
+constexpr int kMostVariables = 300;  // the step's matrix is dense: its time grows with the cube
+constexpr double kHolds = 1e-9;      // over the scales: a limit with less does not hold the design
 
 /// The limits that push, as equations, and the Lagrangian's second derivatives: one linear system.
 /// Its solution is the step of the design, by typical changes; empty where there is none.
@@ -58,7 +58,9 @@ std::vector<double> moved(const SecondOrderPoint& point, const Eigen::VectorXd& 
 /// Steps with the limits of one width until the conditions hold to rounding or cease to improve.
 std::optional<std::vector<double>> polished(const Problem& problem, const Scales& scales,
                                             Design start, Optimality optimality, double width) {
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 8;  // Newton's method doubles the digits at each step
+  // A residual of kDone is rounding, and kGood is a tenth of what certifies a design. The limits
+  // are met to kMet of their tolerances, so that a verdict still finds them met.
   constexpr double kDone = 1e-11, kGood = 1e-8, kMet = 0.1;
   const Layout layout = lay_out(problem, optimality);
   const bool free = optimality == Optimality::LeastViolation;

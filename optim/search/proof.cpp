@@ -116,6 +116,7 @@ bool WatchedProblem::learn(Design x, const Assessment& a) {
 }
 
 void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
+  // Each adds to what is watched the angles at which the proof of the round before failed.
   constexpr int kRounds = 10;
   Found& found = trail.found;
   Reached reached;

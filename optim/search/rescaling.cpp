@@ -4,7 +4,7 @@
 namespace camlaw::optim {
 
 bool differ(const Scales& a, const Scales& b) {
-  constexpr double kFactor = 10;
+  constexpr double kFactor = 10;  // tolerances of rows then miss what they mean by as much (SC4)
   const auto far = [](double p, double q) { return p > kFactor * q || q > kFactor * p; };
   if (far(a.objective, b.objective)) return true;
   for (std::size_t i = 0; i < a.variables.size(); ++i) {

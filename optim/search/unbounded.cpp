@@ -14,7 +14,7 @@ namespace camlaw::optim {
 namespace {
 
 bool is_far_better(const Problem& problem, Design x) {
-  constexpr double kFar = 1e6;
+  constexpr double kFar = 1e6;  // typical changes: no design of a sound problem gains so much
   const std::vector<double> start = problem.start();
   const Objective& objective = problem.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
@@ -26,6 +26,7 @@ bool is_far_better(const Problem& problem, Design x) {
 
 /// Whether no bound of the better values is known close to a design, though one is known there.
 bool has_no_bound_beside(const Problem& problem, Design x) {
+  // Typical changes: within them a pole beside the design shows, and no other does.
   constexpr double kBeside = 1e-6;
   const Objective& objective = problem.objective();
   const Function& f = objective.response.function();

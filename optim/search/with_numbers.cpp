@@ -46,6 +46,7 @@ std::optional<Problem> with_numbers_only(const Problem& problem, Design x, doubl
 
 /// Searches from a design within the limits that are numbers everywhere.
 void search_from_valid(const Setting& setting, Trail& trail) {
+  // Of the bounds: a search that begins at the edge itself steps over it.
   constexpr double kRoom = 1e-3;
   const Problem& problem = setting.problem;
   OptimiseOptions own = setting.options;
@@ -74,6 +75,8 @@ void search_from_valid(const Setting& setting, Trail& trail) {
 /// Searches from the first places of the box at which the model gives numbers, evenly spread or by
 /// orders of magnitude.
 void search_all_over(const Setting& setting, Trail& trail) {
+  // An empty set is looked for at as many places (least_violating); each of the three is a whole
+  // search.
   constexpr int kPlaces = 128, kEnough = 3;
   const Problem& problem = setting.problem;
   const auto even = starts(problem, kPlaces, setting.options.seed);
@@ -131,6 +134,8 @@ struct Retreated {
 /// them run over the edge, a last one begins at the last design of the way that meets the limits.
 /// Returns the best design that it has met on the way.
 Retreated retreat(const Setting& setting, Trail& trail) {
+  // Each search halves the distance, to 1/256 of it; the edge is known to a millionth of the way,
+  // and the last design within the limits to the last bits of a double.
   constexpr int kSearches = 8, kHalvings = 20, kToLimit = 50;
   const Problem& problem = setting.problem;
   Retreated met;

@@ -50,7 +50,7 @@ struct Balance {
 
 /// None where no two rows hold the peak.
 std::optional<Balance> balance(const CurveSide& side, Place peak) {
-  constexpr double kIdle = 1e-9;
+  constexpr double kIdle = 1e-9;  // an interior-point method leaves some multiplier to all rows
   const HeldPlace *before = nullptr, *after = nullptr;
   for (const HeldPlace& held : side.places) {
     if (!(std::abs(held.multiplier) > kIdle)) continue;
@@ -68,6 +68,7 @@ std::optional<Balance> balance(const CurveSide& side, Place peak) {
 /// The places that are to hold a peak: that of balance, or where this is known closely two beside
 /// it, which hold the slope as well. Between these the curve rises by no more than `least`.
 std::vector<double> holders(const Balance& at, const Trace& trace, double least) {
+  // (XM6) misses the peak by the square of the distance: nearer, two rows enclose it.
   constexpr double kClose = 100;
   const double half = std::sqrt(2 * least / std::abs(trace.at({at.angle})[2]));
   const double nearest = std::min(at.angle - at.before, at.after - at.angle);
@@ -225,6 +226,8 @@ std::size_t WorkingSet::add_violated(Design x, double auxiliary, double share) {
 /// Adds the peaks of one side that are above `limit` by more than `least`.
 std::size_t WorkingSet::add_violated_places(CurveSide& side, Design x, double limit, double least,
                                             std::map<std::size_t, LinearRows>& rows) {
+  // Rows say the same if their slopes differ by less than a millionth of the steepest and their
+  // values by less than a thousandth of the excess.
   constexpr double kAlike = 1e-6, kEqual = 1e-3;
   const Curve& curve = side.response->curve();
   const auto trace = curve.trace(x);

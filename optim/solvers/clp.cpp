@@ -84,6 +84,7 @@ void begin_at(const Program& program, const WarmStart& warm, ClpSimplex& model) 
 /// is there in the basis too. False where the start is no such place.
 bool begin_at_vertex(const Program& program, const QuadraticProgram& linear,
                      std::span<const double> y, ClpSimplex& model) {
+  // Clp's own tolerances leave a variable at its bound as near as that.
   constexpr double kStands = 1e-9;
   using Status = ClpSimplex::Status;
   const std::size_t n = program.variables(), m = program.rows();
@@ -179,7 +180,7 @@ void take(const ClpSimplex& model, Solution& solution) {
 
 /// Clp stays at the vertex from which the objective falls without end: goes far out along the edge.
 void follow_ray(const ClpSimplex& model, std::vector<double>& y) {
-  constexpr double kFar = 1e6;
+  constexpr double kFar = 1e6;  // scaled: far beyond any box, and what run_end takes for far out
   const std::unique_ptr<const double[]> ray(model.unboundedRay());
   if (ray == nullptr) return;
   double longest = 0;
@@ -209,7 +210,7 @@ int pivoted(ClpSimplex& model, int most, bool primal_first) {
 }
 
 void load(const QuadraticProgram& linear, const SolverOptions& options, ClpSimplex& model) {
-  constexpr double kTightest = 1e-10;
+  constexpr double kTightest = 1e-10;  // its pivots round to about as much
   model.setLogLevel(0);
   model.loadProblem(matrix_of(linear), open_ends(linear.lower).data(),
                     open_ends(linear.upper).data(), linear.cost.data(),

@@ -16,6 +16,8 @@ namespace {
 /// not a large number beside it.
 void settle_at_bounds(const QuadraticProgram& program, const InteriorSolution& found,
                       std::vector<double>& y) {
+  // The method ends where multiplier times distance is some 1e-11: a multiplier a million times the
+  // distance is then one that holds.
   constexpr double kNear = 1e-9, kHeld = 1e6;
   for (std::size_t k = 0; k < y.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);

@@ -63,7 +63,7 @@ void add_ends(const NloptMethod& method, std::vector<NativeRule>& rules) {
 
 /// No more than a quarter of a variable's range: NLopt refuses a step that leaves the box.
 void set_initial_step(const Program& program, double step, nlopt_opt opt) {
-  constexpr double kMost = 0.25;
+  constexpr double kMost = 0.25;  // of the range: to either side of a start anywhere in it
   std::vector<double> steps(program.variables());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     steps[i] = std::min(step, kMost * (program.upper()[i] - program.lower()[i]));

@@ -94,6 +94,7 @@ NloptHandle NloptSearch::create(nlopt_algorithm algorithm) const {
   const bool searches_box = method_.is_global && algorithm != NLOPT_LD_LBFGS;
   if (searches_box) return opt;
   nlopt_set_xtol_rel(opt.get(), options_.tolerance);
+  // Near an optimum the objective changes by the square of what the variables do.
   constexpr double kTighter = 1e-3;
   if (method_.uses_gradients) nlopt_set_ftol_rel(opt.get(), kTighter * options_.tolerance);
   return opt;

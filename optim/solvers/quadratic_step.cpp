@@ -122,7 +122,7 @@ std::vector<RowSide> Quadratics::chosen(const std::vector<bool>& is_near, StepGo
 
 bool Quadratics::added_passed(const VectorXd& after, double allowed,
                               std::vector<bool>& is_near) const {
-  constexpr double kPassed = 1e-10;
+  constexpr double kPassed = 1e-10;  // a tenth of what the sequence takes for met
   bool any = false;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     if (is_near[k] || room(sides_[k], after) >= -allowed - kPassed) continue;

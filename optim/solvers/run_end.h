@@ -34,6 +34,7 @@ inline bool all_finite(std::span<const double> values) {
 
 /// Whether a variable without a bound has gone far: inside a box nothing falls without end.
 inline bool is_far_out(const Program& program, std::span<const double> y) {
+  // In typical changes: a claim that nothing bounds the objective is not believed from nearer.
   constexpr double kFar = 1e4;
   for (std::size_t i = 0; i < y.size(); ++i) {
     const bool open = std::isinf(program.lower()[i]) || std::isinf(program.upper()[i]);

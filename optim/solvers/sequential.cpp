@@ -32,7 +32,7 @@ class Filter {
   }
   static bool is_better(double violation, double objective, double than_violation,
                         double than_objective) {
-    constexpr double kMargin = 1e-5;
+    constexpr double kMargin = 1e-5;  // of filter methods (Waechter and Biegler 2006)
     return violation <= (1 - kMargin) * than_violation ||
            objective <= than_objective - kMargin * violation;
   }
@@ -60,7 +60,7 @@ class Sequence {
   }
 
   Solution run() {
-    constexpr int kMost = 100;
+    constexpr int kMost = 100;  // Ipopt goes on where so many steps have not led to the end
     if (!place_.is_finite()) return answer(Status::NonFiniteStart, "not a number at the start");
     while (iterations_ < options_.max_iterations) {
       if (iterations_ >= kMost) return answer(Status::Stalled, "the steps do not converge");
@@ -108,7 +108,7 @@ class Sequence {
 
   /// One step that is worth taking, from models of the place where it stands.
   Advance advanced() {
-    constexpr double kLeastRadius = 1e-10;
+    constexpr double kLeastRadius = 1e-10;  // shorter steps change rows and objective by rounding
     const LocalModel model = model_at(program_, place_, multipliers_.rows);
     if (!model.is_finite()) return Advance::Undefined;
     Quadratics quadratics(program_, model, reach_);
@@ -129,6 +129,8 @@ class Sequence {
 
   /// A step towards rows that are met; none where it is refused, or the rows can be met after all.
   std::optional<Advance> restored(const LocalModel& model, Quadratics& quadratics) {
+    // A step has to keep a tenth of its promise. A promise of less than a thousandth of what counts
+    // as met is rounding.
     constexpr double kGood = 0.1, kWorth = 1e-3;
     const auto step = quadratics.step(place_.y, place_.rows, radius_, StepGoal::Rows, interior_);
     if (!step) {
@@ -159,6 +161,7 @@ class Sequence {
 
   /// Whether steps towards the rows have come to little for long.
   bool is_idle(double violation) {
+    // A region that was cut to a hundredth takes twelve steps to grow back.
     constexpr int kPatience = 15;
     constexpr double kLess = 0.9;
     if (violation < kLess * least_passed_) {
@@ -178,6 +181,7 @@ class Sequence {
       goal_ = StepGoal::Rows;
       return {};
     }
+    // One program may fail where rows are badly scaled; after five the next would too.
     constexpr int kMostInexact = 4;
     inexact_ = step->is_exact ? 0 : inexact_ + 1;
     if (inexact_ > kMostInexact) return Advance::None;
@@ -212,7 +216,9 @@ class Sequence {
   /// Whether the multipliers of a last step leave more of the slopes there than they would after
   /// another one: the model whose program gave them is not quite that of the place.
   bool needs_balance() {
-    constexpr int kMost = 4;
+    constexpr int kMost = 4;  // each is Newton's: what four leave is the multipliers' rounding
+    // The first is a hundredth of what certifies a design, the second some twenty units of the last
+    // place of the terms of a sum.
     constexpr double kBalanced = 1e-9, kOfTerms = 4e-15;
     if (++balances_ > kMost) return false;
     VectorXd left(place_.y.size());
@@ -229,6 +235,7 @@ class Sequence {
   /// Whether the objective falls by a good part of what the model says, if it says that it falls by
   /// more than the rows are worth; else whether the filter takes the place.
   bool is_good(const ProgramPoint& trial, double promised) const {
+    // A step has to keep a tenth of its promise, and may leave the rows by ten scales on its way.
     constexpr double kGood = 0.1, kMost = 10;
     if (!trial.is_finite()) return false;
     const double violation = passed(trial), before = passed(place_);
@@ -268,7 +275,7 @@ class Sequence {
   /// After a step to its edge that kept its promise. A region that a step had to be cut to is near
   /// what the models are good for.
   void grow_region(double share, const ProgramStep& step) {
-    constexpr double kMostRadius = 1e6;
+    constexpr double kMostRadius = 1e6;  // typical changes: the box of any sound problem is smaller
     struct Growth {
       double least_share, factor;
     };
@@ -279,6 +286,7 @@ class Sequence {
   }
 
   void go_to(ProgramPoint trial, const LocalModel& model, const VectorXd& d) {
+    // The next step may be twice as long as the last before a row is missed.
     constexpr double kReach = 2;
     reach_ = kReach * (model.jacobian * d).lpNorm<Eigen::Infinity>();
     place_ = std::move(trial);

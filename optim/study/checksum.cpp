@@ -9,7 +9,7 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr int kBits = 64;
+constexpr int kBits = 64;  // CRC-64/XZ, with the polynomial of ECMA-182
 constexpr std::uint64_t kPolynomial = 0x42f0e1eba9ea3693, kAll = ~std::uint64_t{0};
 
 }  // namespace

@@ -120,6 +120,7 @@ class Search {
     if (kept_.size() > kKept) kept_.pop_back();
   }
 
+  /// The best, those as good that are listed, and one more, which tells that there are others.
   static constexpr std::size_t kKept = 1 + kMaxEquals + 1;
 
   const Table& table_;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kTieSlack = 1e-9;        // of a unit
 constexpr double kLargestCount = 9.0e15;  // units; below 2^53, where a double still counts by one
+/// Scaling by a power of ten and adding a half round by less.
 constexpr double kLastBits = 4.0 * std::numeric_limits<double>::epsilon();
 
 double units_per_one(int decimals) {

@@ -210,6 +210,7 @@ class Collector {
 
   /// Curves of many stretches need no more than a few places in each.
   int steps_of_stretch(std::size_t stretches) const {
+    // The places of the first net; up to 32 stretches have all 64 of the finer one.
     constexpr int kFew = 8;
     constexpr std::size_t kMost = 2048;
     const auto shared = static_cast<int>(kMost / std::max<std::size_t>(stretches, 1));
@@ -253,7 +254,7 @@ class Collector {
   /// Whether a limit of the same constraint has the same gradient, as rise and return of a
   /// symmetric cycle have: the two would share a multiplier in any proportion.
   bool is_twin(const ActiveLimit& limit) const {
-    static constexpr double kSame = 1e-9;
+    static constexpr double kSame = 1e-9;  // gradients of twins differ by rounding
     double length = 0;
     for (const auto& entry : limit.gradient) length = std::max(length, std::abs(entry.second));
     return std::any_of(limits_.begin(), limits_.end(), [&](const ActiveLimit& other) {
@@ -270,6 +271,7 @@ class Collector {
 
   /// Whether a peak stands at a break inside the cycle, with a slope that a shift of it would show.
   static bool slopes_at_break(const CurveLevel& side, Place place) {
+    // Of the size, over the whole cycle: a level peak has less by rounding.
     constexpr double kSlope = 1e-6;
     const double first = side.breaks.front(), last = side.breaks.back();
     if (place.angle == first || place.angle == last) return false;

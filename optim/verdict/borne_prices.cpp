@@ -44,6 +44,7 @@ class PriceTrial {
                             ? scales_.constraints[*limit.constraint].tolerance / limit.size
                             : kTrialStep;
     const double step = std::min(kTrialStep, room) / square;
+    // A price has to hold for a step that is shorter than a typical change.
     constexpr double kLong = 1;
     if (!(step * std::sqrt(square) <= kLong)) return false;
     for (const double signed_step : {step, -step}) {
@@ -91,6 +92,7 @@ class PriceTrial {
 
   /// Whether slopes after the step are like those before it, of limit j and of all others.
   bool holds_there(std::size_t j, double wanted_rise) const {
+    // A square root has half the slope where its argument is four times as large.
     constexpr double kMuch = 0.5;
     const ActiveLimit& limit = weighed_.limits[j];
     double rise = 0;

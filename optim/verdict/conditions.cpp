@@ -62,6 +62,7 @@ std::vector<double> reaches(const Problem& problem, const Scales& scales, Design
 /// A limit's margin beyond what rounding leaves of it: its value is a difference of terms of the
 /// size of the slopes times the variables.
 double margin_beyond_rounding(const ActiveLimit& limit, const Scales& scales, Design x) {
+  // Value and bound are each rounded once.
   constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
   double terms = 0;
   for (const auto& [variable, slope] : limit.gradient)

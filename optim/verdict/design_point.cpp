@@ -45,7 +45,10 @@ double merit(double distance, double room, double factor) {
 
 std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
                                         const std::vector<Variation>& variations) {
+  // The steps settle linearly. One of 1/2048 of the way is taken whether it is better or not.
   constexpr int kSteps = 100, kHalvings = 12;
+  // Chance leads beyond nine deviations once in 1e19. The value in the middle is rounded by less
+  // than kSmall of it.
   constexpr double kFarthest = 9, kSmall = 1e-9;
   const InNormal f{room, x, variations};
   const std::size_t n = x.size();

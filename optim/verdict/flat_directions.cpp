@@ -38,7 +38,7 @@ double threshold(const SecondOrderPoint& point, const Weighed& weighed, double v
 
 bool improves_along(const SecondOrderPoint& point, const Weighed& weighed,
                     const std::vector<Eigen::VectorXd>& flat) {
-  constexpr std::size_t kMostDirections = 20;
+  constexpr std::size_t kMostDirections = 20;  // each takes ten designs, with a search for peaks
   constexpr double kSteps[] = {1e-3, 1e-2, 1e-1, 0.3, 1};
   if (flat.empty()) return false;
   const Objective& objective = point.problem.objective();

@@ -100,6 +100,7 @@ double objective_slope(const Problem& problem, const Scales& scales, Design x, c
 /// Whether a limit that pushes has no slope to speak of, beside the violation, though it is not
 /// known to be convex: such a point may be a saddle of the violation, or lie on a plateau.
 bool has_flat_push(const Problem& problem, const Weighed& weighed, double violation) {
+  // Typical changes would not move the violation by a thousandth of itself.
   constexpr double kFlat = 1e-3;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
@@ -220,7 +221,7 @@ Teller told_as(const std::vector<Push>& pushes) {
 }
 
 bool is_global_valley(const Problem& problem, double objective_slope) {
-  constexpr double kSlopes = 1e-6;
+  constexpr double kSlopes = 1e-6;  // (CX2) needs a slope that rounding cannot make
   return why_convex(problem) && (!needs_slope(problem) || objective_slope > kSlopes);
 }
 

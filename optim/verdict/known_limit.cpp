@@ -19,7 +19,7 @@ std::optional<double> gap_to_limit(const Problem& problem, const Assessment& a) 
 }  // namespace
 
 bool is_near_limit(const Problem& problem, const Assessment& a) {
-  constexpr double kNear = 1e-4;
+  constexpr double kNear = 1e-4;  // the answer tells what is left in per cent, with digits to 0.01
   const std::optional<double> gap = gap_to_limit(problem, a);
   return gap && *gap <= kNear;
 }

@@ -109,6 +109,8 @@ Eigen::SparseMatrix<double> gradients(const Layout& layout,
 /// What a limit adds to the conditions of first order, by the variables; of a peak of the objective
 /// the share of the objective that it is.
 bool pushes(const ActiveLimit& limit, double multiplier) {
+  // The conditions tell slopes above ten times kHeld from zero. An idle peak of an interior-point
+  // method has less than kShare.
   constexpr double kHeld = 1e-8, kShare = 1e-4;
   double longest = 0;
   for (const auto& entry : limit.gradient) longest = std::max(longest, std::abs(entry.second));
@@ -117,7 +119,7 @@ bool pushes(const ActiveLimit& limit, double multiplier) {
 
 Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
           const std::vector<double>& multipliers) {
-  constexpr double kMet = 1e-7;
+  constexpr double kMet = 1e-7;  // as near as a solver leaves a limit that holds
   // A limit that was told may have room, and then a multiplier that is idle: it holds nothing.
   constexpr double kRoom = 1e-4;
   std::vector<const ActiveLimit*> pushing, met;
@@ -178,6 +180,7 @@ class ConeTest {
   }
 
   bool in_cone(const Eigen::VectorXd& d) const {
+    // Slopes are of length one: rounding of an eigenvector turns them by less.
     constexpr double kSlack = 1e-9;
     if (W_.cols() == 0) return true;
     const Eigen::VectorXd slopes = W_.transpose() * d;
@@ -187,7 +190,7 @@ class ConeTest {
   /// On the cone's part of the unit sphere the form is least at an eigenvector of the face in whose
   /// inside it lies. Faces: any of W held. Too many are not looked at: then it is not shown.
   bool holds_on_faces() {
-    constexpr double kMostWork = 1e9;
+    constexpr double kMostWork = 1e9;  // operations: about a second
     const double n = static_cast<double>(H_.rows());
     if (std::ldexp(n * n * n, static_cast<int>(W_.cols())) > kMostWork) return false;
     for (unsigned face = 0; face < (1U << W_.cols()); ++face) {
@@ -253,6 +256,7 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
 
 SecondOrder second_order(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
                          const std::vector<double>& multipliers) {
+  // Dense eigenvalues take the cube of it; beyond, Finsler's lemma serves (SO5).
   constexpr int kDense = 300;
   if (point.layout.rows == 0) return {true, {}};
   const auto H = lagrangian_hessian(point, limits, multipliers);
@@ -263,7 +267,7 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;
   // Rounding in a response of this size.
   const double value = objective_value(point.problem.objective(), point.x);
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the objective: what rounding may leave of the terms
   const double floor = kRounding * std::max(1.0, std::abs(value) / point.scales.objective);
   return ConeTest(dense_H, dense_P, dense_W, floor).run();
 }

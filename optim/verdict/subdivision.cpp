@@ -163,6 +163,8 @@ class Division {
   double level(std::size_t constraint, double sign) const {
     const Constraint& c = problem_.constraints[constraint];
     const ConstraintScale& size = scales_.constraints[constraint];
+    // A thousandth of the tolerance does not show in the objective; a value rounds by some 1e-16 of
+    // its size.
     constexpr double kOfTolerance = 1e-3, kOfSize = 1e-12;
     return sign * (sign > 0 ? *c.upper : *c.lower) +
            std::max(kOfTolerance * size.tolerance, kOfSize * size.size);
@@ -236,6 +238,7 @@ class Division {
 
   /// A few units of the last place more than half the width, so that the box is covered.
   static double radius(const Bounds& side) {
+    // The middle and half the width are rounded by a few units of the last place.
     constexpr double kUnits = 1e-15;
     return 0.5 * width(side) * (1 + kUnits);
   }
@@ -259,7 +262,7 @@ class Division {
   }
 
   bool is_small(const Box& box) const {
-    constexpr double kSmall = 1e-12;
+    constexpr double kSmall = 1e-12;  // of a typical change: halves would differ by rounding
     for (std::size_t i = 0; i < box.size(); ++i) {
       if (width(box[i]) > kSmall * scales_.variables[i]) return false;
     }
@@ -340,6 +343,7 @@ class Division {
     return true;
   }
 
+  // Each is bounded over each box; the places that hold the design are few.
   static constexpr std::size_t kMostRows = 60;
 
   const Problem& problem_;

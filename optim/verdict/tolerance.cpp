@@ -226,7 +226,7 @@ ToleranceReport tolerance_report(const Problem& problem, Design x, const Variati
                                  std::size_t samples, std::uint64_t seed) {
   check(x, variations, samples);
   constexpr std::ptrdiff_t kAllCorners = 10;
-  constexpr std::size_t kRepetitions = 8;
+  constexpr std::size_t kRepetitions = 8;  // whose scatter is the standard error of the yield
   const Measured measured(problem, x);
   ToleranceReport report;
   report.spreads = measured.names();

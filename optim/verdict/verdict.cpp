@@ -301,6 +301,7 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
   }
   const Kkt conditions = kkt(problem, scales, x, Optimality::LeastViolation, told);
   take_conditions(problem, scales, conditions, result);
+  // Of all multipliers: solvers leave less to limits that have no part in it.
   constexpr double kBlamed = 1e-4;
   result.blamed = active_names(problem, scales, conditions, kBlamed);
   // Of convex limits less than all of the violation is enough. A quasiconvex one may be gentle here

@@ -16,6 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
+/// The error is read off their scatter: of 32 it is known to an eighth of itself.
 constexpr std::size_t kRepetitions = 32;
 /// Whole rounds count: a stop loses those from the first draw on that is not there.
 constexpr std::size_t kMostInRound = 4096, kYieldRounds = 16;
@@ -50,7 +51,7 @@ std::vector<std::size_t> drawn_about(const Mixture& mixture, std::size_t count) 
   return own;
 }
 
-constexpr double kConfidence = 0.95;
+constexpr double kConfidence = 0.95;  // the interval that is stated beside a yield
 constexpr double kLargestWeight = 5;  // a fifth is drawn about what is meant
 
 /// A share of one kind over all repetitions.
@@ -285,8 +286,9 @@ Yield yield(const PartsDrawer& drawer, const std::vector<RoomSlopes>& slopes, De
   Yield result;
   result.by_limit.assign(limits, 0.0);
   result.by_limit_between.assign(limits, Bounds{0, 1});
+  // A yield of 99 % leaves some 41 failures among them, enough for an error of 16 %.
   constexpr std::size_t kFirst = 4096;
-  constexpr double kRare = 0.01;
+  constexpr double kRare = 0.01;  // rarer failures are drawn where they are likely
   const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
   const std::size_t tried = std::min<std::size_t>(kFirst / kRepetitions, each);
   Estimator as_meant(plain(drawer.dimensions()), options.seed, count, limits);

@@ -242,7 +242,7 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
   // A finer step that divides the cycle in the digits that are printed.
   const double cycle = curve.end() - curve.begin();
   double count = std::ceil(static_cast<double>(chords.size()) * std::sqrt(worst / (kRoom * most)));
-  constexpr double kMostSteps = 1e6;
+  constexpr double kMostSteps = 1e6;  // as many steps as an export takes (count_steps)
   while (count < kMostSteps && std::stod(fmt::format("{:.4g}", cycle / count)) * count != cycle) {
     ++count;
   }

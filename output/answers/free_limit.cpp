@@ -57,7 +57,7 @@ optim::OptimiseOptions within_patience(optim::OptimiseOptions search, const Answ
 
 /// Whether one objective is better than another by more than rounding.
 bool is_better(const Answer& answer, double objective, double than) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // rounding makes one of two equal objectives better
   const bool least = answer.optimum.problem.objective().sense == optim::Sense::Minimize;
   return (least ? than - objective : objective - than) > kRounding * std::abs(than);
 }

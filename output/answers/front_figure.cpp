@@ -44,6 +44,7 @@ std::string tooltip(const FrontAnswer& answer, const optim::FrontPoint& point, s
 
 /// The analytic limit over the range of the lower derivative.
 Line limit_line(const FrontAnswer& answer, const problems::FrontRuler& ruler) {
+  // The limit bends once or twice, and 200 chords of it show no corner.
   constexpr int kSamples = 200;
   Line line{.name = "no law is below", .colour = "#000000", .dashed = true};
   const auto& front = answer.front;

@@ -118,7 +118,7 @@ Document front_buildable(const FrontAnswer& answer) {
 }
 
 Document next_document(const FrontAnswer& answer, std::size_t k) {
-  constexpr double kTenth = 0.1;
+  constexpr double kTenth = 0.1;  // of the range: how much better the next point in question is
   const auto& objectives = answer.front.objectives;
   const auto all = answer.costs();
   Document document;

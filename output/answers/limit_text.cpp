@@ -344,7 +344,7 @@ Table sides_table(const SidedLimits& sided, const problems::ProblemStatement& de
   }
   const bool has_two = std::any_of(sided.others.begin(), sided.others.end(),
                                    [](const auto& other) { return other.has_value(); });
-  constexpr std::size_t kSide = 6;
+  constexpr std::size_t kSide = 6;  // the column "side"
   table.columns[kSide].in_text = has_two;
   return table;
 }

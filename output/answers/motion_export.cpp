@@ -85,6 +85,7 @@ problems::TableStyle style_of(const ExportOptions& o, int decimals) {
 
 /// The largest value less the least, at some places, in the unit that is written.
 double range_of(const problems::ExportedMotion& motion) {
+  // Half a degree of a turn: a peak of three waves a turn is missed by 1e-4.
   constexpr int kLooks = 720;
   const auto values =
       motion.trace->values(optim::even_places(motion.begin(), motion.end(), kLooks));
@@ -104,7 +105,7 @@ double tolerance_of(const ExportOptions& o, const problems::ExportedMotion& moti
 }
 
 int steps_of(const ExportOptions& o, const problems::ExportedMotion& motion) {
-  constexpr int kSteps = 360;
+  constexpr int kSteps = 360;  // a point each degree of a turn
   if (!o.step) return kSteps;
   return problems::count_steps(
       motion.end() - motion.begin(),
@@ -119,7 +120,7 @@ std::vector<problems::MotionKnot> points_of(const ExportOptions& o,
                                             const problems::ExportedMotion& motion,
                                             const problems::DriveFormat& drive,
                                             const problems::WrittenMotion& written) {
-  constexpr int kAllDigits = 12;
+  constexpr int kAllDigits = 12;  // decimals: the 24 bits of a controller hold seven digits
   const int steps = steps_of(o, motion);
   if (static_cast<std::size_t>(steps) > drive.most) {
     throw std::invalid_argument(fmt::format("--step: {} steps are more than the {} that {} takes",
@@ -136,7 +137,7 @@ std::vector<problems::MotionKnot> points_of(const ExportOptions& o,
 
 /// Refuses even steps between which a drive leaves the motion by much of its range.
 void check_step(const ExportOptions& o, const problems::ExportedMotion& motion, double deviation) {
-  constexpr double kShare = 0.01;
+  constexpr double kShare = 0.01;  // a hundredth of the range shows on any machine
   const double range = range_of(motion);
   if (!o.step || !(deviation > kShare * range)) return;
   throw std::invalid_argument(fmt::format(

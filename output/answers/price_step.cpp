@@ -19,6 +19,8 @@ PricedStep told_of_report(const Report& report, const optim::Assessment& assessm
 }  // namespace
 
 std::optional<PricedStep> priced_step(double scale, double price, double objective) {
+  // A tenth of a bound, or of the objective, is small enough for a price to hold, to first order
+  // (optimisation: Prices). What gains less than kIdle of the objective is rounding.
   constexpr double kShare = 0.1, kIdle = 1e-9;
   constexpr double kWhole = 1e-9;  // so that a tenth of 10 is 1 whatever its rounding
   if (!(std::abs(price) > kIdle * std::abs(objective))) return std::nullopt;

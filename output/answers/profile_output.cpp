@@ -66,7 +66,7 @@ void say_bridging(const WaveEffects& waves, Document& document) {
 }
 
 void say_left_out(const WaveEffects& waves, Document& document) {
-  constexpr double kWorthSaying = 1e-3;
+  constexpr double kWorthSaying = 1e-3;  // of the changes, of which three digits are shown
   if (!waves.left_out || *waves.left_out < kWorthSaying) return;
   document.say(
       fmt::format("  waves of this height are not small compared with the cam: the changes may be "

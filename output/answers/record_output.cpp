@@ -75,7 +75,7 @@ std::string record_evaluation(const RecordAnswer& answer,
 
 Figure record_figure(const RecordAnswer& answer) {
   const problems::RecordedCurve& record = answer.record;
-  constexpr std::size_t kPoints = 2000;
+  constexpr std::size_t kPoints = 2000;  // more points than a figure has pixels
   const std::vector<std::size_t> order = optim::order_of(record.place);
   Line model{.name = "computed"};
   for (std::size_t k = 0; k < order.size(); k += order.size() / kPoints + 1) {

@@ -70,6 +70,7 @@ using SameMotion = std::vector<const LawFit*>;
 
 /// Whether two fits are one motion under two names.
 bool is_same(const LawFit& a, const LawFit& b) {
+  // Of the deviation: fits of one motion under two names end so near.
   constexpr double kAlike = 1e-7;
   const double size = std::max(a.fit.rms, b.fit.rms);
   return std::abs(a.fit.rms - b.fit.rms) <= kAlike * size && problems::same_motion(a.law, b.law);
@@ -248,7 +249,7 @@ const MotionFit& main_motion(const SamplesAnswer& answer) {
 
 /// Samples and law, and what is left.
 void draw_motion(const MotionFit& fit, Figure& figure) {
-  constexpr int kCurve = 400;
+  constexpr int kCurve = 400;  // chords of a law over one motion: no corner is seen
   const problems::MotionSamples& samples = fit.motion.samples;
   const LawFit& best = fit.best();
   const char* label = samples.order == 0   ? "displacement"

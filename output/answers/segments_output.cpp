@@ -24,7 +24,7 @@ void add_segments(const Member& law, Document& document) {
     return Cell(in_digits(kTurnDegrees * share, 5), kTurnDegrees * share);
   };
   const auto level = [](double s) {
-    constexpr double kRounding = 1e-12;
+    constexpr double kRounding = 1e-12;  // of a stroke of 1: sums of strokes leave as much of 0
     return Cell(in_digits(std::abs(s) < kRounding ? 0.0 : s, 5), s);
   };
   const auto merit = [](double value) {

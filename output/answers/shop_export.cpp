@@ -65,7 +65,7 @@ double corner_depth(double bore_radius, const problems::Keyway& keyway) {
 
 /// Whether a length is another to the hundredth of a mm, rounded up.
 bool is_rounded_up(double length, double exact) {
-  constexpr double kHundredth = 0.01;
+  constexpr double kHundredth = 0.01;  // mm, the last digit that shops state
   return length >= exact && length - exact < kHundredth;
 }
 

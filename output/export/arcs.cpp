@@ -67,6 +67,7 @@ Biarc line_of(const Vector2d& a, const Vector2d& b) {
 }
 
 bool continues(const ArcPiece& a, const ArcPiece& b) {
+  // From a full turn on an arc's two ends would be one and not tell which way it goes.
   constexpr double kMostSweep = 1.9 * std::numbers::pi;
   if (a.is_line() != b.is_line()) return false;
   if (a.is_line()) {

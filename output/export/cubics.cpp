@@ -64,7 +64,7 @@ CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
 }
 
 bool CubicPath::is_smooth(std::size_t i) const {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the derivative: control points are rounded sums
   const CubicPiece &a = pieces[i], &b = pieces[i + 1];
   const Vector2d before = (a.control[3] - a.control[2]) / (a.to - a.from);
   const Vector2d after = (b.control[1] - b.control[0]) / (b.to - b.from);

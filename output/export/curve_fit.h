@@ -28,6 +28,7 @@ inline CurveSpan span_of(const PlaneCurve& curve, double from, double to) {
 /// The top of value(x) between two places on both sides of a higher one, by golden sections.
 template <class Value>
 double top_between(double low, double high, const Value& value) {
+  // 1 / the golden ratio, by which a section needs one new value.
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kSections = 16;  // which leave 1e-3 of the way, and 1e-6 of the rise over it
   double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
@@ -48,6 +49,7 @@ double top_between(double low, double high, const Value& value) {
 /// that is higher than its neighbours.
 template <class Distance>
 double worst_over(const PlaneCurve& curve, const CurveSpan& span, const Distance& distance) {
+  // A deviation has a few waves over a span, as of an arc or a cubic from a smooth curve.
   constexpr std::size_t kLooks = 16;
   const auto look = [&](double place) {
     const double share = place / kLooks;
@@ -79,6 +81,7 @@ struct CurveDeviation {
 template <class Bound>
 CurveDeviation proved_over(const PlaneCurve& curve, const CurveSpan& span, double met, double limit,
                            const Bound& bound) {
+  // A stretch so small that it is not within by then counts with what bounds it.
   constexpr int kMostStretches = 20000;
   std::vector<std::pair<double, double>> open{{span.from.angle, span.to.angle}};
   double most = met;
@@ -129,7 +132,7 @@ auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
   using Piece = decltype(piece_of(std::declval<const CurveSpan&>()));
   constexpr std::size_t kMostPieces = 200'000;
   constexpr double kFirst = 1.0 / 36, kLeast = 1e-9;  // of the cycle
-  constexpr int kTries = 6;
+  constexpr int kTries = 6;  // each asks for a fifth less: the last for a third of the tolerance
   const double cycle = curve.end() - curve.begin();
   CurveFit<Piece> fit;
   std::vector<std::pair<std::size_t, CurveSpan>> spans;  // of the pieces that are no bridges

@@ -24,7 +24,7 @@ struct CurveRange {
 };
 
 CurveRange range_of(const ProblemStatement& design, const char* name) {
-  constexpr int kPlaces = 1440;
+  constexpr int kPlaces = 1440;  // a quarter of a degree: the range is drawn, not printed
   for (const optim::Response& response : curves_of(design)) {
     if (response.name != name) continue;
     const auto trace = response.curve().trace({});

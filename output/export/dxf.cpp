@@ -99,6 +99,7 @@ class Entities {
   }
 
   void spline(const CubicPath& path) {
+    // The bit of a planar spline in group 70, and the degree of cubics.
     constexpr int kPlanar = 8, kDegree = 3;
     const auto knots = path.knots();
     const auto points = path.control_points();

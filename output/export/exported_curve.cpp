@@ -90,7 +90,7 @@ Extent extent_of(const std::vector<ExportedCurve>& curves) {
 }
 
 std::string plain_text(const std::string& text) {
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMost = 200;  // a line of a comment; a title may be far longer
   std::string result;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);

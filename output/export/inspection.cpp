@@ -37,6 +37,8 @@ std::vector<InspectionPoint> inspection_points(const PlaneCurve& profile, double
 std::string inspection_text(const std::vector<InspectionPoint>& points, const std::string& unit,
                             double tolerance, int decimals,
                             const std::vector<std::string>& comments) {
+  // A direction with nine decimals leaves 1e-7 mm over 100 mm; four digits tell a tolerance as it
+  // is stated.
   constexpr int kDirection = 9, kSignificant = 4;
   // The tolerance is not rounded to the coordinates' decimals: it would be another one.
   const int fine =

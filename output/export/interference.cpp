@@ -10,8 +10,8 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr double kFollow = 5e-4;  // mm: how far the lines are from the curves, (EX2)
-constexpr int kDigits = 9;
+constexpr double kFollow = 5e-4;       // mm: how far the lines are from the curves, (EX2)
+constexpr int kDigits = 9;             // decimals of the polygons, far below kFollow
 constexpr ProofRoom kRough{1.5, 0.5};  // how near the polygons are need not be known closely
 
 /// A line between two points, and a circle about it.
@@ -97,7 +97,7 @@ double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve
 }
 
 std::optional<double> even_distance(const PlaneCurve& a, const PlaneCurve& b) {
-  constexpr int kLooks = 48;
+  constexpr int kLooks = 48;  // curves that are not parallel differ at most of as many places
   constexpr double kRounding = 1e-7;  // mm
   const double first = (a.at({a.begin()}).at - b.at({b.begin()}).at).norm();
   for (int i = 1; i <= kLooks; ++i) {

@@ -79,8 +79,9 @@ Possible<ExportedMotion> whole_law_motion(const ProblemStatement& statement) {
 
 /// How many times the slope of a curve another one is; none where it is not that everywhere.
 std::optional<double> times_slope(const optim::Trace& curve, const optim::Trace& other) {
+  // Of each stretch: a curve that is another's slope is so at all of them.
   constexpr int kLooks = 96;
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the largest slope: two formulas round differently
   if (curve.breaks() != other.breaks()) return {};
   double most = 0, factor = 0;
   std::vector<std::pair<double, double>> pairs;

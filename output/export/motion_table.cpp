@@ -16,13 +16,14 @@ namespace camlaw::problems {
 namespace {
 
 double table_step_of(const ExportedMotion& motion, const std::optional<std::string>& text) {
-  constexpr int kSteps = 360;
+  constexpr int kSteps = 360;  // a row each degree of a turn
   if (!text) return (motion.end() - motion.begin()) / kSteps;
   return parse_quantity(*text, motion.place_unit, motion.place_unit, "--step");
 }
 
 /// What comes back comes back in every digit; rounding is not a motion.
 void close_table(MotionTable& table) {
+  // Of the range: a cycle returns to its beginning with rounding.
   constexpr double kRounding = 1e-9;
   const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());
   double &first = table.values.front(), &last = table.values.back();

@@ -48,7 +48,7 @@ const optim::Response& response_called(const std::vector<optim::Response>& curve
 /// Where the roller that serves hands over to the next one, deg: the angle of the serving one then
 /// falls by a step.
 std::vector<double> handovers(const optim::Response& roller_angle, double step) {
-  constexpr int kPlaces = 7200;
+  constexpr int kPlaces = 7200;  // a twentieth of a degree: no roller serves for as little
   const auto trace = roller_angle.curve().trace({});
   const auto angle = [&](double place) { return trace->at({place})[0]; };
   std::vector<double> result;
@@ -115,6 +115,7 @@ std::vector<NumberedFlank> flanks_of(const Rings& rings, const std::vector<optim
 /// The ways of the rollers of a ring past the cams, each over a cycle.
 std::vector<std::vector<CirclePlace>> ways_of(const Rings& rings, const optim::Response& gained,
                                               double first) {
+  // A tenth of a degree: a chord of a way of 100 mm radius is within 4e-5 mm.
   constexpr int kSteps = 3600;
   constexpr double kFar = 100;  // deg from the line of centres
   const auto trace = gained.curve().trace({});

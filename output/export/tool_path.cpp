@@ -109,7 +109,7 @@ void ToolPath::add_lead(const ProblemStatement& design, double radius) {
   lead.from = lead.in.from + radius * n;
   lead.to = lead.out.to + radius * m;
   std::vector<Eigen::Vector2d> way{unit_.mm * lead.from, unit_.mm * lead.to};
-  constexpr int kSteps = 90;
+  constexpr int kSteps = 90;  // a degree of the lead's quarter circle each
   for (int i = 0; i < kSteps; ++i) {
     const double angle = std::numbers::pi / 2 * i / kSteps;
     const double c = std::cos(angle), s = std::sin(angle);

@@ -37,6 +37,7 @@ class EvenSamples {
   MotionSample at(int i);
 
  private:
+  /// Five rows of so many numbers, 20 KB, stay in a processor's nearest cache.
   static constexpr int kBlock = 512;
   Law<double> law_;
   int count_;

@@ -15,7 +15,7 @@ namespace {
 
 /// The points of a curve over the whole turn.
 Line line_of(const problems::PlaneCurve& curve) {
-  constexpr int kSteps = 720;
+  constexpr int kSteps = 720;  // half a degree: no corner is seen at any size of a page
   Line line{.name = curve.name()};
   line.dashed = !curve.name().ends_with("profile");
   for (int i = 0; i <= kSteps; ++i) {

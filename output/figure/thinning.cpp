@@ -84,7 +84,7 @@ Line thinned(const Line& line, double share) {
 }
 
 Figure thinned(Figure figure) {
-  constexpr double kShare = 1.0 / (8 * 600);
+  constexpr double kShare = 1.0 / (8 * 600);  // an eighth of a pixel of a figure that is 600 high
   for (Panel& panel : figure.panels) {
     for (Line& line : panel.lines) line = thinned(line, kShare);
   }

@@ -27,7 +27,7 @@ Json drawn_number(double value) {
 }
 
 Json drawn_numbers(const std::vector<double>& values) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // of the largest: what rounding leaves of 0, drawn as 0
   double size = 0;
   for (const double value : values) {
     if (std::isfinite(value)) size = std::max(size, std::abs(value));

@@ -21,7 +21,7 @@ std::vector<Point> slot(Point centre, double angle, double tip, double end, doub
     return Point{centre.x + along * c - across * s, centre.y + along * s + across * c};
   };
   std::vector<Point> outline{at(tip, half_width)};
-  constexpr int kSteps = 12;
+  constexpr int kSteps = 12;  // corners of 15 deg in a slot's round end are not seen
   for (int i = 0; i <= kSteps; ++i) {
     const double turn = std::numbers::pi * (0.5 + static_cast<double>(i) / kSteps);
     outline.push_back(at(end + half_width * std::cos(turn), half_width * std::sin(turn)));

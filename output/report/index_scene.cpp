@@ -87,7 +87,7 @@ double half_of_cam(const Turret& turret) { return std::min(turret.step(), 60.0);
 /// Of a roller gear the outline follows the rollers' inner ends.
 std::vector<Point> globoid(const Turret& turret, double length) {
   std::vector<Point> right;
-  constexpr int kSteps = 60;
+  constexpr int kSteps = 60;  // two degrees each: no corner is seen
   const Turret inner{turret.centre, turret.radius - 0.5 * length, 0, turret.rollers, 1};
   for (int i = 0; i <= kSteps; ++i) {
     right.push_back(inner.at(half_of_cam(turret) * (2.0 * i / kSteps - 1)));

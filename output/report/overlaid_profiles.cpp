@@ -22,7 +22,7 @@ struct DrawnProfile {
 };
 
 std::vector<DrawnProfile> profiles_of(const ComparedDesign& design, std::size_t number) {
-  constexpr int kSteps = 720;
+  constexpr int kSteps = 720;  // half a degree: no corner is seen at any size of a page
   std::vector<DrawnProfile> profiles;
   if (!design.read.statement.cams.empty()) return profiles;  // several cams on one shaft
   for (const problems::PlaneCurve& curve : problems::cam_curves(design.read.statement, "profile")) {

@@ -36,7 +36,7 @@ std::string margin_bar(const optim::LimitReport& limit) {
       limit.met ? "good" : "bad", share < 0 ? 50 - width : 50, width);
 }
 
-constexpr std::size_t kSideColumn = 7;
+constexpr std::size_t kSideColumn = 7;  // the column "side" of limit_table
 
 Table limit_table(bool priced) {
   Table table{.columns = {names("limit"), words(""), numbers("value"), numbers("bound"),

@@ -36,7 +36,7 @@ std::optional<Scene> servo_scene(const problems::ProblemStatement& design, int p
   const std::vector<double>&speed = curves.values("motor_speed"),
         &torque = curves.values("motor_torque");
   if (!std::isfinite(speed.front()) || !std::isfinite(torque.front())) return {};
-  constexpr double kWide = 100, kHigh = 60;
+  constexpr double kWide = 100, kHigh = 60;  // of the scene, to which speed and torque are scaled
   const SpeedTorque plane{kWide / fastest, kHigh / most};
   Scene scene(
       fmt::format("{}: torque of the motor (upwards, to {:.4g} N m) by its speed (to the "

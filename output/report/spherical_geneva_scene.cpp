@@ -19,7 +19,7 @@ using Kind = BodyMotion::Kind;
 
 /// A cone of half angle pi / n about the driver's axis carries the pin.
 struct Sphere {
-  static constexpr double kRadius = 100, kMark = 2.5;
+  static constexpr double kRadius = 100, kMark = 2.5;  // of the scene: the sphere may have any size
   static constexpr double kEntry = -90;  ///< deg, the driver's angle where the cycle begins
   int slots;
   double half = std::numbers::pi / slots;

@@ -31,8 +31,9 @@ const char* word_of(TimedSpan::Kind kind) {
 
 /// What a law does between two places: it rests where it is at one height at both and between them.
 TimedSpan::Kind kind_of(const Law<double>& law, double begin, double end) {
+  // A law that leaves its height and returns to it shows at most of these.
   constexpr int kLooks = 16;
-  constexpr double kSame = 1e-9;
+  constexpr double kSame = 1e-9;  // of a stroke of 1: rounding of a dwell's height
   const double first = law(begin).s, last = law(end, Side::Left).s;
   if (std::abs(last - first) > kSame)
     return last > first ? TimedSpan::Kind::Rise : TimedSpan::Kind::Return;
@@ -66,7 +67,7 @@ std::string bars(const TimedSpan& span) {
 /// The displacement over the shaft's turn, below the names of the parts, which stand in the upper
 /// third.
 std::string line(const Law<double>& law, double phase) {
-  constexpr int kPoints = 360;
+  constexpr int kPoints = 360;  // a point each degree
   std::vector<double> s;
   for (int i = 0; i <= kPoints; ++i) s.push_back(law(in_turn(i - phase) / kDegrees).s);
   const auto [lowest, highest] = std::minmax_element(s.begin(), s.end());

@@ -35,6 +35,8 @@ std::array<double, 3> constants_of(const Law<double>& law) {
 /// Where the acceleration jumps there is no peak jerk: front_ruler sees to it that no law does.
 std::optional<double> factor_of(const ProblemStatement& statement,
                                 const ObjectiveStatement& objective, std::size_t constant) {
+  // Peaks of the laws are known to far more digits; what is no constant multiple differs in the
+  // first.
   constexpr double kSame = 1e-9;
   std::optional<double> factor;
   for (const Member& law : some_laws()) {
@@ -63,7 +65,7 @@ bool is_of_law_alone(const ProblemStatement& statement, const ObjectiveStatement
 /// Whether a law goes from rest to rest over one stroke without a jump of the velocity: only of
 /// such the limit holds.
 bool is_rest_to_rest(const Law<double>& law) {
-  constexpr double kSame = 1e-9;
+  constexpr double kSame = 1e-9;  // of the stroke, as a law's file is taken (law_file)
   const auto begin = law(0.0), end = law(1.0, Side::Left);
   return std::abs(begin.v) < kSame && std::abs(end.v) < kSame &&
          std::abs(end.s - begin.s - 1) < kSame && !jumps(law).velocity;

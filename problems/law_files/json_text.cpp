@@ -8,6 +8,7 @@
 namespace camlaw::problems {
 
 Json parse_json(std::string_view text) {
+  // What reads, copies and writes a value calls itself for each level.
   static constexpr int kDeepest = 64;
   const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
     if (depth <= kDeepest) return true;

@@ -60,7 +60,7 @@ std::string title_of(const Json& object) {
 
 /// That a law rises from 0 to 1, without jumps, and has values on the way.
 void check_rise(const Law<double>& law) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // of the stroke: sums of a piece's terms end so near to 1
   const double begin = law(0.0).s, end = law(1.0, Side::Left).s;
   if (!(std::abs(begin) <= kRounding && std::abs(end - 1) <= kRounding)) {
     throw std::invalid_argument(

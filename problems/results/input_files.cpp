@@ -71,6 +71,7 @@ RecordedProblem recorded_problem(const ReadDesign& result, const std::string& fi
 }
 
 std::vector<std::string> input_files(const RecordedProblem& recorded) {
+  // A result may lie in a folder of results beside the problem's, or in one of that.
   constexpr int kFolders = 3;
   const fs::path source = recorded.problem.source;
   std::vector<fs::path> places{source};

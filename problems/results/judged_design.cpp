@@ -92,7 +92,7 @@ namespace {
 /// A limit's stated value against its stated margin and bound, and the bound against the problem's.
 void compare_bound(const StatedLimit& stated, const optim::Constraint& constraint,
                    std::vector<std::string>& words) {
-  constexpr double kDigits = 1e-9;
+  constexpr double kDigits = 1e-9;  // results print every digit; what remains is rounding
   const double size = std::max(std::abs(stated.value), std::abs(stated.bound));
   const double margin = stated.is_upper ? stated.bound - stated.value : stated.value - stated.bound;
   if (std::isfinite(margin) && !(std::abs(margin - stated.margin) <= kDigits * size)) {
@@ -121,7 +121,7 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
 }
 
 void compare_shown_variables(const ReadDesign& read, std::vector<std::string>& words) {
-  constexpr double kDigits = 1e-9;
+  constexpr double kDigits = 1e-9;  // results print every digit; what remains is rounding
   for (const VariableStatement& v : read.statement.variables) {
     const auto shown = read.stated.variables.find(v.name);
     if (shown == read.stated.variables.end()) continue;

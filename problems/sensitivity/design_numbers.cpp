@@ -118,6 +118,7 @@ bool varies(const ProblemStatement& design, const DesignParameter& parameter,
 }
 
 void add_law_parameters(const ProblemStatement& design, std::vector<DesignParameter>& all) {
+  // A spline's many coefficients would hide the parameters that mean something.
   constexpr std::size_t kShortList = 8;
   const Member& law = design.laws.front();
   for (std::size_t i = 0; i < law.family->parameters.size(); ++i) {
@@ -228,7 +229,7 @@ std::vector<double> gradient_of(const optim::Function& function, optim::Design x
 /// The places at which a curve has its extreme, but for a rounding, each with the sign that makes
 /// it the highest.
 std::vector<std::pair<optim::Place, double>> equal_peaks(const optim::Trace& trace, Part part) {
-  constexpr double kEqual = 1e-9;
+  constexpr double kEqual = 1e-9;  // of the highest: rounding would choose between equal peaks
   std::vector<std::pair<optim::Extreme, double>> all;
   for (const double sign : {1.0, -1.0}) {
     if (part == (sign > 0 ? Part::Lowest : Part::Highest)) continue;

@@ -17,6 +17,7 @@
 namespace camlaw::problems {
 namespace {
 
+/// A part of each parameter that is small beside it, and large beside rounding.
 constexpr double kHundredth = 0.01;
 
 std::vector<double> values_of_parameters(const std::vector<DesignParameter>& parameters) {
@@ -28,7 +29,7 @@ std::vector<double> values_of_parameters(const std::vector<DesignParameter>& par
 /// What a slope is but for rounding: nothing, where one percent of the parameter would change
 /// nothing of the number that can be told.
 double rounded_slope(double slope, double value, double parameter) {
-  constexpr double kTold = 1e-13;
+  constexpr double kTold = 1e-13;  // a few hundred units of the last place
   return std::abs(slope * parameter) <= kTold * std::abs(value) && parameter != 0 ? 0 : slope;
 }
 
@@ -120,6 +121,9 @@ std::optional<double> slope_to(const DesignNumber& number, std::vector<double> x
 /// A derivative as it is where differences agree with it, else what they say.
 Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter,
                     const std::vector<double>& x, std::size_t i, double value, Sensitivity exact) {
+  // The error of a difference over this step is some 1e-4 of the slope of a smooth number and 1e-12
+  // of its value by rounding. A slope that is a hundredth off is another one: a kink's, or that of
+  // another peak.
   constexpr double kStep = 1e-4, kAgrees = 1e-2;
   const double size =
       std::max(std::abs(x[i]), 1e-3 * std::min(parameter.high - parameter.low, 1.0));

@@ -49,6 +49,7 @@ void check_advancing_cycle(const ProblemStatement& problem) {
     const Law<double> motion = law.law();
     const double advance = motion(1.0).s - motion(0.0).s;
     const double slowest = peaks(motion).low(Quantity::Velocity).value;
+    // Of the mean velocity: a rest's velocity is no more than rounding.
     constexpr double kRounding = 1e-9;
     if (slowest < -kRounding) {
       throw std::invalid_argument(

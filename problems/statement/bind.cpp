@@ -117,7 +117,7 @@ class KnownProblems {
  public:
   template <class Make>
   optim::Problem get(const std::vector<std::size_t>& options, const Make& make) {
-    constexpr std::size_t kKept = 64;
+    constexpr std::size_t kKept = 64;  // combinations beyond these are made anew for each search
     {
       const std::lock_guard lock(guard_);
       const auto found = known_.find(options);

@@ -13,7 +13,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr double kApart = 1e6;
+constexpr double kApart = 1e6;  // a wrong unit, mm for m or Pa for MPa, moves a bound by 1e3 to 1e6
 constexpr std::size_t kPlaces = 3 + 8;  ///< the start, both corners, and eight more
 
 /// The n-th number of van der Corput's sequence in a base: evenly spread over 0 to 1.

@@ -27,7 +27,7 @@ Binding fixed(const ProblemStatement& statement) {
 /// A value in the unit that it is shown in; 0 where its enclosure holds 0 and is so narrow that
 /// nothing but the rounding of the formula is left, as of integrals that cancel.
 double without_rounding(const optim::Function& function, double value) {
-  constexpr double kNone = 1e-9;
+  constexpr double kNone = 1e-9;  // of one unit: answers show no such digits
   if (value == 0 || !(std::abs(value) < kNone)) return value;
   const optim::Bounds proved = function.enclose({});
   const bool holds_zero = proved.lower <= 0 && proved.upper >= 0;

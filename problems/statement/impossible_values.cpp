@@ -66,7 +66,7 @@ std::string broken_condition_at(ProblemStatement design) {
 
 /// The condition that fails a millionth of a variable's box beside a design; empty where none does.
 std::string condition_beside(const BoundProblem& bound, const optim::Optimum& optimum) {
-  constexpr double kBeside = 1e-6;
+  constexpr double kBeside = 1e-6;  // of the box: a search that ran into an edge ends nearer to it
   for (std::size_t i = 0; i < optimum.found.x.size(); ++i) {
     const optim::Variable& v = optimum.problem.variables[i];
     if (v.integer || !std::isfinite(v.upper - v.lower)) continue;

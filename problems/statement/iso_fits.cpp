@@ -12,7 +12,7 @@ namespace camlaw::problems {
 namespace {
 
 constexpr int kLeastGrade = 5, kLargestGrade = 11;
-constexpr std::size_t kSteps = 13;
+constexpr std::size_t kSteps = 13;  // of nominal sizes in ISO 286-1, up to 500 mm
 /// Sizes up to these, mm.
 constexpr std::array<double, kSteps> kUpTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 using Micrometres = std::array<int, kSteps>;

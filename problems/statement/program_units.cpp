@@ -73,6 +73,7 @@ std::optional<double> value_by_angle(const Entry& entry, const std::string& unit
   if (!value || !deg || !rad) return {};
   constexpr double kDeg = std::numbers::pi / 180;
   const double expected = std::pow(kDeg, above - order);
+  // Two conversions round by some 1e-16; degrees and radians differ in the first digit.
   constexpr double kNoise = 1e-9;
   if (std::abs(*deg - expected * *rad) > kNoise * std::abs(*deg)) return {};
   return value;

@@ -15,6 +15,7 @@ namespace {
 
 using Kind = Entry::Kind;
 
+/// Each has parameters, responses and a law of its own in the shaft's mechanism.
 constexpr std::size_t kMostCams = 40;
 constexpr std::size_t kMostMotions = 5000;  // combinations of the cams' laws
 

@@ -11,6 +11,7 @@
 namespace camlaw::problems {
 namespace {
 
+/// A proof divides angle and ranges: the boxes grow with each as a power.
 constexpr std::size_t kMostRanges = 3;
 
 double read_range_end(const Entry& table, const char* key, const NamedParameter& parameter) {

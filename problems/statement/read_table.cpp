@@ -101,6 +101,7 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
     if (x[i] >= 1) x[i] = 0;  // of an angle that rounding has left below 0
   }
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return x[a] < x[b]; });
+  // Of the turn: a thousandth of a second of arc, below any table's digits.
   constexpr double kSamePlace = 1e-9;
   const double alike = 2 * resolution_of(table.columns[1]) * lift.factor;
   const auto check_again = [&](std::size_t i, double known) {

@@ -68,7 +68,7 @@ void check_may_vary(const ProblemStatement& problem, const NamedParameter& p) {
 }
 
 void add_variation(std::vector<VariationStatement>& all, VariationStatement variation) {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMost = 8;  // the worst part is sought at all 256 corners first
   for (const VariationStatement& other : all) {
     if (other.name() != variation.name()) continue;
     throw std::invalid_argument(

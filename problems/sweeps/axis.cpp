@@ -90,7 +90,7 @@ SweepAxis stepped(const std::string& name, const std::string& text) {
         text));
   }
   constexpr double kRounding = 1e-9;  // of a step: 0:0.1:0.3 has four values
-  constexpr int kDigits = 12;
+  constexpr int kDigits = 12;  // significant: 0.1 + 0.2 is 0.3, and what a user writes has fewer
   const double from = (*parts)[0].number, step = (*parts)[1].number, to = (*parts)[2].number;
   const double steps = (to - from) / step;
   if (!(steps >= 0) || !std::isfinite(steps)) {
@@ -317,7 +317,7 @@ std::string to_string(SampleMethod method) {
 }
 
 std::vector<std::vector<double>> samples_of(const Sampling& sampling) {
-  constexpr int kDigits = 8;
+  constexpr int kDigits = 8;  // significant: they tell 100 000 samples apart and can still be read
   if (sampling.over.empty()) return {};
   auto samples =
       sampling.method == SampleMethod::Sobol ? sobol(sampling) : latin_hypercube(sampling);

@@ -52,6 +52,7 @@ std::vector<bool> along_curve(std::vector<std::uint32_t> cell, int digits) {
 /// n log n, where always the nearest that is left takes n^2.
 std::vector<std::size_t> in_near_order(const std::vector<std::vector<double>>& samples,
                                        const std::vector<SampledRange>& over) {
+  // Bits of each number: samples that share a cell are near each other in any order.
   constexpr int kDigits = 16;
   constexpr double kMost = (1 << kDigits) - 1;
   std::vector<std::vector<bool>> places;

@@ -77,6 +77,7 @@ class SweepPlan {
   std::size_t size_ = 1;
 };
 
+/// A sweep of a hundred combinations has a dozen chains to share out.
 inline constexpr std::size_t kChain = 8;
 
 /// As a record keeps it, and back. Throws std::invalid_argument for what is damaged.

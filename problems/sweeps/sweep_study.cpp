@@ -199,6 +199,8 @@ bool SweepStudy::is_well_written(const SweepAxis& axis, std::size_t value) {
 /// combination takes, is left to its combinations, which tell why. What files the values name is
 /// read here, once.
 void SweepStudy::check_values() {
+  // Each try reads the statement with its values; a value that is wrong by itself fails in all of
+  // them, and an axis of numbers fails at its ends first.
   constexpr std::size_t kValues = 100, kTries = 64;
   std::size_t step = plan_.size();
   for (const SweepAxis& axis : plan_.settings().axes) {

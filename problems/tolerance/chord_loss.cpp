@@ -54,7 +54,7 @@ ProfileEffect effect_of(const ProfileGeometry& geometry, std::string name, const
 /// be; along a chord that is left out of the highest force.
 std::vector<ProfileEffect> force_effects(const ProfileGeometry& geometry,
                                          const ProfileErrors& errors) {
-  constexpr double kOfChange = 1e-3;
+  constexpr double kOfChange = 1e-3;  // three digits of the change are shown
   const double inertia = geometry.mass() * geometry.speed() * geometry.speed();
   const double radius = geometry.roller();
   const auto row = [&](const char* which, const char* where, double sign, const auto& change) {

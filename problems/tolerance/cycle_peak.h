@@ -52,6 +52,8 @@ class PeakSearch {
   }
 
   CyclePeak highest(double accuracy) {
+    // Fewer parts of a stretch would enclose little; a peak that so many boxes do not close is
+    // called not proved.
     constexpr int kFirst = 16, kMost = 40000;
     std::priority_queue<Stretch> open;
     best_ = {std::numeric_limits<double>::quiet_NaN(), 0, 0, false};

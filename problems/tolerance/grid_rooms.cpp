@@ -112,7 +112,7 @@ std::optional<std::vector<OpenStretch>> left_over(const OverAllParts& over, cons
 /// (theory: TV5).
 bool add_places(const OverAllParts& over, const DesignRows& rows,
                 const std::vector<OpenStretch>& stretches, double wanted, SideGrid& side) {
-  constexpr int kMost = 16;
+  constexpr int kMost = 16;  // each place is worked out for each part that is drawn
   std::vector<Place> places;
   const auto add = [&](const Place& place) {
     if (places.empty() || !(places.back() == place)) places.push_back(place);

@@ -34,6 +34,8 @@ std::vector<LimitSlopes> slopes_of(const VariedDesign& varied) {
 
 /// So many that all searches together end in a minute or so, whatever the machine.
 std::size_t samples_for(const GridReport& grid) {
+  // Of a yield near 99 % 100 000 parts tell 0.06 %. A search over the cycle for each part takes a
+  // millisecond or two.
   constexpr std::size_t kSamples = 100000, kSearches = 30000;
   if (grid.without_grid == 0) return kSamples;
   return std::min(kSamples, std::max<std::size_t>(1024, kSearches / grid.without_grid));

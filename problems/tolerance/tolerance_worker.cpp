@@ -37,7 +37,7 @@ struct Workshop {
 /// Whether two designs are the same machine with the same law. A value that a search has left a
 /// rounding away from its bound is read as that bound.
 bool same_design(const ProblemStatement& a, const ProblemStatement& b) {
-  constexpr double kRounding = 2e-12;
+  constexpr double kRounding = 2e-12;  // reading takes 1e-12 for the bound, in either design
   const auto is_same = [](double x, double y) {
     return x == y || std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));
   };

@@ -201,7 +201,7 @@ class OnePart {
 
 /// All corners, and from the worst of them downhill: no proof.
 WorstPart searched_part(const VariedDesign& varied, const LimitSide& side, double share) {
-  constexpr int kSteps = 40;
+  constexpr int kSteps = 40;  // a step that gains nothing is quartered: ten of these end at 1e-6
   const OnePart one(varied, side);
   const std::size_t n = varied.meant.size();
   const auto end = [&](std::size_t i, bool upper) {
@@ -339,7 +339,10 @@ std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied) {
 }
 
 BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
+  // Every third step halves, so that ten of them alone reach a thousandth.
   constexpr int kSteps = 30;
+  // Four digits of a factor are shown; the proof fails at the factor itself, where the limit has no
+  // room.
   constexpr double kExact = 1e-4, kProvedTo = 0.99;
   const LimitSide side{worst.limit, worst.is_upper, worst.bound, worst.tolerance};
   const double most = accepted_factor(varied);

@@ -42,6 +42,7 @@ std::vector<WorstPart> worst_parts(const VariedDesign& varied, double share = 1)
 /// breaks by itself, at any of its values that a search finds.
 std::vector<std::vector<std::size_t>> broken_alone(const VariedDesign& varied);
 
+/// Parts that may be a hundred times as far off as stated are no longer the question.
 inline constexpr double kLargestFactor = 100;
 
 /// How far the variations may grow before a limit breaks.

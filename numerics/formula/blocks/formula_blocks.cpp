@@ -34,7 +34,7 @@ std::uint32_t join(const Formula& formula, Recorder& all) {
 
 /// Room for numbers, kept for the next call on this thread.
 std::span<double> room(std::size_t size) {
-  constexpr std::size_t kLine = 64;
+  constexpr std::size_t kLine = 64;  // bytes of a cache line, which is a vector of the widest set
   thread_local std::vector<double> numbers;
   numbers.resize(std::max(numbers.size(), size + kLine / sizeof(double)));
   void* begin = numbers.data();

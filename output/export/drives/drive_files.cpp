@@ -10,6 +10,7 @@
 namespace camlaw::problems {
 namespace {
 
+/// Decimals of degrees and millimetres, far below what a drive resolves.
 constexpr int kDecimals = 9;
 
 /// A place or a position as it is rounded already.
@@ -155,6 +156,7 @@ std::string siemens(const PiecewiseMotion& path, std::span<const std::string> co
 
 const std::vector<DriveFormat>& drive_formats() {
   using P = DrivePath;
+  // A drive that states no limit itself takes kMany; the basic cam of LCamHdl has 50 segments.
   constexpr std::size_t kMany = 10000, kSegmentsOfCam = 50;
   static const std::vector<DriveFormat> formats{
       {"beckhoff-points",

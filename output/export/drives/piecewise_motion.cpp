@@ -15,7 +15,7 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr std::size_t kTerms = 6;
+constexpr std::size_t kTerms = 6;  // of a quintic
 using Polynomial = std::array<double, kTerms>;
 
 /// Value, slope and half the second derivative of a polynomial.
@@ -115,7 +115,7 @@ struct DerivativeSizes {
 };
 
 DerivativeSizes derivative_sizes(const WrittenMotion& exact) {
-  constexpr int kLooks = 24;
+  constexpr int kLooks = 24;  // sizes to within a per cent, against which rounding is told
   const std::vector<double> breaks = exact.motion.trace->breaks();
   const double rate = exact.per_place;
   DerivativeSizes sizes;
@@ -131,7 +131,7 @@ DerivativeSizes derivative_sizes(const WrittenMotion& exact) {
 
 /// Derivatives that are rounding alone beside the greatest of the cycle are 0, as in a dwell.
 void clear_rounding(std::vector<MotionKnot>& knots, const DerivativeSizes& sizes) {
-  constexpr double kRounding = 1e-13;
+  constexpr double kRounding = 1e-13;  // a dwell's derivatives are sums that cancel to some 1e-15
   for (MotionKnot& knot : knots) {
     if (std::abs(knot.v) <= kRounding * sizes.v) knot.v = 0;
     if (std::abs(knot.a) <= kRounding * sizes.a) knot.a = 0;
@@ -149,6 +149,7 @@ double range_of(const PiecewiseMotion& motion) {
 /// The largest deviation of one quintic at some places between two knots.
 double looked_at(const WrittenMotion& exact, const MotionKnot& p, const MotionKnot& q, double from,
                  double to) {
+  // A quintic's deviation has a few waves; the proof finds what these places miss.
   constexpr int kLooks = 24;
   const Polynomial polynomial = quintic(p, q);
   double most = 0;
@@ -220,7 +221,7 @@ PiecewiseMotion cubic_spline_through(std::vector<MotionKnot> knots) {
 MotionDeviation deviation_of(const WrittenMotion& exact, const PiecewiseMotion& written) {
   constexpr double kRoom = 1.01;      // between what was met and what is proved
   constexpr double kRounding = 1e-9;  // of the range: far above what numbers and enclosures round
-  constexpr int kRounds = 20;
+  constexpr int kRounds = 20;  // each begins from a place that is higher by a hundredth or more
   const DeviationTrace trace(exact, written);
   const double least = kRounding * range_of(written);
   MotionDeviation result;
@@ -259,7 +260,7 @@ std::vector<double> joints_apart(const std::vector<double>& breaks, double least
 QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int decimals,
                               std::size_t most) {
   constexpr double kLeast = 1e-7;  // of the cycle
-  constexpr int kTries = 8;
+  constexpr int kTries = 8;  // each asks for a fifth less: the last for a fifth of the tolerance
   const ExportedMotion& motion = exact.motion;
   const double cycle = motion.end() - motion.begin();
   const DerivativeSizes sizes = derivative_sizes(exact);

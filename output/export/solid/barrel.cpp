@@ -32,6 +32,7 @@ FlankSurface surface_of(const ExactFlank& exact, const BarrelSize& size, std::si
 
 /// Throws where a flank turns back: where the roller's angle does not rise with the flank's.
 void refuse_turning_flank(const ExactFlank& exact, const BarrelSize& size, const char* name) {
+  // A flank turns back over stretches wider than a tenth of a degree and an eighth of the depth.
   constexpr int kAngles = 3600, kAcross = 8;
   for (int i = 0; i < kAngles; ++i) {
     const double angle = kWholeTurn * i / kAngles;
@@ -63,6 +64,7 @@ ExportedFlank flank_within(const ExactFlank& exact, const BarrelSize& size, cons
                                                                          {1440, 4},
                                                                          {2880, 4},
                                                                          {1440, 8}}};
+  // Each begins from a gap that the one before has met; more rounds find little.
   constexpr int kTries = 5;
   refuse_turning_flank(exact, size, name);
   for (const auto& [angles, distances] : kMeshes) {

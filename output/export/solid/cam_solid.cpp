@@ -18,6 +18,7 @@ using Eigen::Vector2d;
 
 /// How near the points of a curve come to the centre.
 double least_distance(const PlaneCurve& curve) {
+  // A quarter of a degree: 100 mm per rad^2 hide 0.0003 mm between two places.
   constexpr int kPlaces = 1440;
   double least = curve.at({curve.begin()}).at.norm();
   for (int i = 1; i <= kPlaces; ++i) {

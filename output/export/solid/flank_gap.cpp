@@ -83,7 +83,7 @@ std::optional<Gap> gap_over(const ExactFlank& exact, const FlankSurface& surface
   const auto [height, slope, unused] = exact.centre(turn);
   const auto here = exact.contact(slope, distance);
   const double g = height + here.raised() - surface.height(turn + here.turned(), distance);
-  constexpr double kRounding = 1e-10;
+  constexpr double kRounding = 1e-10;  // mm: what rounding of heights up to a metre leaves
   Gap gap{0, std::abs(g), half_angle * magnitude(Interval(slope_apart) * by_angle),
           half * magnitude(Interval(outward_apart) +
                            Interval(slope_apart) * contact.turned_by_distance())};
@@ -98,6 +98,7 @@ double radial_gap(const FlankSurface& surface) {
 }
 
 double met_gap(const ExactFlank& exact, const FlankSurface& surface) {
+  // Eight places of each patch and three of each angle meet its highest waves.
   constexpr int kAcross = 8;
   const int along = static_cast<int>(3 * surface.angles()),
             across = kAcross * static_cast<int>(surface.distances());
@@ -118,8 +119,8 @@ double met_gap(const ExactFlank& exact, const FlankSurface& surface) {
 
 CurveDeviation proved_gap(const ExactFlank& exact, const FlankSurface& surface, double met,
                           double limit) {
-  constexpr int kMostBoxes = 2'000'000;
-  constexpr double kFirst = 0.5;  // deg
+  constexpr int kMostBoxes = 2'000'000;  // a gap that takes more boxes is not proved
+  constexpr double kFirst = 0.5;         // deg
   std::vector<Box> open;
   const auto& breaks = exact.pitch().breaks();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {

@@ -42,7 +42,7 @@ namespace camlaw::step {
 namespace {
 
 Handle(Geom_BSplineSurface) surface_of(const CamlawStepSurface& asked) {
-  constexpr int kDegree = 3;
+  constexpr int kDegree = 3;  // the surface is cubic both ways
   TColgp_Array2OfPnt poles(1, static_cast<int>(asked.columns), 1, static_cast<int>(asked.rows));
   for (std::size_t i = 0; i < asked.columns; ++i) {
     for (std::size_t j = 0; j < asked.rows; ++j) {

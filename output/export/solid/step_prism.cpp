@@ -46,7 +46,7 @@ gp_Pnt begin_of(const CamlawStepEdge& edge, double z) {
 }
 
 Handle(Geom_BSplineCurve) spline_of(const CamlawStepEdge& edge, double z) {
-  constexpr int kDegree = 3;
+  constexpr int kDegree = 3;  // cubic_path() makes cubics
   TColgp_Array1OfPnt poles(1, static_cast<int>(edge.points));
   for (std::size_t i = 0; i < edge.points; ++i) {
     poles.SetValue(static_cast<int>(i) + 1, point_of(edge, i, z));

@@ -19,6 +19,7 @@ using cam_shape_parts::Radius;
 using optim::Constraint;
 
 constexpr double kPi = std::numbers::pi;
+/// The data of COPS 3.0, section 3.
 constexpr double kLeastRadius = 1, kMostRadius = 2, kSteepest = 1.5;
 
 void check(int n) {
@@ -42,6 +43,8 @@ double convexity_tolerance(int n) {
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   return std::max(4e-7, 28 * kEpsilon / (cam_shape_angle(n) * cam_shape_angle(n)));
 }
+/// The objective's is 1e-7 of the optimum, 4.27, as of every objective (optimisation: SC3); slopes
+/// that are a tolerance off move it by a twentieth of that.
 constexpr double kSlopeTolerance = 1e-7, kObjectiveTolerance = 4e-7;
 
 /// Solvers work to 1e-9 of the scaled rows; that is to be a tenth of the tolerance.

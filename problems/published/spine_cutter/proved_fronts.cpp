@@ -93,7 +93,7 @@ struct Watching {
 /// Passes a front's progress on as that of all fronts: this is the one numbered `index`.
 optim::ParetoOptions watched(optim::ParetoOptions options, const std::string& name, int index,
                              const Watching& watching) {
-  constexpr double kFronts = 3;
+  constexpr double kFronts = 3;  // of B, C and D by two
   const FrontsProgress& progress = watching.progress;
   options.solve.stop = watching.stop;
   if (!progress) return options;

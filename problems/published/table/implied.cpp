@@ -85,7 +85,7 @@ std::string value_text(const ImpliedParameter& implied, double value, const std:
 
 /// "299.98 to 300.02": as many digits as tell the ends apart, four at least.
 std::string range_words(const ImpliedRange& range) {
-  constexpr int kLeast = 4, kMost = 12;
+  constexpr int kLeast = 4, kMost = 12;  // ends that agree in twelve digits are one value
   for (int digits = kLeast; digits <= kMost; ++digits) {
     const std::string lower = fmt::format("{:.{}g}", range.lower, digits),
                       upper = fmt::format("{:.{}g}", range.upper, digits);

@@ -16,6 +16,7 @@
 namespace camlaw::problems {
 namespace {
 
+/// One step has no place between the ends, and a table is not read off at more.
 constexpr int kLeastSteps = 2, kMostSteps = 100000;
 
 /// The law as it goes on beyond its ends.
