@@ -48,15 +48,41 @@ int finish(int status) {
 
 }  // namespace
 
+/// The commands in the order of --help, a line for each: its name, after which the function that
+/// makes it is called (laws_command), which NAME_command.cpp defines.
+#define CAMLAW_COMMANDS(COMMAND) \
+  COMMAND(laws)                  \
+  COMMAND(mechanisms)            \
+  COMMAND(new)                   \
+  COMMAND(examples)              \
+  COMMAND(law)                   \
+  COMMAND(study)                 \
+  COMMAND(reproduce)             \
+  COMMAND(check)                 \
+  COMMAND(evaluate)              \
+  COMMAND(verify)                \
+  COMMAND(export)                \
+  COMMAND(optimize)              \
+  COMMAND(pareto)                \
+  COMMAND(front)                 \
+  COMMAND(sweep)                 \
+  COMMAND(synthesize)            \
+  COMMAND(fit)                   \
+  COMMAND(tolerance)             \
+  COMMAND(report)                \
+  COMMAND(completion)            \
+  COMMAND(man)
+
+#define CAMLAW_DECLARED(name) Command name##_command();
+CAMLAW_COMMANDS(CAMLAW_DECLARED)
+#undef CAMLAW_DECLARED
+
 Program camlaw_program() {
+#define CAMLAW_MADE(name) name##_command(),
   return {"camlaw",
           "camlaw: cam motion laws and mechanisms",
-          {laws_command(),     mechanisms_command(), new_command(),       examples_command(),
-           law_command(),      study_command(),      reproduce_command(), check_command(),
-           evaluate_command(), verify_command(),     export_command(),    optimize_command(),
-           pareto_command(),   front_command(),      sweep_command(),     synthesize_command(),
-           fit_command(),      tolerance_command(),  report_command(),    completion_command(),
-           man_command()},
+          {CAMLAW_COMMANDS(CAMLAW_MADE)},
+#undef CAMLAW_MADE
           {{"camlaw laws", "every motion law with its constants"},
            {"camlaw law modified-sine", "one law: its peaks, proved"},
            {"camlaw new disc-cam-roller", "a problem file of your own to start from"},

@@ -12,7 +12,7 @@
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
-/// What camlaw export writes as CSV and JSON, and says about it.
+/// What camlaw export writes, and what it says about it.
 namespace camlaw::cli {
 
 /// A motion as a controller has it: how far it is from the exact one.
@@ -55,11 +55,9 @@ Document export_document(const Exported& exported);
 /// Lines that begin with '#' and head a table whose design does not meet its limits; else empty.
 std::string warning_head(const Exported& exported);
 
-/// A row for each point, after warning_head: curve, cam angle, x, y, r, theta, how far the curve
-/// departs from the straight line to the next point.
-std::string export_csv(const Exported& exported);
-
-/// The points, the motion as a table where the mechanism has one, and the law as a law file has it.
-Json export_json(const Exported& exported);
+/// Where it is from: the file, the problem, the mechanism, the verdict (null after changes).
+Json provenance(const Exported& exported);
+/// What is known of a curve beside its points.
+Json curve_facts(const problems::ExportedCurve& curve, const Exported& exported);
 
 }  // namespace camlaw::cli
