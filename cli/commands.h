@@ -7,7 +7,7 @@
 namespace camlaw::cli {
 
 /// What it is called, and all its commands.
-Program camlaw_program();
+CommandTree camlaw_program();
 
 /// Runs the program; an ExitStatus.
 int run(int argc, const char* const* argv);

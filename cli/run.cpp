@@ -77,7 +77,7 @@ int finish(int status) {
 CAMLAW_COMMANDS(CAMLAW_DECLARED)
 #undef CAMLAW_DECLARED
 
-Program camlaw_program() {
+CommandTree camlaw_program() {
 #define CAMLAW_MADE(name) name##_command(),
   return {"camlaw",
           "camlaw: cam motion laws and mechanisms",
@@ -97,7 +97,7 @@ int run(int argc, const char* const* argv) {
     reserve_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // finish() ends as it would
     std::signal(SIGXFSZ, SIG_IGN);  // what cannot be written says so, and leaves nothing behind
-    const Program program = camlaw_program();
+    const CommandTree program = camlaw_program();
     const Command* const command = parsed(program, argc, argv);
     return finish(command != nullptr ? command->run() : kDone);
   } catch (const std::invalid_argument& error) {

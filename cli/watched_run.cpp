@@ -65,7 +65,7 @@ optim::Candidate decoded(std::string_view bytes, bool is_best) {
 }
 
 /// The child's part.
-[[noreturn]] void work_and_exit(const std::function<int(const Teller&)>& work, int socket,
+[[noreturn]] void work_and_exit(const std::function<int(const ChildTeller&)>& work, int socket,
                                 pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kFailed);  // it was gone before that
@@ -74,7 +74,7 @@ optim::Candidate decoded(std::string_view bytes, bool is_best) {
   only_ask_to_stop();  // a request to all processes of a group comes twice
   int status = kFailed;
   try {
-    status = work(Teller(socket));
+    status = work(ChildTeller(socket));
   } catch (const std::invalid_argument& error) {
     tell(socket, Kind::BadInput, error.what());
   } catch (const std::exception& error) {
@@ -196,16 +196,16 @@ class Parent {
 
 double most_late(double limit) { return std::max(1.0, 0.1 * limit); }
 
-void Teller::candidate(const optim::Candidate& candidate) const {
+void ChildTeller::candidate(const optim::Candidate& candidate) const {
   tell(socket_, candidate.is_best ? Kind::Best : Kind::Last, encoded(candidate));
 }
 
-void Teller::answers() const { tell(socket_, Kind::Answers, {}); }
+void ChildTeller::answers() const { tell(socket_, Kind::Answers, {}); }
 
 std::variant<int, Unfinished> watched(const Watch& watch,
-                                      const std::function<int(const Teller&)>& work) {
+                                      const std::function<int(const ChildTeller&)>& work) {
   constexpr int kNobody = -1;
-  if (!optim::has_one_thread()) return work(Teller(kNobody));
+  if (!optim::has_one_thread()) return work(ChildTeller(kNobody));
   flush_printed();
   std::fflush(stderr);
   const auto fail = [] {

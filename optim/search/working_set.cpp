@@ -323,7 +323,7 @@ double WorkingSet::auxiliary_start(Design x) const {
 }
 
 Program WorkingSet::program(Design start) const {
-  std::vector<Column> columns;
+  std::vector<ProgramColumn> columns;
   for (std::size_t i = 0; i < problem_.variables.size(); ++i) {
     const Variable& v = problem_.variables[i];
     columns.push_back({v.lower, v.upper, start[i], scales_.variables[i]});

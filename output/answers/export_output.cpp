@@ -32,7 +32,7 @@ const char* pieces_of(const ExportedCurve& curve) {
 
 const char* proof_of(bool proved) { return proved ? "proved" : "measured, not proved"; }
 
-std::string motion_line(const ExportedMotion& m) {
+std::string motion_line(const DriveMotion& m) {
   using P = problems::DrivePath;
   const char* path = m.path == P::Lines      ? "with straight lines between them"
                      : m.path == P::Quintics ? "with polynomials of degree 5 between them"
@@ -132,7 +132,7 @@ Document export_document(const Exported& e) {
   document.fact("notes", e.notes);
   document.fact("curves", curves);
   if (e.motion) {
-    const ExportedMotion& m = *e.motion;
+    const DriveMotion& m = *e.motion;
     document.fact("motion", Json{{"slave", m.slave},
                                  {"points", m.points},
                                  {"unit", m.unit},

@@ -16,7 +16,7 @@
 namespace camlaw::cli {
 
 /// A motion as a controller has it: how far it is from the exact one.
-struct ExportedMotion {
+struct DriveMotion {
   std::string slave;  ///< "displacement [mm]"
   std::size_t points = 0;
   problems::DrivePath path = problems::DrivePath::Lines;
@@ -39,7 +39,7 @@ struct Exported {
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
   std::vector<problems::ToolPass> passes = {};  ///< of G-code
-  std::optional<ExportedMotion> motion = {};    ///< of drives
+  std::optional<DriveMotion> motion = {};       ///< of drives
   std::optional<ExportedSolid> solid = {};
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves

@@ -23,7 +23,7 @@ constexpr std::string_view kLeaderColour = "#777777";
 /// Draws one panel.
 class PanelPainter {
  public:
-  PanelPainter(Svg& svg, const Plan& plan, const PlannedPanel& panel)
+  PanelPainter(Svg& svg, const ChartPlan& plan, const PlannedPanel& panel)
       : svg_(svg), plan_(plan), planned_(panel), frame_(panel.frame) {}
 
   void draw() {
@@ -45,15 +45,15 @@ class PanelPainter {
   }
 
  private:
-  Point from_unit(Point p) const {
+  DrawnPoint from_unit(DrawnPoint p) const {
     return {frame_.left + p.x * (frame_.right - frame_.left),
             frame_.bottom - p.y * (frame_.bottom - frame_.top)};
   }
   double x_px(double x) const { return from_unit({unit_position(x, planned_.x.range), 0}).x; }
   double y_px(double y) const { return from_unit({0, unit_position(y, planned_.y.range)}).y; }
 
-  Segment upright(double x) const { return {{x, frame_.top}, {x, frame_.bottom}}; }
-  Segment level(double y) const { return {{frame_.left, y}, {frame_.right, y}}; }
+  LineSegment upright(double x) const { return {{x, frame_.top}, {x, frame_.bottom}}; }
+  LineSegment level(double y) const { return {{frame_.left, y}, {frame_.right, y}}; }
 
   static bool crosses_zero(Range range) { return range.lower < 0 && range.upper > 0; }
 
@@ -75,7 +75,7 @@ class PanelPainter {
     svg_.begin_clip({frame_.left - 1, frame_.top - 1, frame_.right + 1, frame_.bottom + 1});
     for (const Line& line : planned_.panel->lines)
       for (auto& piece : clipped_curve(line.x, line.y, planned_.x.range, planned_.y.range)) {
-        for (Point& p : piece) p = from_unit(p);
+        for (DrawnPoint& p : piece) p = from_unit(p);
         svg_.polyline(piece, {colour_of(line.colour, line.name), line.width, line.dashed});
         for (std::size_t i = 1; i < piece.size(); ++i)
           around_.lines.push_back({piece[i - 1], piece[i]});
@@ -102,7 +102,7 @@ class PanelPainter {
                               series.size};
       for (const Marker& point : series.points) {
         if (!is_visible(point)) continue;
-        const Point at{x_px(point.x), y_px(point.y)};
+        const DrawnPoint at{x_px(point.x), y_px(point.y)};
         svg_.marker(at, style, tooltip_of(point));
         const double r = series.size;
         around_.markers.push_back({at.x - r, at.y - r, at.x + r, at.y + r});
@@ -124,7 +124,7 @@ class PanelPainter {
 
   /// The text is set against the box's side that faces the point, as the width is an estimate.
   void draw_label(const Label& label, const Rect& box, const std::string& text) {
-    Point at{(box.left + box.right) / 2, box.bottom - 2.5};
+    DrawnPoint at{(box.left + box.right) / 2, box.bottom - 2.5};
     Anchor anchor = Anchor::Middle;
     if (box.left >= label.anchor.x) {
       at.x = box.left;
@@ -181,7 +181,7 @@ class PanelPainter {
   }
 
   Svg& svg_;
-  const Plan& plan_;
+  const ChartPlan& plan_;
   const PlannedPanel& planned_;
   const Rect& frame_;
   Surroundings around_;
@@ -189,9 +189,9 @@ class PanelPainter {
   std::vector<std::string> texts_;
 };
 
-void draw_legend(Svg& svg, const Plan& plan) {
+void draw_legend(Svg& svg, const ChartPlan& plan) {
   for (const LegendEntry& entry : plan.legend) {
-    const Point at = entry.position;
+    const DrawnPoint at = entry.position;
     const double end = at.x + size::kLegendSample;
     if (entry.line)
       svg.line("legend", {at, {end, at.y}}, {entry.colour, entry.line->width, entry.line->dashed});
@@ -203,7 +203,7 @@ void draw_legend(Svg& svg, const Plan& plan) {
   }
 }
 
-void draw_head(Svg& svg, const Plan& plan) {
+void draw_head(Svg& svg, const ChartPlan& plan) {
   double y = size::kMargin;
   for (const std::string& line : plan.title) {
     y += size::kTitleLine;
@@ -224,7 +224,7 @@ std::span<const std::string_view> palette() {
 }
 
 std::string to_svg(const Figure& figure) {
-  const Plan plan = make_plan(figure);
+  const ChartPlan plan = make_plan(figure);
   Svg svg(plan.width, plan.height, figure.title);
   draw_head(svg, plan);
   draw_legend(svg, plan);

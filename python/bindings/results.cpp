@@ -180,7 +180,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
   search.spent = seconds_since_start() - found->optimum.wall_s;
-  problems::Reached reached =
+  problems::ReachedReliability reached =
       problems::search_until_reached(found->bound, search, found->optimum, begins);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.reached = std::move(reached);
