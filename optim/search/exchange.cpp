@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 SolverOptions tightened(const Problem& problem, const Scales& scales, SolverOptions options) {
   constexpr double kTightest = 1e-11;
   for (const ConstraintScale& c : scales.constraints) {
-    options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
+    options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.scale);
   }
   const double wanted = 0.1 * scales.objective_tolerance / scales.objective;
   if (problem.objective().tolerance) options.tolerance = std::min(options.tolerance, wanted);

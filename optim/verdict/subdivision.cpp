@@ -162,10 +162,10 @@ class Division {
   /// that the objective does not show it.
   double level(std::size_t constraint, double sign) const {
     const Constraint& c = problem_.constraints[constraint];
-    const ConstraintScale& size = scales_.constraints[constraint];
-    constexpr double kOfTolerance = 1e-3, kOfSize = 1e-12;
+    const ConstraintScale& own = scales_.constraints[constraint];
+    constexpr double kOfTolerance = 1e-3, kOfScale = 1e-12;
     return sign * (sign > 0 ? *c.upper : *c.lower) +
-           std::max(kOfTolerance * size.tolerance, kOfSize * size.size);
+           std::max(kOfTolerance * own.tolerance, kOfScale * own.scale);
   }
 
   /// A row over a box: numbers that sign * function is not below there, and at the middle.
