@@ -11,6 +11,7 @@
 #include "output/export/solid/cam_solid.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
+#include "problems/statement/statement.h"
 
 /// What camlaw export writes, and what it says about it.
 namespace camlaw::cli {

@@ -30,6 +30,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/input_files.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
 #include "problems/results/stated_numbers.h"
