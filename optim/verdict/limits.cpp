@@ -113,7 +113,7 @@ LimitReport report(const Constraint& c, const ConstraintScale& own, MaximaAt& ma
   };
   if (c.upper) look(1, *c.upper);
   if (c.lower) look(-1, *c.lower);
-  result.met = result.margin >= -size.tolerance;
+  result.met = result.margin >= -own.tolerance;
   return result;
 }
 
