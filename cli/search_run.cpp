@@ -249,7 +249,7 @@ struct SearchRun {
 /// A search's end: the optimum, and what was reached of limits on shares.
 struct SearchEnd {
   optim::Optimum optimum;
-  problems::Reached reached;
+  problems::ReachedReliability reached;
 };
 
 /// Gives the answer; returns the exit status.
@@ -303,7 +303,8 @@ SearchEnd searched(const SearchRun& run, const optim::OptimiseOptions& how) {
     optimum = optim::optimise(run.space, followed(how), crew);
     if (!crew.remark().empty()) warn(crew.remark());
   }
-  problems::Reached reached = search_until_reached(run.bound, followed(further), optimum, begins);
+  problems::ReachedReliability reached =
+      search_until_reached(run.bound, followed(further), optimum, begins);
   return {std::move(optimum), std::move(reached)};
 }
 
@@ -313,14 +314,14 @@ SearchEnd told_of(const SearchRun& run, const Unfinished& unfinished) {
   optimum.wall_s = run.clock.spent();
   optimum.found.solver = run.search.solver;
   optimum.found.why_solver = "ended from outside";
-  problems::Reached reached = judge_optimum(run.bound, run.search, optimum);
+  problems::ReachedReliability reached = judge_optimum(run.bound, run.search, optimum);
   return {std::move(optimum), std::move(reached)};
 }
 
 /// Searches in a process of its own, which is ended where a step takes longer than the limit.
 int give_watched(const SearchRun& run) {
   const Watch watch{run.search.time_limit, run.clock.spent(), run.search.stop};
-  const auto ended = watched(watch, [&](const Teller& teller) {
+  const auto ended = watched(watch, [&](const ChildTeller& teller) {
     optim::OptimiseOptions how = run.search;
     how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
     const SearchEnd end = searched(run, how);

@@ -21,11 +21,11 @@ bool may_jump(const Recorded& record);
 /// Where a curve's formula jumps inside the stretches of its law: where it goes over to another
 /// number, as an index drive does to its next roller, or changes a sign, as friction does
 /// (docs/theory.md, "Where a formula jumps").
-class Jumps {
+class FormulaJumps {
  public:
-  Jumps() = default;
+  FormulaJumps() = default;
   /// Of a formula of a machine's arguments, s, v, a, j and the place.
-  explicit Jumps(const Recorded& record);
+  explicit FormulaJumps(const Recorded& record);
 
   /// Whether the formula may jump anywhere.
   bool possible() const { return !deciders_.empty(); }

@@ -63,7 +63,7 @@ std::optional<optim::Function> MechanismCurve::joint_angle(int joint) const {
   return still_angle(stretch.begin + stretch.length() * end);
 }
 
-const Jumps& MechanismCurve::jumps() const {
+const FormulaJumps& MechanismCurve::jumps() const {
   std::call_once(jumps_asked_, [&] {
     if (affine() == nullptr && parts_->find_jumps) jumps_ = parts_->find_jumps();
   });

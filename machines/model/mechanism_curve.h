@@ -29,7 +29,7 @@ struct CurveParts {
   /// The formula for given arguments of the machine.
   std::function<std::unique_ptr<const CurveFormula>(std::span<const double>)> formula;
   /// What to look for jumps with, made from the record when it is first asked for.
-  std::function<Jumps()> find_jumps;
+  std::function<FormulaJumps()> find_jumps;
 };
 
 /// A curve of a mechanism over the variables of a binding.
@@ -55,7 +55,7 @@ class MechanismCurve final : public optim::Curve {
   bool joint_moves(int joint) const;
   PlaceMotion motion_at(optim::Place place) const;
   const AffineCurve* affine() const;
-  const Jumps& jumps() const;
+  const FormulaJumps& jumps() const;
   bool jumps_move() const;
   std::optional<std::vector<double>> jump_places(optim::Design x) const;
 
@@ -66,7 +66,7 @@ class MechanismCurve final : public optim::Curve {
   /// Worked out when it is first asked for.
   mutable std::once_flag affine_asked_, jumps_asked_, places_asked_;
   mutable std::shared_ptr<const AffineCurve> affine_;
-  mutable Jumps jumps_;
+  mutable FormulaJumps jumps_;
   mutable std::vector<double> still_places_;  ///< of jumps that do not move
 };
 

@@ -97,8 +97,8 @@ void visit(Archive& archive, P& push) {
 template <class Archive, class C>
 requires std::is_same_v<std::remove_const_t<C>, ConstraintScale>
 void visit(Archive& archive, C& one) {
-  auto& [size, tolerance, default_tolerance] = one;
-  archive(size), archive(tolerance), archive(default_tolerance);
+  auto& [scale, tolerance, default_tolerance] = one;
+  archive(scale), archive(tolerance), archive(default_tolerance);
 }
 
 template <class Archive, class S>

@@ -110,9 +110,9 @@ WorkingSet::WorkingSet(const Problem& problem, const Scales& scales, Aim aim)
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) continue;
-    const ConstraintScale& size = scales.constraints[i];
+    const ConstraintScale& own = scales.constraints[i];
     const auto add = [&](double sign, double bound) {
-      add_side({&c.response, sign, bound, false, size.size, size.tolerance, i, {}, {}}, known);
+      add_side({&c.response, sign, bound, false, own.scale, own.tolerance, i, {}, {}}, known);
     };
     if (c.upper) add(1, *c.upper);
     if (c.lower) add(-1, *c.lower);
@@ -260,7 +260,7 @@ Row WorkingSet::number_row(std::size_t constraint) const {
   return {.function = c.response.function(),
           .lower = c.lower.value_or(-kInfinity),
           .upper = c.upper.value_or(kInfinity),
-          .size = scales_.constraints[constraint].size,
+          .size = scales_.constraints[constraint].scale,
           .constraint = constraint};
 }
 
@@ -326,7 +326,7 @@ double WorkingSet::auxiliary_start(Design x) const {
 }
 
 Program WorkingSet::program(Design start) const {
-  std::vector<Column> columns;
+  std::vector<ProgramColumn> columns;
   for (std::size_t i = 0; i < problem_.variables.size(); ++i) {
     const Variable& v = problem_.variables[i];
     columns.push_back({v.lower, v.upper, start[i], scales_.variables[i]});

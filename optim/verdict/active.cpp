@@ -112,12 +112,12 @@ class Collector {
 
   void add_constraint(std::size_t i) {
     const Constraint& c = problem_.constraints[i];
-    const ConstraintScale& size = scales_.constraints[i];
-    const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
+    const ConstraintScale& own = scales_.constraints[i];
+    const double reach = std::max(net_.width * own.scale, 2 * own.tolerance);
     const bool equation = c.is_equation();
-    const double eased = c.is_strict ? 0 : violation_ * size.size;
+    const double eased = c.is_strict ? 0 : violation_ * own.scale;
     const auto add = [&](double sign, double bound) {
-      const Level level{sign, bound + sign * eased, size.size, reach};
+      const Level level{sign, bound + sign * eased, own.scale, reach};
       if (c.response.is_curve()) {
         add_curve(c.response, level, bound, i);
       } else {

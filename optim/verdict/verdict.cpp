@@ -35,7 +35,7 @@ std::vector<std::string> active_names(const Problem& problem, const Scales& scal
     if (active && !(std::abs(multiplier) * size < least)) names.push_back(name);
   };
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    add(conditions.active_constraints[i], conditions.constraints[i], scales.constraints[i].size,
+    add(conditions.active_constraints[i], conditions.constraints[i], scales.constraints[i].scale,
         problem.constraints[i].response.name);
   }
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {

@@ -29,7 +29,7 @@ struct Answer {
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
   problems::Buildability built = {};       ///< of the design, buildability_of(*this)
   std::optional<problems::RefinedKnots> knots = {};  ///< where they were found: knots = "auto"
-  problems::Reached reached = {};                    ///< of reliabilities and of a robust objective
+  problems::ReachedReliability reached = {};         ///< of reliabilities and of a robust objective
   std::vector<optim::Easing> easings = {};  ///< of an infeasible answer, what would cure it
 
   /// Option or variable by name, with units: the design.

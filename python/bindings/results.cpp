@@ -30,6 +30,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/input_files.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
 #include "problems/results/stated_numbers.h"
@@ -180,7 +181,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
   search.spent = seconds_since_start() - found->optimum.wall_s;
-  problems::Reached reached =
+  problems::ReachedReliability reached =
       problems::search_until_reached(found->bound, search, found->optimum, begins);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.reached = std::move(reached);
