@@ -62,9 +62,9 @@ class Interior {
     look();
   }
   /// Of a solution of another program: slacks and multipliers that are no smaller, all of one
-  /// product, so that the point is in the middle.
+  /// product, so that the point is in the middle (docs/optimisation.md, (XM8)).
   void begin_near(const VectorXd& room) {
-    constexpr double kProduct = 1e-4;
+    constexpr double kProduct = 1e-5;
     const double middle = std::sqrt(kProduct);
     now_.s.resize(room.size()), now_.z.resize(room.size());
     for (Eigen::Index i = 0; i < room.size(); ++i) {
@@ -125,7 +125,7 @@ class Interior {
   bool step() {
     weights_ = now_.z.cwiseQuotient(now_.s);
     if (!system_->factor(sides_.weights_by_row(weights_))) {
-      make_augmented();
+      needs_other_begin();
       return false;
     }
     const VectorXd products = now_.s.cwiseProduct(now_.z);
@@ -139,7 +139,7 @@ class Interior {
                            VectorXd::Constant(now_.s.size(), centring * mean);
     VectorXd lost;
     const Step step = solve({dual_, primal_, equation_, aimed}, lost);
-    if (!was_augmented_tried_ && is_lost(step, lost) && make_augmented()) return false;
+    if (!was_augmented_tried_ && is_lost(step, lost) && needs_other_begin()) return false;
     return step.is_finite() && go(step, lost);
   }
 
@@ -319,6 +319,9 @@ class Interior {
     return !(columns <= std::max(kMuch * dual(), kLeft / 2)) ||
            !(equations <= std::max(kMuch * relative(equation_, equation_terms_), kLeft / 2));
   }
+  /// Whether steps that rounding spoils are to end: from near another answer, where the middle may
+  /// do better, or where the augmented system does.
+  bool needs_other_begin() { return near_ != nullptr || make_augmented(); }
   /// Makes the augmented system, once, to begin again with: points that such steps have led to are
   /// off the middle. False where there is none, or it was made before.
   bool make_augmented() {
