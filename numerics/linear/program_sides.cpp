@@ -56,7 +56,13 @@ ProgramSides::ProgramSides(const QuadraticProgram& program)
 }
 
 VectorXd ProgramSides::times(const VectorXd& y) const {
-  const VectorXd at = rows * y;
+  VectorXd at(rows.rows());
+  for (Index r = 0; r < at.size(); ++r) {
+    double sum = 0;
+    for (int k = rows.outerIndexPtr()[r]; k < rows.outerIndexPtr()[r + 1]; ++k)
+      sum += rows.valuePtr()[k] * y[rows.innerIndexPtr()[k]];
+    at[r] = sum;
+  }
   VectorXd result(count());
   for (Index i = 0; i < count(); ++i)
     result[i] = sign(i) * (row(i) < at.size() ? at[row(i)] : y[row(i) - at.size()]);
@@ -77,7 +83,12 @@ VectorXd ProgramSides::weights_by_row(const VectorXd& weights) const {
 
 VectorXd ProgramSides::transposed(const VectorXd& z) const {
   const VectorXd of_rows = by_row(z);
-  return rows.transpose() * of_rows.head(rows.rows()) + of_rows.tail(variables());
+  VectorXd result = of_rows.tail(variables());
+  for (Index r = 0; r < rows.rows(); ++r) {
+    for (int k = rows.outerIndexPtr()[r]; k < rows.outerIndexPtr()[r + 1]; ++k)
+      result[rows.innerIndexPtr()[k]] += rows.valuePtr()[k] * of_rows[r];
+  }
+  return result;
 }
 
 VectorXd ProgramSides::side_terms(const VectorXd& y) const {

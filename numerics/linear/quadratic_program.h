@@ -38,6 +38,9 @@ struct InteriorSolution {
 
 struct InteriorOptions {
   int most_iterations = 200;
+  /// A solution of a linear program that differed in a few rows, to begin near: it need not be one
+  /// of this program, but its multipliers are those of this program's rows and bounds.
+  const InteriorSolution* near = nullptr;
   /// The gap counts over the objective's magnitude, but over no less than this.
   double least_objective = 1e-2;
   /// Asked after each iteration with its number, the objective and the largest residual of a row,

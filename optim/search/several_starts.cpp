@@ -58,7 +58,7 @@ int count_of_starts(const Setting& setting) {
   return is_large(setting.problem) ? kStartsOfMany : kStarts;
 }
 
-FromStart search_one(const Setting& setting, int number, FirstStart first) {
+FromStart search_one(const Setting& setting, int number, FirstStart first, const Scales* stated) {
   FromStart result;
   Trail& trail = result.trail;
   trail.in_vain = number > 0 && first == FirstStart::InVain;
@@ -74,7 +74,8 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
     const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
     const std::vector<double> start =
         as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
-    trail.scales = scales(setting.problem, start);
+    const bool is_stated = stated != nullptr && start == setting.problem.start();
+    trail.scales = is_stated ? *stated : scales(setting.problem, start);
     const Assessment end = search_from_start(start, setting, trail);
     if (is_feasible(end)) result.objective = end.objective.value;
     if (number == 0 && leaves_nothing(setting, trail)) result.end = StartEnd::BestOfAll;
@@ -104,7 +105,8 @@ void search_starts(const Setting& setting, Trail& trail, std::vector<double>& en
     const auto at = static_cast<std::size_t>(number);
     const bool is_known = at < known.size();
     if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
-    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
+    const Scales* stated = number == 0 && !trail.scales.variables.empty() ? &trail.scales : nullptr;
+    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first, stated);
     if (is_known) find_told(setting, start.trail);
     if (number == 0) first = told_of(start);
     const bool is_last = ends_search(start);

@@ -11,8 +11,10 @@ namespace camlaw::optim {
 /// From how many starts is searched, unless one of them ends the search.
 int count_of_starts(const Setting& setting);
 
-/// Searches from one start, whatever came of the others.
-FromStart search_one(const Setting& setting, int number, FirstStart first);
+/// Searches from one start, whatever came of the others. `stated`: the scales of the start that the
+/// problem states, where they are known.
+FromStart search_one(const Setting& setting, int number, FirstStart first,
+                     const Scales* stated = nullptr);
 
 /// Whether no other start need be tried after the search from one.
 bool ends_search(const FromStart& start);
