@@ -85,8 +85,8 @@ bool leaves_nothing(const Setting& setting, const Trail& trail) {
   return gain <= kBoundTolerance * there.objective * objective_measure(guarded, there, x);
 }
 
-/// Searches from one start, whatever came of the others.
-FromStart search_one(const Setting& setting, int number, FirstStart first) {
+/// Searches from one start, whatever came of the others. Of the first one the scales may be known.
+FromStart search_one(const Setting& setting, int number, FirstStart first, const Scales& at_start) {
   FromStart result;
   Trail& trail = result.trail;
   trail.in_vain = number > 0 && first == FirstStart::InVain;
@@ -102,7 +102,9 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
     const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
     const std::vector<double> start =
         as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
-    trail.scales = scales(setting.problem, start);
+    trail.scales = number == 0 && as_it_is && !at_start.constraints.empty()
+                       ? at_start
+                       : scales(setting.problem, start);
     const Assessment end = search_from_start(start, setting, trail);
     if (is_feasible(end)) result.objective = end.objective.value;
     if (number == 0 && leaves_nothing(setting, trail)) result.end = StartEnd::BestOfAll;
@@ -140,7 +142,8 @@ void search_starts(const Setting& setting, Trail& trail, std::vector<double>& en
     const auto at = static_cast<std::size_t>(number);
     const bool is_known = at < known.size();
     if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
-    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
+    FromStart start =
+        is_known ? std::move(known[at]) : search_one(setting, number, first, trail.scales);
     if (is_known) find_told(setting, start.trail);
     if (number == 0) first = told_of(start);
     const bool is_last = ends_search(start);
@@ -363,7 +366,7 @@ FromStart search_one_start(const Problem& problem, const OptimiseOptions& option
   } catch (...) {  // the whole search comes upon it too
     return {{}, kInfinity, StartEnd::NotBegun};
   }
-  return search_one(setting, start, first);
+  return search_one(setting, start, first, none.scales);
 }
 
 bool ends_search(const FromStart& start) {
