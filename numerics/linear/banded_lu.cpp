@@ -51,7 +51,8 @@ Eigen::VectorXd BandedLu::solve(Eigen::VectorXd b) const {
     const Index right = std::min(2 * half_, size_ - 1 - k);
     const double* const top = row(k);
     double left = b[k];
-    for (Index j = 1; j <= right; ++j) left -= top[j] * b[k + j];
+    // The nearest last: what is before it waits for no unknown that has just been found.
+    for (Index j = right; j >= 1; --j) left -= top[j] * b[k + j];
     b[k] = left / top[0];
   }
   return b;

@@ -35,6 +35,8 @@ ProgramSides::ProgramSides(const QuadraticProgram& program)
       equation_rows.push_back(r);
     } else if (is_bounded(program.row_lower[r], program.row_upper[r])) {
       program_rows.push_back(r);
+    } else {
+      ++idle_;
     }
   }
   rows = chosen(program.rows, program_rows);
@@ -53,6 +55,13 @@ ProgramSides::ProgramSides(const QuadraticProgram& program)
   }
   for (Index i = 0; i < variables(); ++i) add(rows.rows() + i, program.lower[i], program.upper[i]);
   level = Eigen::Map<const VectorXd>(levels.data(), static_cast<Index>(levels.size()));
+}
+
+Index ProgramSides::bound(Index side) const {
+  const Index own = row(side), variable = own - rows.rows();
+  const Index number = variable < 0 ? program_rows[static_cast<std::size_t>(own)]
+                                    : bounds() / 2 - variables() + variable;
+  return 2 * number + (sign(side) > 0 ? 1 : 0);
 }
 
 VectorXd ProgramSides::times(const VectorXd& y) const {

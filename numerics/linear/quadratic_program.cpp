@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "numerics/linear/held_sides.h"
 #include "numerics/linear/newton_system.h"
 
 namespace camlaw::optim {
@@ -27,8 +29,13 @@ class Interior {
     bool is_finite() const { return y.allFinite() && z.allFinite() && w.allFinite(); }
   };
 
-  Interior(const ProgramSides& sides, VectorXd start, const InteriorSolution* near)
-      : sides_(sides), start_(std::move(start)), near_(near), system_(normal_equations(sides)) {
+  Interior(const ProgramSides& sides, VectorXd start, const InteriorOptions& options)
+      : sides_(sides), start_(std::move(start)), near_(options.near), stage_(options.stage) {
+    if ((options.begins_augmented || squares_too_much()) && make_augmented()) {
+      take_augmented();
+    } else {
+      system_ = normal_equations(sides);
+    }
     const auto most = [](const VectorXd& sums) { return sums.size() > 0 ? sums.maxCoeff() : 0; };
     const VectorXd ones = VectorXd::Ones(sides.variables());
     row_size_ = std::max(most(sides.side_terms(ones)), most(sides.equation_terms(ones)));
@@ -59,6 +66,7 @@ class Interior {
       now_.z = now_.s.cwiseInverse();
     }
     now_.w = VectorXd::Zero(sides_.values.size());
+    if (stage_ != nullptr) begin_at(*stage_);
     look();
   }
   /// Of a solution of another program: slacks and multipliers that are no smaller, all of one
@@ -86,9 +94,7 @@ class Interior {
   /// The same with the augmented system, where steps ended for want of it. Whether they did.
   bool begins_again() {
     if (augmented_ == nullptr) return false;
-    system_ = std::move(augmented_);
-    is_augmented_ = true;
-    is_reckoned_ = false;
+    take_augmented();
     near_ = nullptr;
     begin();
     return true;
@@ -104,6 +110,16 @@ class Interior {
   }
 
   const Step& now() const { return now_; }
+  bool is_augmented() const { return is_augmented_; }
+  InteriorStage stage() const {
+    InteriorStage stage{gap(), now_.y, VectorXd::Zero(sides_.bounds()), {}};
+    stage.multipliers = stage.slacks;
+    for (Eigen::Index i = 0; i < sides_.count(); ++i) {
+      stage.slacks[sides_.bound(i)] = now_.s[i];
+      stage.multipliers[sides_.bound(i)] = now_.z[i];
+    }
+    return stage;
+  }
   double objective() const { return sides_.objective(now_.y); }
   double gap() const { return now_.s.dot(now_.z); }
   /// The largest residual of a row; of a column (relative()).
@@ -138,7 +154,11 @@ class Interior {
     const VectorXd aimed = products + foresight.s.cwiseProduct(foresight.z) -
                            VectorXd::Constant(now_.s.size(), centring * mean);
     VectorXd lost;
-    const Step step = solve({dual_, primal_, equation_, aimed}, lost);
+    Step step = solve({dual_, primal_, equation_, aimed}, lost);
+    if (!sides_.is_linear()) {
+      centre(step, centring * mean);
+      lost = dual_ + change_of_dual(step);
+    }
     if (!was_augmented_tried_ && is_lost(step, lost) && needs_other_begin()) return false;
     return step.is_finite() && go(step, lost);
   }
@@ -169,6 +189,50 @@ class Interior {
   }
 
  private:
+  /// Whether the columns of a quadratic program are so long that normal equations, which square
+  /// them, were seen to lose too many digits before its end.
+  bool squares_too_much() const {
+    constexpr double kMost = 1e10;
+    if (sides_.is_linear()) return false;
+    const VectorXd ones = VectorXd::Ones(sides_.rows.rows());
+    const VectorXd squares = sides_.rows.cwiseAbs2().transpose() * ones;
+    return squares.size() > 0 && squares.maxCoeff() > kMost;
+  }
+
+  /// What the stage has; other bounds are centred as it is.
+  void begin_at(const InteriorStage& stage) {
+    const double mean = stage.gap / static_cast<double>(sides_.count());
+    now_.y = stage.y;
+    const VectorXd room = sides_.level - sides_.times(now_.y);
+    const double least = least_slack(room);
+    for (Eigen::Index i = 0; i < sides_.count(); ++i) {
+      const double slack = stage.slacks[sides_.bound(i)];
+      now_.s[i] = slack > 0 ? slack : std::max(room[i], least);
+      now_.z[i] = slack > 0 ? stage.multipliers[sides_.bound(i)] : mean / now_.s[i];
+    }
+  }
+
+  /// Further corrections of a step that is short because some products of slacks and multipliers
+  /// run ahead of the others, or stay behind (Gondzio 1996).
+  void centre(Step& step, double mu) const {
+    constexpr double kFarther = 0.3, kGain = 0.1 * kFarther, kLong = 0.9, kLow = 0.1, kHigh = 10;
+    constexpr int kMost = 2;
+    double now = std::min(reach(now_.s, step.s), reach(now_.z, step.z));
+    for (int times = 0; times < kMost && now < kLong; ++times) {
+      const double aim = std::min(1.0, now + kFarther);
+      const VectorXd ahead = (now_.s + aim * step.s).cwiseProduct(now_.z + aim * step.z);
+      const VectorXd away =
+          (ahead - ahead.cwiseMax(kLow * mu).cwiseMin(kHigh * mu)).cwiseMin(kHigh * mu);
+      const Step more = solve_once({VectorXd::Zero(dual_.size()), VectorXd::Zero(primal_.size()),
+                                    VectorXd::Zero(equation_.size()), away});
+      Step longer{step.y + more.y, step.s + more.s, step.z + more.z, step.w + more.w};
+      const double then = std::min(reach(now_.s, longer.s), reach(now_.z, longer.z));
+      if (!(then >= now + kGain)) return;
+      step = std::move(longer);
+      now = then;
+    }
+  }
+
   /// Of a start: a share of what rows, as they are scaled, have room for on average; 1 where none
   /// has room.
   double least_slack(const VectorXd& room) const {
@@ -335,9 +399,16 @@ class Interior {
     return augmented_ != nullptr;
   }
 
+  void take_augmented() {
+    system_ = std::move(augmented_);
+    is_augmented_ = true;
+    is_reckoned_ = false;
+  }
+
   const ProgramSides& sides_;
   VectorXd start_;
   const InteriorSolution* near_;
+  const InteriorStage* stage_;
   std::unique_ptr<NewtonSystem> system_, augmented_;
   bool was_augmented_tried_ = false, is_augmented_ = false;
   bool is_reckoned_ = true;  ///< whether residuals are reckoned from steps
@@ -371,13 +442,16 @@ InteriorSolution with_multipliers(const ProgramSides& sides, const Interior::Ste
 }
 
 /// Steps until the gap is closed or nothing is gained.
-InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
+InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations,
+                     std::vector<InteriorStage>& stages, const std::function<bool()>& settles) {
   // With a gap of 2e-11 of the objective a free law's slopes are balanced to what the verdict asks;
-  // an answer with seven digits is worth looking at.
-  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9;
+  // an answer with seven digits is worth looking at. Sides that hold are seen from a gap of kSeen.
+  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9, kLastStage = 1e-6, kDigit = 0.1,
+                   kSeen = 1e-8;
   // A method that is off its path may take a dozen steps to come back.
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
+  double next_stage = 1;
   for (int idle = 0;;) {
     const double gap =
         interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
@@ -389,6 +463,11 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
     }
     const double left = std::max(primal, interior.dual());
     if (is_ended) return InteriorEnd::Optimal;
+    if (options.keeps_stages && gap <= next_stage && next_stage >= kLastStage) {
+      stages.push_back(interior.stage());
+      while (gap <= next_stage) next_stage *= kDigit;
+    }
+    if (options.settles && gap <= kSeen && settles()) return InteriorEnd::Optimal;
     idle = gap < kGain * least_gap || left < kGain * least_left ? 0 : idle + 1;
     least_gap = std::min(least_gap, gap);
     least_left = std::min(least_left, left);
@@ -411,14 +490,27 @@ InteriorSolution solve_by_interior_point(const QuadraticProgram& program, const 
     const auto none = [](Eigen::Index size) { return VectorXd::Zero(size).eval(); };
     return {start, none(program.rows.rows()), none(start.size()), none(start.size())};
   }
-  Interior interior(sides, start, options.near);
+  Interior interior(sides, start, options);
   int iterations = 0;
-  InteriorEnd end = followed(interior, options, iterations);
-  if (interior.begins_again()) end = followed(interior, options, iterations);
+  std::vector<InteriorStage> stages;
+  std::optional<InteriorSolution> held;
+  const auto settles = [&] {
+    held = solve_from_held_sides(
+        program, held_sides(program, with_multipliers(sides, interior.now(), program.rows.rows())));
+    return held.has_value();
+  };
+  InteriorEnd end = followed(interior, options, iterations, stages, settles);
+  if (!held && interior.begins_again()) {
+    stages.clear();
+    end = followed(interior, options, iterations, stages, settles);
+  }
   if (sides.is_linear() && end == InteriorEnd::Optimal) interior.balance_columns();
-  InteriorSolution solution = with_multipliers(sides, interior.now(), program.rows.rows());
+  InteriorSolution solution =
+      held ? std::move(*held) : with_multipliers(sides, interior.now(), program.rows.rows());
   solution.end = end;
   solution.iterations = iterations;
+  solution.is_augmented = interior.is_augmented();
+  solution.stages = std::move(stages);
   return solution;
 }
 

@@ -259,7 +259,7 @@ FromStart search_one_start(const Problem& problem, const OptimiseOptions& option
   } catch (...) {  // the whole search comes upon it too
     return {{}, kInfinity, StartEnd::NotBegun};
   }
-  return search_one(setting, start, first);
+  return search_one(setting, start, first, none.scales.variables.empty() ? nullptr : &none.scales);
 }
 
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
