@@ -65,6 +65,7 @@ FormulaJumps::FormulaJumps(const Recorded& record)
     : deciders_(moving(jump_deciders(record.formula), record.arguments)) {
   std::set<std::size_t> moved_by;
   for (const Formula& decider : deciders_) {
+    kernels_.push_back(recorded_kernel({decider, record.arguments, {}}));
     for (const std::size_t input : decider.uses()) {
       if (input < record.arguments) moved_by.insert(input);
     }
@@ -110,6 +111,17 @@ std::vector<double> FormulaJumps::places(const Cycle& cycle, const Law<double>& 
     }
   }
   return {places.begin(), places.end()};
+}
+
+std::vector<double> Jumps::slopes_of_decider(std::span<const double> before,
+                                             std::span<const double> here) const {
+  for (const auto& kernel : kernels_) {
+    if ((kernel->value(before) > 0) == (kernel->value(here) > 0)) continue;
+    std::vector<double> slopes(here.size());
+    kernel->gradient(here, slopes);
+    return slopes;
+  }
+  return {};
 }
 
 LawPlace law_place(const Stretch& stretch, optim::Place place, bool may_jump) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -36,13 +37,18 @@ class FormulaJumps {
   /// Signs that change twice within a step, a 64th of a piece of a law of few pieces, are not seen.
   std::vector<double> places(const Cycle& cycle, const Law<double>& law,
                              std::span<const double> arguments) const;
+  /// The derivatives of the number that changes its sign between two lists of a formula's inputs,
+  /// of those just before and those at one of places(), by each input. Empty where none does.
+  std::vector<double> slopes_of_decider(std::span<const double> before,
+                                        std::span<const double> here) const;
 
  private:
   void add_places(const PieceInStretch& piece, int steps, std::span<const double> arguments,
                   std::set<double>& places) const;
 
   std::vector<Formula> deciders_;
-  std::optional<FormulaBlocks> together_;  ///< the same
+  std::vector<std::shared_ptr<const optim::Kernel>> kernels_;  ///< of the same
+  std::optional<FormulaBlocks> together_;                      ///< the same
   std::vector<std::size_t> moved_by_;
 };
 

@@ -12,6 +12,7 @@
 #include "machines/model/jumps.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
+#include "optim/cycle/moving_jumps.h"
 #include "optim/problem/curve.h"
 
 namespace camlaw::problems {
@@ -33,7 +34,7 @@ struct CurveParts {
 };
 
 /// A curve of a mechanism over the variables of a binding.
-class MechanismCurve final : public optim::Curve {
+class MechanismCurve final : public optim::Curve, public optim::MovingJumps {
  public:
   MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape);
 
@@ -42,6 +43,7 @@ class MechanismCurve final : public optim::Curve {
   bool breaks_move() const override;
   double memory() const override { return law_->memory(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::vector<double> jump_motion(optim::Place place, optim::Design x) const override;
   std::optional<optim::Function> joint_angle(int joint) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;

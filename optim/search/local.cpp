@@ -19,6 +19,7 @@
 #include "optim/search/several_starts.h"
 #include "optim/search/unbounded.h"
 #include "optim/search/with_numbers.h"
+#include "optim/search/without_value.h"
 #include "optim/verdict/limits_in_haste.h"
 #include "optim/verdict/verdict.h"
 
@@ -33,7 +34,7 @@ void blame(const Hopeless& hopeless, const Problem& problem, const Scales& scale
   found.assessment.verdict = Verdict::Infeasible;
   found.assessment.blamed = {hopeless.limit};
   found.assessment.reason = fmt::format("{} cannot be met: {}", hopeless.limit, hopeless.why);
-  found.assessment.global = hopeless.global;
+  if (!hopeless.global.empty()) found.assessment.global = hopeless.global;
 }
 
 /// Judges the one design of a problem in which nothing varies.
@@ -175,7 +176,8 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
       return true;
     }
   }
-  const auto hopeless = hopeless_limit(problem, trail.scales);
+  auto hopeless = hopeless_limit(problem, trail.scales);
+  if (!hopeless) hopeless = limit_without_value(problem, setting.options.seed, Asked::Before);
   if (hopeless) blame(*hopeless, problem, trail.scales, trail.found);
   return hopeless.has_value();
 }
@@ -193,8 +195,11 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (is_quick(problem)) search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
-  if (!has_numbers(found))
+  if (!has_numbers(found)) {
+    const auto none = limit_without_value(problem, setting.options.seed, Asked::After);
+    if (none) return blame(*none, problem, trail.scales, found);
     return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
+  }
   search_along_edge(setting, trail);
   if (!is_quick(problem) && !trail.is_at_edge()) search_around(setting, ends, trail);
   const bool may_be_endless = trail.unbounded && !trail.is_at_edge();

@@ -137,9 +137,10 @@ template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, IntegerOutcome>
 void visit(Archive& archive, O& outcome) {
   auto& [found, combinations, solved, complete, infeasible, all_infeasible, bounds_hold, enumerated,
-         designs] = outcome;
+         neighbours_tried, designs] = outcome;
   archive(found), archive(combinations), archive(solved), archive(complete), archive(infeasible);
-  archive(all_infeasible), archive(bounds_hold), archive(enumerated), archive(designs);
+  archive(all_infeasible), archive(bounds_hold), archive(enumerated), archive(neighbours_tried),
+      archive(designs);
 }
 
 template <class Archive, class T>
