@@ -113,8 +113,8 @@ std::vector<double> FormulaJumps::places(const Cycle& cycle, const Law<double>& 
   return {places.begin(), places.end()};
 }
 
-std::vector<double> Jumps::slopes_of_decider(std::span<const double> before,
-                                             std::span<const double> here) const {
+std::vector<double> FormulaJumps::slopes_of_decider(std::span<const double> before,
+                                                    std::span<const double> here) const {
   for (const auto& kernel : kernels_) {
     if ((kernel->value(before) > 0) == (kernel->value(here) > 0)) continue;
     std::vector<double> slopes(here.size());
