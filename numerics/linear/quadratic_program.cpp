@@ -337,7 +337,7 @@ InteriorSolution with_multipliers(const ProgramSides& sides, const Interior::Ste
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations,
                      std::vector<InteriorStage>& stages, const std::function<bool()>& settles) {
-  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9, kLastStage = 1e-6, kDigit = 0.1,
+  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9, kLastStage = 1e-4, kDigit = 0.1,
                    kSeen = 1e-8;
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
