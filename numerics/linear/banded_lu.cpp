@@ -18,6 +18,15 @@ BandedLu::BandedLu(Index size, Index half)
 
 bool BandedLu::factor(const std::vector<double>& entries) {
   entries_ = entries;
+  return eliminate();
+}
+
+bool BandedLu::factor(std::vector<double>&& entries) {
+  entries_ = std::move(entries);
+  return eliminate();
+}
+
+bool BandedLu::eliminate() {
   for (Index k = 0; k < size_; ++k) {
     const Index below = std::min(half_, size_ - 1 - k), right = std::min(2 * half_, size_ - 1 - k);
     const auto in_column = [&](Index i) { return std::abs(row(i)[k - i]); };

@@ -44,9 +44,9 @@ class Conditions {
 
   bool factor(const HeldSides& held) {
     const Index n = variables();
-    entries_.assign(static_cast<std::size_t>(lu_.places()), 0.0);
+    std::vector<double> entries(static_cast<std::size_t>(lu_.places()), 0.0);
     const auto entry = [&](Index i, Index j) -> double& {
-      return entries_[static_cast<std::size_t>(lu_.place(at(i), at(j)))];
+      return entries[static_cast<std::size_t>(lu_.place(at(i), at(j)))];
     };
     const auto is_held = [&](Index i) { return held.variables[static_cast<std::size_t>(i)] != 0; };
     for (Index i = 0; i < n; ++i) {
@@ -66,7 +66,7 @@ class Conditions {
         if (!is_held(it.col())) entry(it.col(), n + r) = it.value();
       }
     }
-    return lu_.factor(entries_);
+    return lu_.factor(std::move(entries));
   }
 
   /// Where the conditions hold, refined for what rounding leaves.
@@ -132,7 +132,6 @@ class Conditions {
   const QuadraticProgram& program_;
   std::vector<Index> places_;
   BandedLu lu_;
-  std::vector<double> entries_;
 };
 
 /// Where the unknowns are in the band of the conditions, and half its width.

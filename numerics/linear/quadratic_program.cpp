@@ -446,7 +446,7 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
                      std::vector<InteriorStage>& stages, const std::function<bool()>& settles) {
   // With a gap of 2e-11 of the objective a free law's slopes are balanced to what the verdict asks;
   // an answer with seven digits is worth looking at. Sides that hold are seen from a gap of kSeen.
-  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9, kLastStage = 1e-6, kDigit = 0.1,
+  constexpr double kGap = 2e-11, kGood = 1e-7, kGain = 0.9, kLastStage = 1e-4, kDigit = 0.1,
                    kSeen = 1e-8;
   // A method that is off its path may take a dozen steps to come back.
   constexpr int kPatience = 15;

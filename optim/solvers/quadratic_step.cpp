@@ -112,17 +112,14 @@ InteriorSolution Quadratics::solved(const VectorXd& start, double radius, Interi
     }
   }
   const auto near = stage(radius);
+  memory_.stages = {};
   if (near) options.stage = &*near;
   options.begins_augmented = memory_.is_augmented;
   options.keeps_stages = true;
   options.settles = *memory_.is_local;
   InteriorSolution found = solve_by_interior_point(quadratic_, start, options);
   memory_.is_augmented = found.is_augmented;
-  if (found.end == InteriorEnd::Optimal) {
-    remember(found);
-  } else {
-    memory_.stages.clear();
-  }
+  if (found.end == InteriorEnd::Optimal) remember(found);
   return found;
 }
 
@@ -133,17 +130,16 @@ void Quadratics::remember(InteriorSolution& found) {
   for (std::size_t k = 0; k < near_rows_.size(); ++k)
     memory_.held.rows[static_cast<std::size_t>(near_rows_[k])] = now.rows[k];
   const auto bounds = static_cast<Eigen::Index>(2 * (program_.rows() + program_.variables()));
-  const auto by_program = [&](const VectorXd& of_bounds) {
+  const auto renumber = [&](VectorXd& of_bounds) {
     VectorXd result = VectorXd::Zero(bounds);
     for (Eigen::Index k = 0; k < of_bounds.size(); ++k) result[original(k)] = of_bounds[k];
-    return result;
+    of_bounds = std::move(result);
   };
-  memory_.stages.clear();
-  for (InteriorStage& stage : found.stages) {
-    memory_.stages.push_back(
-        {stage.gap, std::move(stage.y), by_program(stage.slacks), by_program(stage.multipliers)});
+  memory_.stages = std::move(found.stages);
+  for (InteriorStage& stage : memory_.stages) {
+    renumber(stage.slacks);
+    renumber(stage.multipliers);
   }
-  found.stages.clear();
 }
 
 Eigen::Index Quadratics::original(Eigen::Index bound) const {
