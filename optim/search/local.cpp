@@ -20,6 +20,7 @@
 #include "optim/search/unbounded.h"
 #include "optim/search/with_numbers.h"
 #include "optim/search/without_value.h"
+#include "optim/verdict/limits.h"
 #include "optim/verdict/limits_in_haste.h"
 #include "optim/verdict/verdict.h"
 
@@ -182,6 +183,28 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
   return hopeless.has_value();
 }
 
+/// Blames a limit of whose response proofs have come upon a place without a value, such as a narrow
+/// part of a range, at the answer and at a few other designs: no search is led there.
+void blame_without_value(const Setting& setting, Trail& trail) {
+  constexpr int kDesigns = 4;
+  Assessment& a = trail.found.assessment;
+  if (a.verdict != Verdict::Failed || !setting.proves() || setting.deadline.passed()) return;
+  const auto none = std::ranges::find_if(
+      a.limits, [](const LimitReport& limit) { return std::isnan(limit.value); });
+  if (none == a.limits.end()) return;
+  const Problem& problem = setting.problem;
+  for (const std::vector<double>& x : starts(problem, kDesigns, setting.options.seed)) {
+    const auto limits = limit_reports(problem, scales(problem, x), x, true);
+    if (!std::isnan(limits[static_cast<std::size_t>(none - a.limits.begin())].value)) return;
+  }
+  a.verdict = Verdict::Infeasible;
+  a.blamed = {none->name};
+  a.reason = fmt::format(
+      "{} cannot be met: it has no value somewhere at each of the {} designs that were looked at "
+      "with proofs",
+      none->name, 1 + kDesigns);
+}
+
 /// Carries out all stages in turn.
 void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
             std::vector<double>& ends, std::vector<FromStart> known) {
@@ -211,6 +234,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   search_elsewhere(watched, setting, trail);
   keep_from_edge(setting, trail);
   keep_start(setting, trail);
+  blame_without_value(setting, trail);
   if (!trail.is_infeasible()) conclude_search(setting, ends, trail);
 }
 

@@ -249,12 +249,14 @@ class Optimiser {
   /// of least violation alone; where that is led to none, and it is not known that there is none,
   /// as any other search is.
   Assessment met_by_any(Problem posed, Found& nearest) {
+    constexpr int kFewIterations = 200;  // of a solver: no optimum is asked for
     for (std::size_t i = 0; i < posed.variables.size(); ++i) {
       Variable& v = posed.variables[i];
       v.start = std::clamp(nearest.x[i], v.lower, v.upper);
     }
     OptimiseOptions how = options_;
     how.divides = false;
+    how.max_iterations = std::min(how.max_iterations, kFewIterations);
     how.starts = 1;
     Assessment without;
     for (const auto& starts : {how.starts, options_.starts}) {

@@ -17,15 +17,11 @@ TEST_CASE("combinations for which there is no time are as the search has left th
 mechanism = "spine-cutter"
 [law]
 name = ["cycloidal", "poly-3-4-5", "modified-sine"]
-[variables.minimum_cam_radius]
-lower = "20 mm"
-upper = "80 mm"
+[variables.crossover]
+lower = 0.4
+upper = 0.6
 [objective]
-minimize = "minimum_cam_radius"
-[[constraints]]
-response = "pressure_angle"
-lower = "-30 deg"
-upper = "30 deg"
+minimize = "peak_inertia_force"
 )",
                                                             "laws.toml"));
   const optim::ProblemSpace space = bound.space();

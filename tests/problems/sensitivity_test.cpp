@@ -377,7 +377,8 @@ upper = 4
 start = 1.3
 )toml",
                                                "ridge.toml");
-  const Sensitivity& s = by(local_sensitivity(design), "highest f", "u");
+  const LocalSensitivity local = local_sensitivity(design);
+  const Sensitivity& s = by(local, "highest f", "u");
   CHECK_FALSE(s.is_kink());
   CHECK_FALSE(s.by_difference);
   CHECK(s.slope == Approx(4 / (3.3 * 3.3)).epsilon(1e-5));

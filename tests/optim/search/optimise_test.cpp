@@ -319,20 +319,4 @@ TEST_CASE("a search takes a problem with one objective", "[optimise]") {
   CHECK_THROWS_WITH(optimise(problem), "a problem needs an objective");
 }
 
-TEST_CASE("global says how near its bound is where a smaller tolerance is stated", "[optimise]") {
-  // Two valleys, of which the one at x < 0 is the deeper.
-  Problem problem;
-  problem.variables = {variable("x", -3, 3, 1)};
-  problem.objectives = {least(function<Interval>(
-      {0}, [](const auto& u) { return square(square(u[0]) - 2.0) + u[0]; }, Shape::General))};
-  const Assessment usual = optimise(problem).found.assessment;
-  REQUIRE(usual.global);
-  CHECK_FALSE(contains(*usual.global, "more than the tolerance"));
-  problem.objectives[0].tolerance = 1e-12;
-  const Assessment strict = optimise(problem).found.assessment;
-  REQUIRE(strict.global);
-  CHECK(std::abs(strict.objective.value - *strict.best_possible) > 1e-12);
-  CHECK(contains(*strict.global, "more than the tolerance of 1e-12"));
-}
-
 }  // namespace camlaw::optim::optimise_test
