@@ -22,6 +22,7 @@
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/conditions.h"
 #include "optim/verdict/limits_in_haste.h"
+#include "optim/verdict/none_possible.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
@@ -285,6 +286,17 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
   return hopeless.has_value();
 }
 
+/// Where no design with numbers was found: there is none, if the model's own conditions show that.
+void end_without_numbers(const Setting& setting, Trail& trail) {
+  trail.fail(undefined_at(setting.original, setting.problem.start(), "the start"));
+  const auto none = none_possible(setting.original);
+  if (!none) return;
+  Assessment& assessment = trail.found.assessment;
+  assessment.verdict = Verdict::Infeasible;
+  assessment.reason = fmt::format("{}; {}", *none, assessment.reason);
+  assessment.global = *none;
+}
+
 /// Carries out all stages in turn.
 void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
             std::vector<double>& ends, std::vector<FromStart> known) {
@@ -298,8 +310,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (is_quick(problem)) search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
-  if (!has_numbers(found))
-    return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
+  if (!has_numbers(found)) return end_without_numbers(setting, trail);
   search_along_edge(setting, trail);
   if (!is_quick(problem) && !trail.is_at_edge()) search_around(setting, ends, trail);
   const bool may_be_endless = trail.unbounded && !trail.is_at_edge();
