@@ -53,7 +53,8 @@ int run_export(ExportOptions options) {
     print_data(written.text);
     return status_of(review);
   }
-  write_out({}, {{*options.out, written.text}}, false);
+  flush_printed();
+  write_files({{*options.out, written.text}});
   if (options.json || !is_quiet()) print(written.about, options.json);
   if (!options.json) say_written({{*options.out, ""}});
   return status_of(review);

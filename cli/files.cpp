@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "cli/inputs.h"
+#include "cli/own_outputs.h"
 #include "cli/replacing.h"
 #include "numerics/file_place.h"
 #include "output/document/printing.h"
@@ -83,8 +84,8 @@ Pending locate(const OutputFile& file) {
   if (error) fail_to_write(file.path, error.message());
   if (fs::is_directory(target, error)) fail_to_write(file.path, "it is a folder");
   if (is_input(file.path)) {
-    throw std::invalid_argument(fmt::format(
-        "'{}' is an input of this run; the output needs another name", file.path.string()));
+    throw RefusedOutput(fmt::format("'{}' is an input of this run; the output needs another name",
+                                    file.path.string()));
   }
   if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), true};
   if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) {
@@ -99,8 +100,7 @@ std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
     result.push_back(locate(file));
     for (std::size_t i = 0; i + 1 < result.size(); ++i) {
       if (result[i].target == result.back().target) {
-        throw std::invalid_argument(
-            fmt::format("two outputs go to one file, '{}'", file.path.string()));
+        throw RefusedOutput(fmt::format("two outputs go to one file, '{}'", file.path.string()));
       }
     }
   }
@@ -218,13 +218,26 @@ void say_written(const std::vector<OutputFile>& files) {
   }
 }
 
-void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
+void check_out(const std::vector<fs::path>& possible, const std::vector<fs::path>& left) {
+  check_writable(possible);
+  OwnOutputs(possible.front().parent_path()).check(possible, left);
+}
+
+void write_out(const std::vector<fs::path>& possible, const std::vector<OutputFile>& files,
+               bool says) {
   flush_printed();
-  std::error_code ignored;
-  if (possible.empty() || !fs::exists(possible.front(), ignored)) possible.clear();
-  write_files(files);
-  for (const OutputFile& file : files) std::erase(possible, file.path);
-  const auto removed = remove_files(possible);
+  const OwnOutputs own(files.front().path.parent_path());
+  std::vector<fs::path> written, rest = possible;
+  for (const OutputFile& file : files) {
+    written.push_back(file.path);
+    std::erase(rest, file.path);
+  }
+  rest = own.listed(rest);
+  own.check(written, rest);
+  std::vector<OutputFile> recorded = files;
+  recorded.push_back(own.after(files, rest));
+  write_files(recorded);
+  const auto removed = remove_files(rest);
   if (!says || is_quiet()) return;
   say_written(files);
   for (const auto& path : removed) say("removed {} of an earlier run\n", path.string());

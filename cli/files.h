@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct OutputFile {
   std::string content;
   /// What follows, where it is too long to be kept: hands its pieces over, one after the other.
   Pieces more = {};
+};
+
+/// An output that would take the place of something else.
+class RefusedOutput : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
 };
 
 /// The name under which files are read from standard input and written to standard output.
@@ -35,8 +42,8 @@ void keep_plain_outputs(const std::vector<std::optional<std::string>>& outputs,
 /// Writes files whole or not at all, together (cli/replacing.h). Missing folders are made, links
 /// followed, permissions kept; what is not a regular file, and all below /dev and /proc, is written
 /// to as it is when the others are in place, and "-" is standard output.
-/// Throws std::invalid_argument where two outputs are one file, an output is an input
-/// (cli/inputs.h) or a name is empty, std::runtime_error naming the file and the reason where one
+/// Throws RefusedOutput where two outputs are one file or an output is an input (cli/inputs.h),
+/// std::invalid_argument where a name is empty, std::runtime_error naming the file and the reason where one
 /// cannot be written; no temporary file and no new folder is left behind then.
 void write_files(const std::vector<OutputFile>& files);
 
@@ -61,11 +68,17 @@ std::vector<std::filesystem::path> remove_files(const std::vector<std::filesyste
 /// Says which files were written, unless --quiet.
 void say_written(const std::vector<OutputFile>& files);
 
-/// Writes the files of a folder of results. Of `possible` those of an earlier run that this one
-/// does not write are removed: they must not stay beside its own. That there was an earlier run the
-/// first of them tells, which every run writes; without it nothing is removed. Says what it does
-/// unless told not to.
-void write_out(std::vector<std::filesystem::path> possible, const std::vector<OutputFile>& files,
-               bool says);
+/// That write_out can write these files of an --out folder, and remove `left`, before long work is
+/// done for them: check_writable, and whether what stands there is camlaw's own
+/// (cli/own_outputs.h). Throws RefusedOutput naming the files that are somebody's work.
+void check_out(const std::vector<std::filesystem::path>& possible,
+               const std::vector<std::filesystem::path>& left = {});
+
+/// Writes the files of an --out folder, one at least, and the record that they are camlaw's own
+/// (cli/own_outputs.h). Of `possible` those that an earlier run wrote and this one does not are
+/// removed: they must not stay beside its own. Says what it does unless told not to. Throws
+/// RefusedOutput, with everything as it was, where that would cost somebody's work.
+void write_out(const std::vector<std::filesystem::path>& possible,
+               const std::vector<OutputFile>& files, bool says);
 
 }  // namespace camlaw::cli

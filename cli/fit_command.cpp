@@ -127,19 +127,17 @@ std::filesystem::path in_out(const FitCommand& options, const char* file) {
   return std::filesystem::path(*options.out) / file;
 }
 
+/// Files that not every fit writes: what an earlier run left of them goes.
+std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
+  return {in_out(options, "law.json"), in_out(options, "program.toml")};
+}
+
 /// Before the work is done for them, that these files and fit.json can be written.
 void check_files(const FitCommand& options, const std::vector<const char*>& names) {
   if (!options.out) return;
   std::vector<std::filesystem::path> files{in_out(options, "fit.json")};
   for (const char* name : names) files.push_back(in_out(options, name));
-  check_writable(files);
-}
-
-/// Files in the folder that an earlier run left there: where one has been, which its fit.json
-/// tells.
-std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
-  if (!std::filesystem::exists(in_out(options, "fit.json"))) return {};
-  return {in_out(options, "law.json"), in_out(options, "program.toml")};
+  check_out(files, left_behind(options));
 }
 
 /// Prints an answer; of a folder the files that an earlier run left and this one has not go.
@@ -280,6 +278,8 @@ void fit_table(const FitCommand& options) {
         problems::shows_profile(table) || (options.mechanism && problems::goes_round(table));
     if (!options.response && is_profile) return fit_cam(options, table);
     options.mechanism ? fit_recorded(options, table) : fit_samples(options, table);
+  } catch (const RefusedOutput&) {
+    throw;  // it is no fault of the table
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     if (what.starts_with(*options.data)) throw;

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -185,6 +187,19 @@ std::filesystem::path usual_output(const std::vector<std::string>& inputs) {
                            : std::filesystem::path(first).replace_extension(".html");
 }
 
+/// A page that the user has not named replaces what camlaw wrote there, and nothing else.
+void keep_other_page(const std::filesystem::path& output) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(output, ignored)) return;
+  std::ifstream stream(output, std::ios::binary);
+  const std::string there{std::istreambuf_iterator<char>(stream), {}};
+  if (there.empty() || is_unchanged_page(there)) return;
+  throw RefusedOutput(
+      fmt::format("'{}' is no page of camlaw, or was changed since, and would be replaced; name "
+                  "the page with --out FILE, or move that file away",
+                  output.string()));
+}
+
 int run_report(const ReportOptions& options) {
   keep_standard_output({options.output});
   const bool is_comparison = options.inputs.size() > 1;
@@ -197,8 +212,10 @@ int run_report(const ReportOptions& options) {
   for (const std::string& input : options.inputs) keep_input(input);
   check_writable({output});
   check_ending(output);
+  if (!options.output) keep_other_page(output);
   const JudgedPage judged = is_comparison ? comparison_page(options.inputs)
                                           : page_of(options.inputs.front(), options.settings);
+  if (!options.output) keep_other_page(output);
   const std::vector<OutputFile> files{{output, page_html(judged.page)}};
   write_files(files);
   say_written(files);
@@ -213,18 +230,19 @@ Command report_command() {
       .name = "report",
       .help =
           "Write a page for the browser about a design, a front or a sweep, or comparing designs",
-      .options = {{.names = "INPUT",
-                   .target = &options->inputs,
-                   .takes = takes::kFile,
-                   .help =
-                       "a problem file (.toml), at its own values, a result of 'camlaw "
-                       "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db); "
-                       "two to four problem files or results are compared on one page",
-                   .required = true},
-                  set_option(options->settings),
-                  {"-o,--out", &options->output, takes::kFile,
-                   "the HTML file (by default next to the input, with its name; for several inputs "
-                   "comparison.html next to the first)"}},
+      .options =
+          {{.names = "INPUT",
+            .target = &options->inputs,
+            .takes = takes::kFile,
+            .help = "a problem file (.toml), at its own values, a result of 'camlaw "
+                    "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db); "
+                    "two to four problem files or results are compared on one page",
+            .required = true},
+           set_option(options->settings),
+           {"-o,--out", &options->output, takes::kFile,
+            "the HTML file; one of this name is replaced (by default next to the input, with "
+            "its name; for several inputs comparison.html next to the first; there only "
+            "camlaw's own page is replaced)"}},
       .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
                     "the design at the file's own values, on one page"},
                    {"camlaw report problems/cams/roller_least_base.toml "

@@ -224,6 +224,7 @@ std::vector<std::filesystem::path> checked_outputs(const SearchOptions& options,
   if (options.out) {
     check_writable(possible);
     keep_other_results(possible, statement);
+    check_out(possible);
   }
   return possible;
 }

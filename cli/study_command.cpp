@@ -70,19 +70,21 @@ StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::p
 int run_study(const StudyOptions& options) {
   check_folder(options.out);
   const std::filesystem::path out = options.out.value_or("");
-  if (options.out) check_writable({out / "study.json"});
-  StudyOutput study;
-  if (options.system == "spine-cutter") {
-    study = study_cutter(options, out);
-  } else if (options.system == "sheet-delivery") {
-    study = study_delivery(options, out);
-  } else {
+  const bool is_cutter = options.system == "spine-cutter";
+  if (!is_cutter && options.system != "sheet-delivery") {
     throw std::invalid_argument(
         fmt::format("'{}' is not a study; use spine-cutter or sheet-delivery", options.system));
   }
-  if (options.out) write_files(study.files);
+  std::vector<std::filesystem::path> possible{out / "study.csv", out / "study.json",
+                                              out / "trade_off.svg"};
+  if (is_cutter) possible.push_back(out / "motion.svg");
+  const std::filesystem::path fronts = out / "fronts.csv";
+  if (is_cutter && !options.table) possible.push_back(fronts);
+  if (options.out) check_out(possible, {fronts});
+  const StudyOutput study = is_cutter ? study_cutter(options, out) : study_delivery(options, out);
   print(study.answer, options.json);
-  if (!options.json && options.out) say_written(study.files);
+  possible.push_back(fronts);
+  if (options.out) write_out(possible, study.files, !options.json);
   return kDone;
 }
 

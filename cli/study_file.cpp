@@ -35,7 +35,7 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::optional<std
     throw std::invalid_argument(
         fmt::format("--db and --out both write '{}'; the study needs another name", *study));
   }
-  check_writable(outputs);
+  check_out(outputs);
 }
 
 void make_folder_of(const std::string& study) {

@@ -19,8 +19,8 @@ std::optional<std::string> study_file(const std::optional<std::string>& db,
 /// Throws std::invalid_argument where there is no study to resume.
 void check_there(const std::string& study);
 
-/// Throws std::invalid_argument where one of the files of --out cannot be written, or is also the
-/// study, which would be written over when it is done.
+/// Throws where one of the files of --out cannot be written or is somebody's work (check_out), and
+/// std::invalid_argument where one is also the study, which would be written over when it is done.
 void check_outputs(const std::vector<std::filesystem::path>& outputs,
                    const std::optional<std::string>& study);
 

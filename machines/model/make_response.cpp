@@ -184,7 +184,9 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response) {
 std::function<std::vector<optim::Function>()> margins_that_decide(const Mechanism& mechanism,
                                                                   const Binding& binding) {
   PossibleBy possible_by = possible_machines(mechanism);
-  if (!may_decide(possible_by, binding)) return {};
+  const bool is_impossible =
+      mechanism.why_impossible && !mechanism.why_impossible(binding.constants).empty();
+  if (!is_impossible && !may_decide(possible_by, binding)) return {};
   return [possible_by = std::move(possible_by), binding] {
     return margin_functions(possible_by, binding);
   };

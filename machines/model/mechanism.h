@@ -367,7 +367,7 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view name);
 Binding narrowed(const Binding& binding, const MechanismResponse& response);
 
 /// Makes, when it is called, the margins that decide whether there is a machine, as functions of
-/// the design; none where nothing varies that decides.
+/// the design; none where nothing that varies decides and there is a machine of the constants.
 std::function<std::vector<optim::Function>()> margins_that_decide(const Mechanism& mechanism,
                                                                   const Binding& binding);
 

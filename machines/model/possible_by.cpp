@@ -218,6 +218,14 @@ bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding) {
 std::vector<optim::Function> margin_functions(const PossibleBy& possible_by,
                                               const Binding& binding) {
   std::vector<optim::Function> functions;
+  for (const Margin& margin : possible_by.margins) {
+    const Formula formula = recorded_for(binding, margin.write, 0, {}).formula;
+    if (!formula.uses().empty()) continue;
+    const std::vector<Interval> box = accepted(margin, binding);
+    if (holds_within(formula(std::span<const Interval>(box)), margin.may_be_zero)) continue;
+    functions.push_back(function_of(binding.variables, recorded_kernel({formula, box.size(), {}}),
+                                    optim::Shape::General));
+  }
   std::vector<Formula> seen;  // load cases may have the same
   if (!may_decide(possible_by, binding)) return functions;
   for_deciding(possible_by.margins, binding, [&](const Formula& margin, const auto& box) {

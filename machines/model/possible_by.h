@@ -29,7 +29,7 @@ std::vector<std::size_t> deciding(const PossibleBy& possible_by, const Binding& 
 /// margin is concave or quasiconcave in what varies.
 bool is_convex_by_rules(const PossibleBy& possible_by, const Binding& binding);
 
-/// The margins that decide in what varies of a binding, as functions of the design.
+/// The margins that decide in what varies, and those that fail whatever varies, of the design.
 std::vector<optim::Function> margin_functions(const PossibleBy& possible_by,
                                               const Binding& binding);
 

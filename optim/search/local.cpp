@@ -22,6 +22,7 @@
 #include "optim/search/without_value.h"
 #include "optim/verdict/limits.h"
 #include "optim/verdict/limits_in_haste.h"
+#include "optim/verdict/none_possible.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -205,6 +206,21 @@ void blame_without_value(const Setting& setting, Trail& trail) {
       none->name, 1 + kDesigns);
 }
 
+/// Where no design with numbers was found: there is none, if the model's own conditions show that,
+/// or if a limit's response has no value anywhere.
+void end_without_numbers(const Setting& setting, Trail& trail) {
+  trail.fail(undefined_at(setting.original, setting.problem.start(), "the start"));
+  Assessment& assessment = trail.found.assessment;
+  if (const auto none = none_possible(setting.original)) {
+    assessment.verdict = Verdict::Infeasible;
+    assessment.reason = fmt::format("{}; {}", *none, assessment.reason);
+    assessment.global = *none;
+    return;
+  }
+  const auto without = limit_without_value(setting.problem, setting.options.seed, Asked::After);
+  if (without) blame(*without, setting.problem, trail.scales, trail.found);
+}
+
 /// Carries out all stages in turn.
 void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
             std::vector<double>& ends, std::vector<FromStart> known) {
@@ -218,11 +234,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   if (is_quick(problem)) search_around(setting, ends, trail);
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
-  if (!has_numbers(found)) {
-    const auto none = limit_without_value(problem, setting.options.seed, Asked::After);
-    if (none) return blame(*none, problem, trail.scales, found);
-    return trail.fail(undefined_at(setting.original, problem.start(), "the start"));
-  }
+  if (!has_numbers(found)) return end_without_numbers(setting, trail);
   search_along_edge(setting, trail);
   if (!is_quick(problem) && !trail.is_at_edge()) search_around(setting, ends, trail);
   const bool may_be_endless = trail.unbounded && !trail.is_at_edge();

@@ -11,6 +11,7 @@
 #include "optim/verdict/dual_bound.h"
 #include "optim/verdict/known_limit.h"
 #include "optim/verdict/limits_in_haste.h"
+#include "optim/verdict/none_possible.h"
 #include "optim/verdict/unknown_prices.h"
 #include "optim/verdict/unproved.h"
 
@@ -311,6 +312,11 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
   result.limits = limit_reports(problem, scales, x, false);
   if (std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the design of least violation");
+    if (auto none = none_possible(problem)) {
+      result.verdict = Verdict::Infeasible;
+      result.reason = fmt::format("{}; {}", *none, result.reason);
+      result.global = std::move(none);
+    }
     return result;
   }
   const Kkt conditions = kkt(problem, scales, x, Optimality::LeastViolation, told);

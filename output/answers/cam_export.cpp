@@ -280,8 +280,12 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
 /// The radius of the tool, for who sets up the machine.
 std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement,
                       const problems::LengthUnit& unit) {
-  if (o.curve && *o.curve != "cutter" && !o.tool)
-    return "this is the curve itself: compensate for the tool";
+  if (o.curve && *o.curve != "cutter" && !o.tool) {
+    const std::string itself = "this is the curve itself: compensate for the tool";
+    if (!o.lead || *o.curve == "pitch") return itself;
+    return fmt::format("{}, whose radius must be below the lead's {:.6g} {}", itself,
+                       length_of(o.lead, "--lead", unit, 0, 1e-3, 1e4) / unit.mm, unit.name);
+  }
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
   const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"

@@ -122,6 +122,22 @@ std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exp
   return problems::shop_shapes(e.design.statement, settings);
 }
 
+/// Compensated, the tool's centre runs on an arc inside the lead's: throws where that leaves none.
+void check_lead_holds_tool(const problems::ProblemStatement& design, double lead,
+                           const problems::LengthUnit& unit) {
+  const auto& parameters = design.mechanism->parameters;
+  const bool has_tool = std::any_of(parameters.begin(), parameters.end(),
+                                    [](const auto& p) { return p.name == "cutter_radius"; });
+  if (!has_tool) return;
+  const double tool = problems::constant_of(design, "cutter_radius") / unit.mm;
+  if (lead > tool) return;
+  throw std::invalid_argument(fmt::format(
+      "--lead: {0:.6g} {2} is not larger than the tool's radius, cutter_radius = {1:.6g} {2}, so "
+      "that the controller cannot lead the tool inside this arc; use a larger lead, or state a "
+      "smaller tool with --set 'cutter_radius={3:.6g} {2}'",
+      lead, tool, unit.name, lead / 2));
+}
+
 std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Exported& e,
                                             const problems::PlaneCurve& curve,
                                             problems::CurveForm form,
@@ -139,6 +155,7 @@ std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Export
       {problems::ToolPath(design, curve, form, accuracy), passes.empty() ? "" : "finishing"});
   if (!o.lead) return passes;
   const double radius = length_of(o.lead, "--lead", unit, 0, 1e-3, 1e4) / unit.mm;
+  if (o.compensation) check_lead_holds_tool(design, radius, unit);
   for (problems::ToolPass& pass : passes) pass.path.add_lead(design, radius);
   return passes;
 }

@@ -75,7 +75,7 @@ Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
       .key = "limits",
       .columns = {names("limit", "name"), numbers("nominal", "value"), numbers("bound", "bound"),
                   numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
-                  data("at_angle"), data("slopes")}};
+                  data("at_angle"), data("slopes"), data("tolerance")}};
   for (const auto& v : varied.problem.variables) {
     table.columns.push_back(numbers("slope w.r.t. " + v.name));
     table.columns.push_back(words("unit"));
@@ -95,7 +95,8 @@ Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
         r.unit,
         r.worst_angle ? place_text(*r.worst_angle, stated.response) : "",
         datum(r.worst_angle),
-        datum(slopes)};
+        datum(slopes),
+        datum(r.tolerance)};
     for (std::size_t k = 0; k < varied.problem.variables.size(); ++k) {
       cells.emplace_back(in_digits(answer.limits[i].slopes[k], 5));
       cells.emplace_back(slope_unit(r.unit, varied.problem.variables[k].unit));
@@ -142,7 +143,7 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                   words("for a part with", "part_text"), words("the limit", "holds"),
                   numbers("violated at factor", "factor"), data("at_angle"), data("part"),
                   data("side"), data("proved_within"), data("none_beyond"), data("why_not"),
-                  data("factor_proved")}};
+                  data("factor_proved"), data("tolerance")}};
   for (std::size_t i = 0; i < answer.worst.size(); ++i) {
     const WorstPart& w = answer.worst[i];
     const auto& stated = varied.design.constraints[w.limit];
@@ -168,15 +169,31 @@ Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
                datum(w.slack),
                datum(farthest(w)),
                datum(w.why_not),
-               datum(has_factor && answer.factors[i].proved)});
+               datum(has_factor && answer.factors[i].proved),
+               datum(w.tolerance)});
   }
   return table;
+}
+
+/// A limit that is passed by no more than its tolerance counts as met: by how much, of each.
+std::string tolerances_text(const ToleranceAnswer& answer) {
+  std::vector<std::string> parts;
+  for (const problems::LimitSlopes& limit : answer.limits) {
+    const optim::LimitReport& r = limit.report;
+    parts.push_back(
+        fmt::format("{} {}", r.name, with_unit(fmt::format("{:.2g}", r.tolerance), r.unit)));
+  }
+  if (parts.empty()) return "";
+  return fmt::format("  a limit counts as met as far as its tolerance beyond the bound: {}\n",
+                     problems::listed(parts));
 }
 
 void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
   const bool nothing_fails = answer.nothing_fails(varied.variations);
   document.fact("nothing_fails_proved", nothing_fails);
-  if (nothing_fails) document.say("\nyield: every part meets every limit, proved\n");
+  if (nothing_fails) {
+    document.say("\nyield: every part meets every limit, proved\n" + tolerances_text(answer));
+  }
   if (!answer.yield) return;
   const optim::Yield& y = *answer.yield;
   document.fact("yield", 1 - y.failing);
@@ -230,6 +247,7 @@ void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Docume
         "  {} of the limits {} a search for each part; use --samples N to count more parts\n",
         answer.grid.without_grid, answer.grid.without_grid == 1 ? "needs" : "need"));
   }
+  document.say(tolerances_text(answer));
   for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
     if (y.by_limit[i] == 0) continue;
     const bool has_index = i < y.indices.size() && y.indices[i];

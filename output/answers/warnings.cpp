@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "optim/problem/inputs.h"
 #include "output/answers/front_words.h"
 #include "output/document/printing.h"
+#include "problems/sensitivity/design_numbers.h"
 #include "problems/statement/assignment.h"
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
@@ -110,9 +113,65 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
                         named, sought));
 }
 
-/// Of limits that cannot be met and that no variable changes: what the file states that would.
-void add_what_changes(const problems::ProblemStatement& problem, const optim::Optimum& optimum,
-                      Warnings& warnings) {
+/// What would change a limit that no variable changes.
+struct Movers {
+  std::vector<std::string> names;
+  std::string
+      example;  ///< of them the one to let vary: the last that the file states, else the first
+};
+
+bool is_machine_at_rest(const Law<double>& motion, double share) {
+  constexpr double kRest = 1e-9;
+  const auto at = motion(std::clamp(share, 0.0, 1.0));
+  return std::abs(at.v) < kRest && std::abs(at.a) < kRest;
+}
+
+/// Whether a curve at a place of the cycle depends on the law's shape: at rest it does not.
+bool sees_motion_at(const Answer& answer, const optim::Response& response, double place) {
+  const std::optional<Member> law = answer.law();
+  if (!law || !response.is_curve()) return true;
+  const auto breaks = response.curve().trace(answer.optimum.found.x)->breaks();
+  return !is_machine_at_rest(law->law(),
+                             (place - breaks.front()) / (breaks.back() - breaks.front()));
+}
+
+/// The machine's parameters by which a limit has a slope at its worst place, whether the file
+/// states them or not, and those that are integers.
+Movers movers_of(const Answer& answer, const problems::ResponseName& asked,
+                 const optim::LimitReport& limit) {
+  constexpr double kRounding = 1e-9;  // of the value, for a change of the parameter by its size
+  const optim::Optimum& optimum = answer.optimum;
+  const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
+  const auto parameters = problems::design_parameters(design);
+  std::vector<double> x;
+  for (const problems::DesignParameter& p : parameters) x.push_back(p.value);
+  std::set<std::size_t> moving;
+  for (const std::size_t i : asked.response->uses) {
+    if (design.mechanism->parameters[i].integer) moving.insert(i);
+  }
+  const optim::Part other = limit.is_upper ? optim::Part::Lowest : optim::Part::Highest;
+  for (const problems::DesignNumber& number : problems::design_numbers(design, parameters)) {
+    if (number.is_objective || number.response.name != limit.name || number.part == other) continue;
+    const auto slopes = number.slopes(x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double slope = std::max(std::abs(slopes[i].first), std::abs(slopes[i].second));
+      const double least = kRounding * std::max(std::abs(limit.value), std::abs(limit.bound));
+      if (!(slope * std::max(std::abs(x[i]), 1.0) > least)) continue;
+      if (parameters[i].of_machine) moving.insert(*parameters[i].of_machine);
+    }
+  }
+  Movers result;
+  for (const std::size_t i : moving) {
+    result.names.push_back(design.mechanism->parameters[i].name);
+    if (result.example.empty() || design.stated.contains(i)) result.example = result.names.back();
+  }
+  return result;
+}
+
+/// Of limits that cannot be met and that no variable changes: what would change them.
+void add_what_changes(const Answer& answer, Warnings& warnings) {
+  const problems::ProblemStatement& problem = answer.bound.statement();
+  const optim::Optimum& optimum = answer.optimum;
   for (const std::string& blamed : optimum.found.assessment.blamed) {
     const auto& limits = optimum.problem.constraints;
     const auto limit = std::find_if(limits.begin(), limits.end(),
@@ -121,20 +180,28 @@ void add_what_changes(const problems::ProblemStatement& problem, const optim::Op
     const auto stated = std::find_if(all.begin(), all.end(), [&](const auto& c) {
       return c.response.name == blamed && c.response.response != nullptr;
     });
-    if (limit == limits.end() || stated == all.end()) continue;
+    const auto& reports = optimum.found.assessment.limits;
+    const auto report = std::find_if(reports.begin(), reports.end(),
+                                     [&](const auto& r) { return r.name == blamed && !r.met; });
+    if (limit == limits.end() || stated == all.end() || report == reports.end()) continue;
     if (any_varies(optimum.problem, optim::inputs_of(limit->response, optimum.problem))) continue;
-    std::vector<std::string> names;
-    for (const std::size_t parameter : stated->response.response->uses) {
-      if (!problem.stated.contains(parameter)) continue;
-      names.push_back(problem.mechanism->parameters[parameter].name);
+    Movers movers;
+    try {
+      movers = movers_of(answer, stated->response, *report);
+    } catch (const std::invalid_argument&) {
+      continue;  // numbers without a value there: there is nothing to advise
     }
-    if (names.empty()) continue;
-    const std::string last = names.back();
-    if (stated->response.response->sees_law) names.emplace_back("the motion");
-    warnings.push_back(
-        fmt::format("{} depends on {}: let one of them vary, as [variables.{}] with "
-                    "lower and upper in place of its constant",
-                    blamed, problems::listed(names), last));
+    if (movers.names.empty()) continue;
+    const auto place = report->worst_angle;
+    const bool sees_motion = stated->response.response->sees_law &&
+                             (!place || sees_motion_at(answer, limit->response, *place));
+    if (sees_motion) movers.names.emplace_back("the motion");
+    const bool one = movers.names.size() == 1;
+    warnings.push_back(fmt::format(
+        "{} depends on {}{}: let {} vary, as [variables.{}] with lower and upper in place of its "
+        "constant",
+        blamed, problems::listed(movers.names), place ? " where it is worst" : "",
+        one ? "it" : "one of them", movers.example));
   }
 }
 
@@ -180,7 +247,7 @@ Warnings warnings_of(const Answer& answer) {
     add_cautions(design, warnings);
   }
   if (verdict == optim::Verdict::Infeasible) {
-    add_what_changes(answer.bound.statement(), optimum, warnings);
+    add_what_changes(answer, warnings);
   }
   const Warnings doubts = problems::doubtful_limits(answer.bound);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());

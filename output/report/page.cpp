@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <utility>
 
 #include "chart.min.js.h"
+#include "numerics/text/sha256.h"
 #include "output/figure/chart_svg.h"
 #include "output/report/assets/front.js.h"
 #include "output/report/assets/motion.js.h"
@@ -61,6 +63,14 @@ std::string head(const ReportPage& page) {
       xml_escape(page.title), data::report_css, sheet_style(page));
 }
 
+constexpr std::string_view kMark = "<!-- camlaw page, SHA-256 of what is above: ";
+
+/// A page with the line by which it is known again.
+std::string marked(std::string html) {
+  const std::string sum = sha256(html);
+  return std::move(html) + fmt::format("{}{} -->\n", kMark, sum);
+}
+
 std::string contents(const ReportPage& page) {
   std::string links;
   for (const ReportSection& s : page.sections) {
@@ -91,7 +101,12 @@ std::string page_html(const ReportPage& page) {
         "<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
         s.id, xml_escape(s.title), s.html);
   }
-  return text + "</main>\n" + scripts(page) + "</body>\n</html>\n";
+  return marked(text + "</main>\n" + scripts(page) + "</body>\n</html>\n");
+}
+
+bool is_unchanged_page(std::string_view html) {
+  const std::size_t begins = html.rfind(kMark);
+  return begins != html.npos && html == marked(std::string(html.substr(0, begins)));
 }
 
 }  // namespace camlaw::cli

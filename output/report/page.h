@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "output/document/json.h"
@@ -29,5 +30,8 @@ struct ReportPage {
 /// The whole file. It loads nothing: styles, scripts and data are inside, and its own policy
 /// forbids everything else.
 std::string page_html(const ReportPage& page);
+
+/// Whether this is a page of camlaw as it was written: its last line states the SHA-256 of the rest.
+bool is_unchanged_page(std::string_view html);
 
 }  // namespace camlaw::cli

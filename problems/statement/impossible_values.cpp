@@ -85,7 +85,9 @@ std::string condition_beside(const BoundProblem& bound, const optim::Optimum& op
 void say_impossible(const BoundProblem& bound, optim::Optimum& optimum) {
   optim::Assessment& assessment = optimum.found.assessment;
   if (optimum.found.x.size() != optimum.problem.variables.size()) return;
-  if (assessment.verdict == optim::Verdict::Failed) {
+  const bool has_no_design = assessment.verdict == optim::Verdict::Failed ||
+                             assessment.verdict == optim::Verdict::Infeasible;
+  if (has_no_design) {
     const std::string why = why_impossible(bound.at(optimum.options, optimum.found.x));
     if (!why.empty()) assessment.reason += ": " + why;
   } else if (assessment.verdict == optim::Verdict::Feasible) {

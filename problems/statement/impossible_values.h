@@ -13,7 +13,7 @@ namespace camlaw::problems {
 /// words.
 std::string why_impossible(const ProblemStatement& statement);
 
-/// Adds that to the reason of a search that found no numbers, where it ends at such values; and to
+/// Adds that to the reason of a search that found no design, where it ends at such values; and to
 /// that of one which ended next to them, without proof, the condition that fails there.
 void say_impossible(const BoundProblem& bound, optim::Optimum& optimum);
 
