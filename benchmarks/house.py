@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What the house measures: benchmarks/house.py [TREE] [--build FOLDER] [--headers]
+"""What the house measures: benchmarks/house.py [TREE] [--build FOLDER] [--headers] [--change FILE:TESTS ...]
 
 Prints, for a checkout (this one where none is named), a line for each room: files, statements, lines
 of code and of comments, the longest file and how many have more than 400 lines; then its functions by
@@ -10,6 +10,10 @@ another. With --build FOLDER (a build by Ninja) also objects, the seconds that t
 symbols in them. With --headers each installed header: its lines, how many headers of camlaw it
 reaches, and the CPU seconds (user and system, the median of five) that g++ takes to read it, beside
 those for the headers of other libraries that it reaches: what lies between is camlaw's own share.
+With --change and a build folder only what one changed file costs there: the file counts as changed,
+the programs are built without a compiler cache, and tests are run, those of files that are named after
+a colon, separated by commas. For example, in the preset dev:
+  benchmarks/house.py --build build/dev --change cli/new_command.cpp:first_file_test
 """
 import argparse
 import collections
@@ -18,6 +22,8 @@ import pathlib
 import re
 import statistics
 import subprocess
+import sys
+import time
 
 ROOMS = ["numerics", "kinematics", "optim", "machines", "problems", "fitting", "output", "cli"]
 OTHERS = ["tests", "benchmarks", "examples"]
@@ -246,13 +252,47 @@ def installed_headers(tree):
     print(f"{len(headers)} headers")
 
 
+def timed(command):
+    """Wall and CPU seconds of a command that must succeed."""
+    before, began = os.times(), time.monotonic()
+    done = subprocess.run(command, env=os.environ | {"CCACHE_DISABLE": "1"}, capture_output=True,
+                          text=True)
+    took, after = time.monotonic() - began, os.times()
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
+    return took, (after.children_user - before.children_user
+                  + after.children_system - before.children_system)
+
+
+def change_table(tree, build, changes):
+    build_all = ["cmake", "--build", build, "--target", "camlaw", "camlaw_tests"]
+    timed(build_all)  # what is not up to date is none of the change
+    print(f"{'changed file':<42}{'build':>8}{'tests':>8}{'both':>8}{'CPU':>8}   seconds")
+    for change in changes:
+        file, _, tests = change.partition(":")
+        os.utime(tree / file)
+        taken = [timed(build_all), (0.0, 0.0)]
+        if tests:
+            wanted = ",".join(f"[#{test}]~[heavy]~[.]" for test in tests.split(","))
+            taken[1] = timed([build / "tests/camlaw_tests", "--filenames-as-tags", wanted])
+        (built_in, built_cpu), (tested_in, tested_cpu) = taken
+        print(f"{file:<42}{built_in:>8.1f}{tested_in:>8.1f}{built_in + tested_in:>8.1f}"
+              f"{built_cpu + tested_cpu:>8.1f}", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("tree", nargs="?", default=pathlib.Path(__file__).parents[1],
                         type=pathlib.Path)
     parser.add_argument("--build", type=pathlib.Path, help="a build folder of Ninja")
     parser.add_argument("--headers", action="store_true", help="the installed headers")
+    parser.add_argument("--change", nargs="+", metavar="FILE:TESTS", help="what one change costs")
     arguments = parser.parse_args()
+    if arguments.change:
+        if not arguments.build:
+            parser.error("--change needs --build")
+        change_table(arguments.tree, arguments.build.resolve(), arguments.change)
+        return
     table(arguments.tree)
     function_table(arguments.tree)
     found = folder_circles(arguments.tree)

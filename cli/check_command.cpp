@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "output/answers/check_output.h"
 #include "output/answers/next_step.h"
 

@@ -63,7 +63,7 @@ void add_options(CLI::App& app, const std::vector<Option>& options) {
 }
 
 /// What to say of an unknown word: the commands that are near.
-std::string with_near_commands(const Program& program, const std::string& word) {
+std::string with_near_commands(const CommandTree& program, const std::string& word) {
   std::vector<std::string> known, listed;
   for (const Command& command : program.commands) {
     known.push_back(command.name);
@@ -90,8 +90,8 @@ std::string extra_words(const CLI::App& command, const std::vector<std::string>&
                                     : fmt::format("; near: {}", fmt::join(near, ", ")));
 }
 
-std::string usage_error(const Program& program, const CLI::App& app, const CLI::ParseError& error,
-                        const std::string& word) {
+std::string usage_error(const CommandTree& program, const CLI::App& app,
+                        const CLI::ParseError& error, const std::string& word) {
   const auto commands = app.get_subcommands();
   if (commands.empty() && !word.empty()) {
     return word.front() == '-' ? fmt::format("there is no option '{}'; '{} --help' shows the usage",
@@ -125,7 +125,8 @@ namespace {
 
 /// "camlaw help fit" is "camlaw fit --help", and "camlaw help" is "camlaw --help". Throws
 /// std::invalid_argument for "camlaw help fitt".
-std::vector<const char*> with_help_last(const Program& program, int argc, const char* const* argv) {
+std::vector<const char*> with_help_last(const CommandTree& program, int argc,
+                                        const char* const* argv) {
   std::vector<const char*> words(argv, argv + argc);
   if (argc < 2 || std::string_view(words[1]) != "help") return words;
   words.erase(words.begin() + 1);
@@ -141,7 +142,7 @@ std::vector<const char*> with_help_last(const Program& program, int argc, const 
 
 /// The words of a command line, with the two words that an option takes joined as in quotes:
 /// "--sample sobol 64". The second is a whole number.
-std::vector<std::string> with_pairs_joined(const Program& program,
+std::vector<std::string> with_pairs_joined(const CommandTree& program,
                                            const std::vector<const char*>& words) {
   std::vector<std::string> result;
   const std::vector<Option>* options = nullptr;  // of the command, once it is named
@@ -173,7 +174,7 @@ std::vector<std::string> with_pairs_joined(const Program& program,
 
 }  // namespace
 
-const Command* parsed(const Program& program, int argc, const char* const* argv) {
+const Command* parsed(const CommandTree& program, int argc, const char* const* argv) {
   CLI::App app(program.help, program.name);
   app.formatter(std::make_shared<HelpText>());  // commands take it over
   app.set_help_flag("-h,--help", kHelpHelp);

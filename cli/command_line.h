@@ -9,7 +9,7 @@
 /// Command lines of a program with commands.
 namespace camlaw::cli {
 
-struct Program {
+struct CommandTree {
   std::string name, help;
   std::vector<Command> commands;
   std::vector<Example> examples;
@@ -26,6 +26,6 @@ inline constexpr const char *kVersionOption = "--version",
 /// Sets what the options of a command line are for. The command that it calls; none where it asked
 /// for text alone, which is printed (--help, --version). Throws std::invalid_argument that names
 /// what is not known, and what is near.
-const Command* parsed(const Program& program, int argc, const char* const* argv);
+const Command* parsed(const CommandTree& program, int argc, const char* const* argv);
 
 }  // namespace camlaw::cli

@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "numerics/text/file_text.h"
 #include "output/answers/next_step.h"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/export_options.h"
 #include "cli/files.h"
 #include "cli/inputs.h"

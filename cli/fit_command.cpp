@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/progress_line.h"
@@ -304,7 +304,7 @@ int run_fit(const FitCommand& options) {
   const auto began = Clock::now();
   constexpr double kOfLate = 0.45;  // of what it may be late: as much again to be ended in
   const double grace = options.data ? kOfLate * most_late(*limit) : Watch().grace;
-  const auto ended = watched({.limit = limit, .grace = grace}, [&](const Teller& teller) {
+  const auto ended = watched({.limit = limit, .grace = grace}, [&](const ChildTeller& teller) {
     FitCommand own = options;
     own.deadline = began + std::chrono::duration_cast<Clock::duration>(
                                std::chrono::duration<double>(kTrying * *limit));

@@ -53,7 +53,7 @@ std::string example_lines(const std::vector<Example>& examples) {
   return text;
 }
 
-std::vector<CommandPage> command_pages(const Program& program) {
+std::vector<CommandPage> command_pages(const CommandTree& program) {
   CommandPage whole = page_of(Command{program.name, program.help, {}, program.examples, {}});
   whole.options.insert(whole.options.begin() + 1, switch_page({kVersionOption}, kVersionHelp));
   std::vector<CommandPage> pages{std::move(whole)};

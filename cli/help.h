@@ -30,6 +30,6 @@ struct CommandPage {
 std::string example_lines(const std::vector<Example>& examples);
 
 /// The program's own page and, after it, one for each command that --help lists.
-std::vector<CommandPage> command_pages(const Program& program);
+std::vector<CommandPage> command_pages(const CommandTree& program);
 
 }  // namespace camlaw::cli

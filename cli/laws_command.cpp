@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "output/answers/law_output.h"
 #include "output/document/markdown.h"

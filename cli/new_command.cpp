@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "machines/registry.h"
 #include "output/answers/mechanism_output.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/search_run.h"
 
 namespace camlaw::cli {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
@@ -135,7 +135,7 @@ int run_pareto(const ParetoCommand& options) {
                                                memory_of(options.limits));
   const Interruptible interruptible;
   study.options().solve.stop = interruptible.flag();
-  const auto work = [&](const Teller* teller) {
+  const auto work = [&](const ChildTeller* teller) {
     auto record = record_of(path, study, options.resume);
     const problems::StoredFront found = look(study, record, options, workers, ranks.get());
     const optim::Front& front = found.front;
@@ -161,7 +161,7 @@ int run_pareto(const ParetoCommand& options) {
   }
   // The searches of a study end where its process is asked to; what is recorded stays.
   const Watch watch{limit, spent.count(), interruptible.flag()};
-  const auto ended = watched(watch, [&](const Teller& teller) { return work(&teller); });
+  const auto ended = watched(watch, [&](const ChildTeller& teller) { return work(&teller); });
   if (const int* status = std::get_if<int>(&ended)) return *status;
   throw NotSolved(fmt::format("{}{}", std::get<Unfinished>(ended).why,
                               path ? fmt::format("; --resume continues {}", *path) : ""));

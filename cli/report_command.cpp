@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/progress_line.h"

@@ -48,15 +48,41 @@ int finish(int status) {
 
 }  // namespace
 
-Program camlaw_program() {
+/// The commands in the order of --help, a line for each: its name, after which the function that
+/// makes it is called (laws_command), which NAME_command.cpp defines.
+#define CAMLAW_COMMANDS(COMMAND) \
+  COMMAND(laws)                  \
+  COMMAND(mechanisms)            \
+  COMMAND(new)                   \
+  COMMAND(examples)              \
+  COMMAND(law)                   \
+  COMMAND(study)                 \
+  COMMAND(reproduce)             \
+  COMMAND(check)                 \
+  COMMAND(evaluate)              \
+  COMMAND(verify)                \
+  COMMAND(export)                \
+  COMMAND(optimize)              \
+  COMMAND(pareto)                \
+  COMMAND(front)                 \
+  COMMAND(sweep)                 \
+  COMMAND(synthesize)            \
+  COMMAND(fit)                   \
+  COMMAND(tolerance)             \
+  COMMAND(report)                \
+  COMMAND(completion)            \
+  COMMAND(man)
+
+#define CAMLAW_DECLARED(name) Command name##_command();
+CAMLAW_COMMANDS(CAMLAW_DECLARED)
+#undef CAMLAW_DECLARED
+
+CommandTree camlaw_program() {
+#define CAMLAW_MADE(name) name##_command(),
   return {"camlaw",
           "camlaw: cam motion laws and mechanisms",
-          {laws_command(),     mechanisms_command(), new_command(),       examples_command(),
-           law_command(),      study_command(),      reproduce_command(), check_command(),
-           evaluate_command(), verify_command(),     export_command(),    optimize_command(),
-           pareto_command(),   front_command(),      sweep_command(),     synthesize_command(),
-           fit_command(),      tolerance_command(),  report_command(),    completion_command(),
-           man_command()},
+          {CAMLAW_COMMANDS(CAMLAW_MADE)},
+#undef CAMLAW_MADE
           {{"camlaw laws", "every motion law with its constants"},
            {"camlaw law modified-sine", "one law: its peaks, proved"},
            {"camlaw new disc-cam-roller", "a problem file of your own to start from"},
@@ -71,7 +97,7 @@ int run(int argc, const char* const* argv) {
     reserve_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // finish() ends as it would
     std::signal(SIGXFSZ, SIG_IGN);  // what cannot be written says so, and leaves nothing behind
-    const Program program = camlaw_program();
+    const CommandTree program = camlaw_program();
     const Command* const command = parsed(program, argc, argv);
     return finish(command != nullptr ? command->run() : kDone);
   } catch (const std::invalid_argument& error) {

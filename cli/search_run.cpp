@@ -17,6 +17,7 @@
 #include "cli/watched_run.h"
 #include "cli/workers.h"
 #include "optim/crew/crew.h"
+#include "optim/cycle/proof_time.h"
 #include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/cycle_figure.h"
@@ -101,9 +102,22 @@ std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem
 
 namespace {
 
-/// The search's own options for what comes after it: the time that is left.
-optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optimum& optimum) {
-  if (search.time_limit) search.time_limit = *search.time_limit - optimum.wall_s;
+class Seconds {
+ public:
+  double spent() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+/// The search's own options for what comes after it: a share of the time that is left.
+optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const Seconds& clock,
+                               double share = 1) {
+  if (search.time_limit)
+    search.time_limit = share * std::max(0.0, *search.time_limit - clock.spent());
+  search.spent = 0;
   return search;
 }
 
@@ -144,16 +158,6 @@ optim::Optimum unfinished_optimum(const optim::ProblemSpace& space, const Unfini
   return result;
 }
 
-class Seconds {
- public:
-  double spent() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
-
 SearchState begun_state(const problems::ProblemStatement& statement) {
   SearchState begun;
   if (!statement.objectives.empty()) begun.unit = statement.objectives.front().response.unit;
@@ -182,7 +186,8 @@ FreeLimit shown_free_limit(const Answer& answer, const optim::OptimiseOptions& r
 /// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
 /// that is stopped, or fails. Returns the JSON.
 std::string show(const SearchCommand& command, const Answer& answer,
-                 const optim::OptimiseOptions& rest, int workers, const SearchOptions& options) {
+                 const optim::OptimiseOptions& search, const Seconds& clock, int workers,
+                 const SearchOptions& options) {
   const bool json = options.json;
   const Document document = answer_document(answer);
   Json result = json_of(document);
@@ -194,10 +199,12 @@ std::string show(const SearchCommand& command, const Answer& answer,
     flush_printed();
   };
   if (options.table && !answer.space.choices.empty()) {
-    const FreeLimit free = shown_free_limit(answer, rest, workers, !json);
-    show_more(combinations_document(answer, &free));
+    constexpr double kShare = 0.5;  // the rows of the table have the other half at least
+    const FreeLimit free = shown_free_limit(answer, rest_of(search, clock, kShare), workers, !json);
+    const optim::Deadline deadline(search.time_limit, search.stop, clock.spent());
+    show_more(combinations_document(answer, &free, deadline));
   }
-  if (command.measure) show_more(command.measure(answer, rest, workers));
+  if (command.measure) show_more(command.measure(answer, rest_of(search, clock), workers));
   problems::seal(result);
   std::string text = result.dump(2) + "\n";
   if (json) print_data(text);
@@ -250,7 +257,7 @@ struct SearchRun {
 /// A search's end: the optimum, and what was reached of limits on shares.
 struct SearchEnd {
   optim::Optimum optimum;
-  problems::Reached reached;
+  problems::ReachedReliability reached;
 };
 
 /// Gives the answer; returns the exit status.
@@ -262,8 +269,10 @@ int give(const SearchRun& run, const SearchEnd& end) {
   // The doubts of a large problem take time of their own.
   const bool late = run.search.time_limit && run.clock.spent() >= *run.search.time_limit;
   if (!late || !is_large(run.bound.statement())) {
+    const optim::Deadline deadline(run.search.time_limit, nullptr, run.clock.spent());
+    const optim::ProofTime proofs(deadline);
     answer.warnings = warnings_of(answer);
-    answer.easings = optim::easings(optimum.problem, optimum.found, rest_of(run.search, optimum));
+    answer.easings = optim::easings(optimum.problem, optimum.found, rest_of(run.search, run.clock));
     answer.built = buildability_of(answer);
   }
   for (std::string& note : begins_with_parts(run.bound.statement(), run.options.settings)) {
@@ -271,7 +280,7 @@ int give(const SearchRun& run, const SearchEnd& end) {
   }
   // Printed first: the search is not lost where a file cannot be written after all.
   const std::string json =
-      show(run.command, answer, rest_of(run.search, optimum), run.workers, run.options);
+      show(run.command, answer, run.search, run.clock, run.workers, run.options);
   if (run.options.out) {
     std::vector<OutputFile> files = run.command.figures(answer, *run.options.out);
     files.insert(files.begin(), {run.outputs.front(), json});
@@ -304,7 +313,8 @@ SearchEnd searched(const SearchRun& run, const optim::OptimiseOptions& how) {
     optimum = optim::optimise(run.space, followed(how), crew);
     if (!crew.remark().empty()) warn(crew.remark());
   }
-  problems::Reached reached = search_until_reached(run.bound, followed(further), optimum, begins);
+  problems::ReachedReliability reached =
+      search_until_reached(run.bound, followed(further), optimum, begins);
   return {std::move(optimum), std::move(reached)};
 }
 
@@ -314,14 +324,14 @@ SearchEnd told_of(const SearchRun& run, const Unfinished& unfinished) {
   optimum.wall_s = run.clock.spent();
   optimum.found.solver = run.search.solver;
   optimum.found.why_solver = "ended from outside";
-  problems::Reached reached = judge_optimum(run.bound, run.search, optimum);
+  problems::ReachedReliability reached = judge_optimum(run.bound, run.search, optimum);
   return {std::move(optimum), std::move(reached)};
 }
 
 /// Searches in a process of its own, which is ended where a step takes longer than the limit.
 int give_watched(const SearchRun& run) {
   const Watch watch{run.search.time_limit, run.clock.spent(), run.search.stop};
-  const auto ended = watched(watch, [&](const Teller& teller) {
+  const auto ended = watched(watch, [&](const ChildTeller& teller) {
     optim::OptimiseOptions how = run.search;
     how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
     const SearchEnd end = searched(run, how);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
@@ -92,7 +92,7 @@ SweepAnswer sweep_of(const problems::SweepStudy& study, std::optional<optim::Stu
   const auto workers = executor_of(problems::sweep_service(study), problems::worker_program(study),
                                    study.options(), count, ranks);
   if (!record) {
-    const problems::Sweep sweep = study.run(*workers, show);
+    const problems::SweptCombinations sweep = study.run(*workers, show);
     SweepAnswer answer(study, sweep);
     if (!sweep.remark.empty()) answer.notes.push_back(sweep.remark);
     return answer;
@@ -100,7 +100,7 @@ SweepAnswer sweep_of(const problems::SweepStudy& study, std::optional<optim::Stu
   optim::RecordedExecutor recorded(
       [&](std::size_t part, optim::Design x) { return study.problem(part, x); }, *record,
       workers.get());
-  const problems::Sweep sweep = study.run(recorded, show);
+  const problems::SweptCombinations sweep = study.run(recorded, show);
   SweepAnswer answer(study, sweep);
   if (!sweep.remark.empty()) answer.notes.push_back(sweep.remark);
   const std::string then = answer.is_stopped ? "--resume solves it again" : "it was solved again";

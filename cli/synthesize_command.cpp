@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/search_run.h"
 #include "kinematics/program/segment_merits.h"
 #include "output/answers/rulers.h"

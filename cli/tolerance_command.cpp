@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"

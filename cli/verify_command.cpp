@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "output/answers/verified_output.h"
 #include "problems/tolerance/reached.h"
 

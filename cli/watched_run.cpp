@@ -65,7 +65,7 @@ optim::Candidate decoded(std::string_view bytes, bool is_best) {
 }
 
 /// The child's part.
-[[noreturn]] void work_and_exit(const std::function<int(const Teller&)>& work, int socket,
+[[noreturn]] void work_and_exit(const std::function<int(const ChildTeller&)>& work, int socket,
                                 pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kFailed);  // it was gone before that
@@ -74,7 +74,7 @@ optim::Candidate decoded(std::string_view bytes, bool is_best) {
   only_ask_to_stop();  // a request to all processes of a group comes twice
   int status = kFailed;
   try {
-    status = work(Teller(socket));
+    status = work(ChildTeller(socket));
   } catch (const std::invalid_argument& error) {
     tell(socket, Kind::BadInput, error.what());
   } catch (const std::exception& error) {
@@ -89,123 +89,121 @@ optim::Candidate decoded(std::string_view bytes, bool is_best) {
   _exit(status);  // not exit: what else there is to tidy is the parent's
 }
 
-/// The parent's part.
-class Parent {
- public:
-  Parent(const Watch& watch, pid_t child, int socket)
-      : watch_(watch), child_(child), socket_(socket), began_(Clock::now()) {}
-  Parent(const Parent&) = delete;
-  Parent& operator=(const Parent&) = delete;
-  ~Parent() {
-    close(socket_);
-    if (child_ <= 0) return;
-    kill(child_, SIGKILL);
-    optim::status_of(child_);
-  }
+/// The child as its parent holds it; one that was not waited for is ended.
+struct Child {
+  pid_t id;  ///< 0: it has ended
+  int socket;
 
-  std::variant<int, Unfinished> wait() {
-    while (read_more()) {
-      answers_ ? pass_on_stop() : look_at_clock();
-      if (ended_) break;
-    }
-    const int status = optim::status_of(std::exchange(child_, 0));
-    if (bad_input_) throw std::invalid_argument(*bad_input_);
-    if (failure_) throw std::runtime_error(*failure_);
-    if (WIFEXITED(status) && !ended_) return WEXITSTATUS(status);
-    if (why_.empty() || answers_) {
-      why_ = optim::how_it_died("the process of the search", status);
-    }
-    // Part of the answer is out: another beside it would contradict it.
-    if (answers_) throw std::runtime_error(why_ + " while it gave its answer");
-    return Unfinished{why_, std::move(best_), std::move(last_)};
+  Child(pid_t its_id, int its_socket) : id(its_id), socket(its_socket) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    close(socket);
+    if (id <= 0) return;
+    kill(id, SIGKILL);
+    optim::status_of(id);
   }
-
- private:
-  double spent() const {
-    return watch_.spent + std::chrono::duration<double>(Clock::now() - began_).count();
-  }
-
-  /// What is measured of an answer ends on a stop too, but in its own time.
-  void pass_on_stop() {
-    const bool stopped = watch_.stop != nullptr && *watch_.stop;
-    if (asked_at_ || !stopped) return;
-    asked_at_ = spent();
-    kill(child_, SIGTERM);
-  }
-
-  /// Asks the child to end, and ends it where it does not.
-  void look_at_clock() {
-    const bool stopped = watch_.stop != nullptr && *watch_.stop;
-    const bool late = watch_.limit && spent() >= *watch_.limit + watch_.grace;
-    if (!asked_at_ && (stopped || late)) {
-      why_ =
-          stopped ? "stopped" : fmt::format("the time limit of {:g} s was reached", *watch_.limit);
-      asked_at_ = spent();
-      kill(child_, SIGTERM);
-    }
-    if (!asked_at_ || spent() < *asked_at_ + 0.5 * most_late(watch_.limit.value_or(0))) return;
-    kill(child_, SIGKILL);
-    ended_ = true;
-  }
-
-  /// Waits a little for what the child tells; false after the last.
-  bool read_more() {
-    constexpr int kMilliseconds = 20;  // limits and signals are looked at 50 times a second
-    pollfd file{socket_, POLLIN, 0};
-    if (poll(&file, 1, kMilliseconds) <= 0) return true;
-    const bool is_open = inbox_.read_some(socket_);
-    for (std::string message; inbox_.take(message);) {
-      take(static_cast<Kind>(message.front()), std::string_view(message).substr(1));
-    }
-    return is_open;
-  }
-
-  void take(Kind kind, std::string_view says) {
-    switch (kind) {
-      case Kind::Best:
-        best_ = decoded(says, true);
-        break;
-      case Kind::Last:
-        last_ = decoded(says, false);
-        break;
-      case Kind::Answers:
-        answers_ = true;
-        break;
-      case Kind::BadInput:
-        bad_input_ = says;
-        break;
-      case Kind::Failure:
-        failure_ = says;
-        break;
-    }
-  }
-
-  const Watch& watch_;
-  pid_t child_;
-  int socket_;
-  Clock::time_point began_;
-  optim::Inbox inbox_;
-  std::string why_;
-  bool answers_ = false, ended_ = false;
-  std::optional<double> asked_at_;
-  std::optional<std::string> bad_input_, failure_;
-  std::optional<optim::Candidate> best_, last_;
 };
+
+/// What the child has told so far.
+struct ChildTold {
+  bool answers = false;
+  std::optional<std::string> bad_input, failure;
+  std::optional<optim::Candidate> best, last;
+};
+
+void take(Kind kind, std::string_view says, ChildTold& told) {
+  switch (kind) {
+    case Kind::Best:
+      told.best = decoded(says, true);
+      break;
+    case Kind::Last:
+      told.last = decoded(says, false);
+      break;
+    case Kind::Answers:
+      told.answers = true;
+      break;
+    case Kind::BadInput:
+      told.bad_input = says;
+      break;
+    case Kind::Failure:
+      told.failure = says;
+      break;
+  }
+}
+
+/// Waits a little for what the child tells; false after the last.
+bool read_more(int socket, optim::Inbox& inbox, ChildTold& told) {
+  constexpr int kMilliseconds = 20;  // limits and signals are looked at 50 times a second
+  pollfd file{socket, POLLIN, 0};
+  if (poll(&file, 1, kMilliseconds) <= 0) return true;
+  const bool is_open = inbox.read_some(socket);
+  for (std::string message; inbox.take(message);) {
+    take(static_cast<Kind>(message.front()), std::string_view(message).substr(1), told);
+  }
+  return is_open;
+}
+
+/// How the parent has ended the child, or tries to.
+struct ChildEnd {
+  std::string why;
+  std::optional<double> asked_at;  ///< s of the watch
+  bool is_killed = false;
+};
+
+/// Asks the child to end on a stop and after the time limit, and ends it where it does not. What is
+/// measured of an answer ends on a stop too, but in its own time.
+void look_at_clock(const Watch& watch, double spent, bool answers, pid_t child, ChildEnd& end) {
+  const bool stopped = watch.stop != nullptr && *watch.stop;
+  const bool late = !answers && watch.limit && spent >= *watch.limit + watch.grace;
+  if (!end.asked_at && (stopped || late)) {
+    end.why =
+        stopped ? "stopped" : fmt::format("the time limit of {:g} s was reached", *watch.limit);
+    end.asked_at = spent;
+    kill(child, SIGTERM);
+  }
+  if (answers || !end.asked_at) return;
+  if (spent < *end.asked_at + 0.5 * most_late(watch.limit.value_or(0))) return;
+  kill(child, SIGKILL);
+  end.is_killed = true;
+}
+
+/// The parent's part.
+std::variant<int, Unfinished> waited_for(const Watch& watch, Child& child) {
+  const Clock::time_point began = Clock::now();
+  optim::Inbox inbox;
+  ChildTold told;
+  ChildEnd end;
+  while (!end.is_killed && read_more(child.socket, inbox, told)) {
+    const double here = std::chrono::duration<double>(Clock::now() - began).count();
+    look_at_clock(watch, watch.spent + here, told.answers, child.id, end);
+  }
+  const int status = optim::status_of(std::exchange(child.id, 0));
+  if (told.bad_input) throw std::invalid_argument(*told.bad_input);
+  if (told.failure) throw std::runtime_error(*told.failure);
+  if (WIFEXITED(status) && !end.is_killed) return WEXITSTATUS(status);
+  if (end.why.empty() || told.answers) {
+    end.why = optim::how_it_died("the process of the search", status);
+  }
+  // Part of the answer is out: another beside it would contradict it.
+  if (told.answers) throw std::runtime_error(end.why + " while it gave its answer");
+  return Unfinished{end.why, std::move(told.best), std::move(told.last)};
+}
 
 }  // namespace
 
 double most_late(double limit) { return std::max(1.0, 0.1 * limit); }
 
-void Teller::candidate(const optim::Candidate& candidate) const {
+void ChildTeller::candidate(const optim::Candidate& candidate) const {
   tell(socket_, candidate.is_best ? Kind::Best : Kind::Last, encoded(candidate));
 }
 
-void Teller::answers() const { tell(socket_, Kind::Answers, {}); }
+void ChildTeller::answers() const { tell(socket_, Kind::Answers, {}); }
 
 std::variant<int, Unfinished> watched(const Watch& watch,
-                                      const std::function<int(const Teller&)>& work) {
+                                      const std::function<int(const ChildTeller&)>& work) {
   constexpr int kNobody = -1;
-  if (!optim::has_one_thread()) return work(Teller(kNobody));
+  if (!optim::has_one_thread()) return work(ChildTeller(kNobody));
   flush_printed();
   std::fflush(stderr);
   const auto fail = [] {
@@ -224,7 +222,8 @@ std::variant<int, Unfinished> watched(const Watch& watch,
     work_and_exit(work, ends.its, self);
   }
   close(ends.its);
-  return Parent(watch, child, ends.mine).wait();
+  Child held(child, ends.mine);
+  return waited_for(watch, held);
 }
 
 }  // namespace camlaw::cli

@@ -26,9 +26,9 @@ struct Watch {
 };
 
 /// What the child tells its parent.
-class Teller {
+class ChildTeller {
  public:
-  explicit Teller(int socket) : socket_(socket) {}
+  explicit ChildTeller(int socket) : socket_(socket) {}
   void candidate(const optim::Candidate& candidate) const;
   /// The answer is about to be printed: from now on the child is not ended.
   void answers() const;
@@ -50,7 +50,7 @@ struct Unfinished {
 /// parent. Where the process has several threads, which a child would lack, the work is done here,
 /// and ends when it looks at the clock itself.
 std::variant<int, Unfinished> watched(const Watch& watch,
-                                      const std::function<int(const Teller&)>& work);
+                                      const std::function<int(const ChildTeller&)>& work);
 
 /// By how many seconds a command may pass its limit: 1 s, or a tenth of the limit.
 double most_late(double limit);

@@ -291,12 +291,13 @@ CurveDerivatives<T, N> Power<T>::derivatives(const T& y) const {
 // ---------------------------------------------------------------------------------------------
 
 template <class T>
-using Curve = std::variant<HalfEllipse<T>, Ellipse<T>, InclinedSine<T>, Power<T>>;
+using PieceCurve = std::variant<HalfEllipse<T>, Ellipse<T>, InclinedSine<T>, Power<T>>;
 
 /// The same curve in another scalar.
 template <class R, class T>
-Curve<R> curve_as(const Curve<T>& curve) {
-  return std::visit([](const auto& shape) -> Curve<R> { return shape.template as<R>(); }, curve);
+PieceCurve<R> curve_as(const PieceCurve<T>& curve) {
+  return std::visit([](const auto& shape) -> PieceCurve<R> { return shape.template as<R>(); },
+                    curve);
 }
 
 }  // namespace camlaw

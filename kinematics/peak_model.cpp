@@ -45,7 +45,7 @@ void drop_negligible(TaylorModel<T>& model) {
 }  // namespace
 
 template <class T>
-void BoxModels<T>::expand(const Piece<T>& piece, const Box& box) {
+void BoxModels<T>::expand(const Piece<T>& piece, const PeakBox& box) {
   ready_.fill(false);
   has_ranges_ = !piece.is_data();
   if (has_ranges_) {
@@ -60,7 +60,7 @@ void BoxModels<T>::expand(const Piece<T>& piece, const Box& box) {
 }
 
 template <class T>
-void BoxModels<T>::expand_data(const Piece<T>& piece, const Box& box) {
+void BoxModels<T>::expand_data(const Piece<T>& piece, const PeakBox& box) {
   const T t = T(box.middle) - piece.origin;
   taylor_.assign(piece.polynomial.begin(), piece.polynomial.end());
   shift_polynomial(taylor_, t);
@@ -88,7 +88,7 @@ void BoxModels<T>::expand_data(const Piece<T>& piece, const Box& box) {
 }
 
 template <class T>
-void BoxModels<T>::expand_natural(const Piece<T>& piece, const Box& box) {
+void BoxModels<T>::expand_natural(const Piece<T>& piece, const PeakBox& box) {
   const auto d = derivatives<kCurveOrders>(piece, T(box.middle));
   const auto range =
       derivatives<kCurveOrders, T, Interval, Interval>(piece, Interval(box.low, box.high));

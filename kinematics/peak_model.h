@@ -20,11 +20,11 @@ inline constexpr std::size_t kTaylorOrder = 18;
 /// Boxes with a larger (frequency) (radius) are divided before anything is worked out.
 inline constexpr double kWidestAngle = 1.0;
 
-/// Box of x, as middle and radius; covers [low, high].
-struct Box {
+/// A box of x, as middle and radius; covers [low, high].
+struct PeakBox {
   double low, high, middle, radius;
 
-  Box(double a, double b)
+  PeakBox(double a, double b)
       : low(a),
         high(b),
         middle(std::midpoint(a, b)),
@@ -44,15 +44,15 @@ template <class T>
 class BoxModels {
  public:
   /// Expands the piece about the box's middle.
-  void expand(const Piece<T>& piece, const Box& box);
+  void expand(const Piece<T>& piece, const PeakBox& box);
   /// Encloses a quantity over the box, at less cost than its model.
   Interval range(Quantity q);
   /// The model of a quantity; valid until the next call of expand.
   const TaylorModel<T>& quantity(Quantity q);
 
  private:
-  void expand_data(const Piece<T>& piece, const Box& box);
-  void expand_natural(const Piece<T>& piece, const Box& box);
+  void expand_data(const Piece<T>& piece, const PeakBox& box);
+  void expand_natural(const Piece<T>& piece, const PeakBox& box);
   void differentiate(std::size_t order);
   void multiply_moment();
 

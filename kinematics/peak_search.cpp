@@ -53,7 +53,7 @@ struct Scratch {
 template <class T>
 struct ModelledBox {
   const NumberedPiece<T>& in;
-  const Box& box;
+  const PeakBox& box;
   const TaylorModel<T>& model;
   const std::vector<T>& bernstein;
   double rounding;  ///< of the Bernstein form
@@ -251,7 +251,7 @@ Answer answer_by_course(Question question, const Question& opposite, const Model
 /// (a bit for each); the questions become what the box tells. `scratch` has the models of the box.
 template <class T>
 unsigned left_open(std::span<Question, 2> sides, unsigned open, const NumberedPiece<T>& in,
-                   const Box& box, double tolerance, Scratch<T>& scratch) {
+                   const PeakBox& box, double tolerance, Scratch<T>& scratch) {
   const Quantity quantity = sides[0].quantity;
   const Interval range = scratch.models.range(quantity);
   const std::array bounds{range.upper(), -range.lower()};
@@ -277,8 +277,8 @@ unsigned left_open(std::span<Question, 2> sides, unsigned open, const NumberedPi
 
 /// With the ranges over a box as the upper bounds of what is open.
 template <class T>
-Questions given_up(Questions questions, unsigned open, const NumberedPiece<T>& in, const Box& box,
-                   BoxModels<T>& models) {
+Questions given_up(Questions questions, unsigned open, const NumberedPiece<T>& in,
+                   const PeakBox& box, BoxModels<T>& models) {
   models.expand(in.piece, box);
   for (std::size_t i = 0; i < questions.size(); ++i) {
     if ((open >> i & 1u) == 0) continue;
@@ -318,7 +318,7 @@ Searched with_piece(Searched so_far, const NumberedPiece<T>& in, double toleranc
   while (!left.empty()) {
     OpenBox next = left.back();
     left.pop_back();
-    const Box box(next.low, next.high);
+    const PeakBox box(next.low, next.high);
     if (box.radius * frequency <= kWidestAngle) {
       scratch.models.expand(in.piece, box);
       for (std::size_t q = 0; q < kQuantities; ++q) {

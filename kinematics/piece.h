@@ -21,7 +21,7 @@ struct Harmonic {
 template <class T>
 struct CurveTerm {
   T amplitude, rate, shift;
-  Curve<T> curve;
+  PieceCurve<T> curve;
 };
 
 /// One stretch [begin, end] of a law: with t = x - origin,

@@ -52,7 +52,7 @@ TEST_CASE("the diffs of the page for contributors can be applied", "[documents]"
   }
   const testing::Folder folder;
   const auto diffs = diffs_of(testing::read(testing::source("CONTRIBUTING.md")));
-  CHECK(diffs.size() >= 3);
+  CHECK(diffs.size() >= 4);
   std::string all;
   for (const std::string& diff : diffs) {
     INFO(diff);

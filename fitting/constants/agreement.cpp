@@ -20,14 +20,14 @@ bool reaches(double low, double high, double value) {
   return value >= low - room && value <= high + room;
 }
 
-bool contains(const Solution& solution, const std::vector<double>& x) {
+bool contains(const AgreeingValues& solution, const std::vector<double>& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!reaches(solution.low[i], solution.high[i], x[i])) return false;
   }
   return true;
 }
 
-bool overlap(const Solution& a, const Solution& b) {
+bool overlap(const AgreeingValues& a, const AgreeingValues& b) {
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
   }
@@ -35,7 +35,7 @@ bool overlap(const Solution& a, const Solution& b) {
 }
 
 /// What both reach.
-void join(Solution& to, const Solution& from) {
+void join(AgreeingValues& to, const AgreeingValues& from) {
   for (std::size_t i = 0; i < to.x.size(); ++i) {
     to.low[i] = std::min(to.low[i], from.low[i]);
     to.high[i] = std::max(to.high[i], from.high[i]);
@@ -150,17 +150,17 @@ std::vector<std::vector<double>> Agreement::found() const {
 }
 
 /// Where the stretches of all constants overlap.
-std::vector<Solution> Agreement::of_one_unknown() const {
+std::vector<AgreeingValues> Agreement::of_one_unknown() const {
   Stretches stretches{{lower_[0], upper_[0]}};
   for (const std::size_t c : finite_) stretches = common(stretches, model_->stretches(c));
   const std::vector<double> defaults = model_->defaults();
-  std::vector<Solution> result;
+  std::vector<AgreeingValues> result;
   for (const auto& [low, high] : stretches) {
     std::vector<double> middle{low + (high - low) / 2};
     if (defaults[0] >= low && defaults[0] <= high && all_agree(defaults)) middle = defaults;
     for (const double x : {middle[0], low, high}) {
       if (!all_agree(std::span(&x, 1))) continue;
-      Solution solution{{x}, {low}, {high}, {{low}, {high}}};
+      AgreeingValues solution{{x}, {low}, {high}, {{low}, {high}}};
       result.insert(middle == defaults ? result.begin() : result.end(), std::move(solution));
       break;
     }
@@ -168,9 +168,9 @@ std::vector<Solution> Agreement::of_one_unknown() const {
   return result;
 }
 
-Solution Agreement::ranged(const std::vector<double>& x,
-                           std::span<const std::vector<double>> others) const {
-  Solution result{x, x, x, {x}};
+AgreeingValues Agreement::ranged(const std::vector<double>& x,
+                                 std::span<const std::vector<double>> others) const {
+  AgreeingValues result{x, x, x, {x}};
   if (finite_.empty()) {
     result.low = lower_;
     result.high = upper_;
@@ -211,23 +211,24 @@ Solution Agreement::ranged(const std::vector<double>& x,
   return result;
 }
 
-Solution Agreement::within(const std::vector<double>& x) const { return ranged(x, {}); }
+AgreeingValues Agreement::within(const std::vector<double>& x) const { return ranged(x, {}); }
 
-std::vector<Solution> Agreement::solutions() const {
+std::vector<AgreeingValues> Agreement::solutions() const {
   if (model_->unknowns().empty()) {
     if (!all_agree({})) return {};
-    return {Solution{}};
+    return {AgreeingValues{}};
   }
   if (model_->unknowns().size() == 1) return of_one_unknown();
-  std::vector<Solution> result;
+  std::vector<AgreeingValues> result;
   const std::vector<std::vector<double>> points = found();
   for (const std::vector<double>& x : points) {
     const bool known = std::any_of(result.begin(), result.end(),
-                                   [&](const Solution& other) { return contains(other, x); });
+                                   [&](const AgreeingValues& other) { return contains(other, x); });
     if (known) continue;
-    Solution solution = ranged(x, points);
-    const auto same = std::find_if(result.begin(), result.end(),
-                                   [&](const Solution& other) { return overlap(other, solution); });
+    AgreeingValues solution = ranged(x, points);
+    const auto same = std::find_if(result.begin(), result.end(), [&](const AgreeingValues& other) {
+      return overlap(other, solution);
+    });
     if (same == result.end()) {
       result.push_back(std::move(solution));
     } else {
@@ -237,7 +238,7 @@ std::vector<Solution> Agreement::solutions() const {
   return result;
 }
 
-std::optional<std::vector<double>> Agreement::near(const Solution& solution,
+std::optional<std::vector<double>> Agreement::near(const AgreeingValues& solution,
                                                    std::size_t unknown) const {
   const double value = lower_[unknown];
   // Those that come nearest from below and from above.

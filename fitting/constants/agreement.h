@@ -13,7 +13,7 @@ namespace camlaw::problems {
 
 /// Values with which constants agree, and the least and the greatest of each unknown that a search
 /// from there reaches.
-struct Solution {
+struct AgreeingValues {
   std::vector<double> x;
   std::vector<double> low, high;
   /// Others on the paths to these.
@@ -28,14 +28,15 @@ class Agreement {
 
   /// Values with which all of them agree, of each region that was found apart from the others; that
   /// of the default values first where they do.
-  std::vector<Solution> solutions() const;
+  std::vector<AgreeingValues> solutions() const;
   bool all_agree(std::span<const double> x) const;
   /// The solution with what is held, from one that met all.
-  Solution within(const std::vector<double>& x) const;
+  AgreeingValues within(const std::vector<double>& x) const;
   /// From now on an unknown has this value.
   void hold(std::size_t unknown, double value);
   /// A solution with what is held, near others: from between those on either side of the value.
-  std::optional<std::vector<double>> near(const Solution& solution, std::size_t unknown) const;
+  std::optional<std::vector<double>> near(const AgreeingValues& solution,
+                                          std::size_t unknown) const;
   /// Whether the constants determine each unknown here, to first order.
   std::vector<bool> determined(const std::vector<double>& at) const;
 
@@ -43,8 +44,9 @@ class Agreement {
   AgreementSteps steps() const { return {*model_, finite_, lower_, upper_}; }
   std::vector<std::vector<double>> starts() const;
   std::vector<std::vector<double>> found() const;
-  std::vector<Solution> of_one_unknown() const;
-  Solution ranged(const std::vector<double>& x, std::span<const std::vector<double>> others) const;
+  std::vector<AgreeingValues> of_one_unknown() const;
+  AgreeingValues ranged(const std::vector<double>& x,
+                        std::span<const std::vector<double>> others) const;
 
   const PrintedModel* model_;
   std::vector<std::size_t> constants_;

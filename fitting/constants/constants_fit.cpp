@@ -46,8 +46,8 @@ class PrintedLaw {
     if (is_explained_) return result;
     for (const auto& which : subsets(model_->constants().size(), left_out)) {
       if (least_cost(which) > limit) continue;
-      const std::vector<Solution> all = Agreement(*model_, which).solutions();
-      for (const Solution& one : all) {
+      const std::vector<AgreeingValues> all = Agreement(*model_, which).solutions();
+      for (const AgreeingValues& one : all) {
         is_explained_ = true;
         auto fit = shortest(*model_, which, one, all, limit);
         if (!fit) continue;

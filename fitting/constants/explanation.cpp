@@ -22,7 +22,7 @@ SimpleNumber simplest_of(const Unknown& unknown, double low, double high) {
 /// The simplest value of an unknown that leaves the others values to agree with, which the search
 /// then holds, and these values. None where only the solution's own does.
 std::optional<std::vector<double>> hold_simplest(const Unknown& unknown, std::size_t i,
-                                                 const Solution& solution, Agreement& search,
+                                                 const AgreeingValues& solution, Agreement& search,
                                                  double& digits) {
   constexpr int kTries = 4;           // there may be gaps between low and high
   constexpr double kRounding = 1e-9;  // that searches for the ends leave
@@ -69,8 +69,8 @@ double cost_of(const std::vector<PrintedConstant>& constants) {
 
 std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
-                                     const Solution& solution, std::span<const Solution> all,
-                                     double limit) {
+                                     const AgreeingValues& solution,
+                                     std::span<const AgreeingValues> all, double limit) {
   constexpr int kAllDigits = 17;  // digits that tell any double
   std::vector<double> x = solution.x;
   ConstantsFit result{model.law_at(x), {}, {}, 0, false, true};
@@ -82,12 +82,12 @@ std::optional<ConstantsFit> shortest(const PrintedModel& model,
     number.low = solution.low[i];
     number.high = solution.high[i];
     number.identifiable =
-        determined[i] && std::all_of(all.begin(), all.end(), [&](const Solution& other) {
+        determined[i] && std::all_of(all.begin(), all.end(), [&](const AgreeingValues& other) {
           return other.low[i] <= number.high && other.high[i] >= number.low;
         });
     result.identifiable = result.identifiable && number.identifiable;
     double digits = kAllDigits;
-    const Solution left = i == 0 ? solution : search.within(x);
+    const AgreeingValues left = i == 0 ? solution : search.within(x);
     if (const auto near = hold_simplest(unknowns[i], i, left, search, digits)) {
       x = *near;
     } else {
@@ -114,7 +114,7 @@ ConstantsFit with_ranges(const PrintedModel& model, ConstantsFit fit) {
     if (fit.constants[c].agrees) agreeing.push_back(c);
   }
   const Agreement search(model, agreeing);
-  const Solution solution = search.within(x);
+  const AgreeingValues solution = search.within(x);
   const std::vector<bool> determined = search.determined(x);
   fit.numbers.clear();
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -48,8 +48,8 @@ double cost_of(const std::vector<PrintedConstant>& constants);
 /// costs more than `limit`. What other solutions have other values of is not determined.
 std::optional<ConstantsFit> shortest(const PrintedModel& model,
                                      const std::vector<std::size_t>& agreeing,
-                                     const Solution& solution, std::span<const Solution> all,
-                                     double limit);
+                                     const AgreeingValues& solution,
+                                     std::span<const AgreeingValues> all, double limit);
 /// What was found with the law's coefficients held, with these among its numbers: the ranges of
 /// all in which the same constants agree. `model` has the law's coefficients and the machine's
 /// variables as unknowns.

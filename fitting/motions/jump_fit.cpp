@@ -195,7 +195,7 @@ optim::FitResult with_what_jumps_tell(const Jumping& jumping, const InGaps& best
 }  // namespace
 
 optim::FitResult fit_with_jumps(const MotionSamples& samples, const optim::Residuals& residuals,
-                                const std::vector<optim::FitParameter>& parameters, Jumps jumps,
+                                const std::vector<optim::FitParameter>& parameters, EndJumps jumps,
                                 const optim::FitOptions& options, optim::FitResult fit) {
   if (!jumps.any()) return fit;
   optim::FitOptions near = options;

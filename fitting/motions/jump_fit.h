@@ -10,7 +10,7 @@
 namespace camlaw::problems {
 
 /// Which ends of a motion its samples jump at: those of a derivative that is not zero there.
-struct Jumps {
+struct EndJumps {
   bool begin = false, end = false;
   bool any() const { return begin || end; }
 };
@@ -22,7 +22,7 @@ struct Jumps {
 /// begin and end, as they were fitted to `residuals` without that: to those of the samples, or of
 /// their stand-ins that are for a law which jumps there.
 optim::FitResult fit_with_jumps(const MotionSamples& samples, const optim::Residuals& residuals,
-                                const std::vector<optim::FitParameter>& parameters, Jumps jumps,
+                                const std::vector<optim::FitParameter>& parameters, EndJumps jumps,
                                 const optim::FitOptions& options, optim::FitResult fit);
 
 }  // namespace camlaw::problems

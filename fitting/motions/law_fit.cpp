@@ -55,7 +55,7 @@ Member with_coefficients(const Member& law, const optim::FitResult& told, std::s
 }
 
 /// At which ends samples of a law's derivative jump.
-Jumps jumps_of(const Law<double>& law, int order) {
+EndJumps jumps_of(const Law<double>& law, int order) {
   constexpr double kLeast = 0.01;  // of a motion of length and stroke one
   if (order == 0) return {};
   const auto k = static_cast<std::size_t>(order);

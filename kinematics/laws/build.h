@@ -26,7 +26,7 @@ Law<T> polynomial_law(std::vector<T> coefficients, Ends ends = {}) {
 
 /// The law of one curve, s(x) = curve(x).
 template <class T>
-Law<T> curve_law(Curve<T> curve, Ends ends = {}) {
+Law<T> curve_law(PieceCurve<T> curve, Ends ends = {}) {
   const T zero = number<T>(0), one = number<T>(1);
   return Law<T>({{zero, one, zero, {}, {}, {{one, one, zero, std::move(curve)}}}}, ends);
 }

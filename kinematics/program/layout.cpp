@@ -21,7 +21,7 @@ constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;     // cycles per minute
 /// The parameters that one segment has.
 class SegmentParameters {
  public:
-  SegmentParameters(const ProgramSegment& segment, bool linear, Layout& layout)
+  SegmentParameters(const ProgramSegment& segment, bool linear, ProgramLayout& layout)
       : segment_(segment), linear_(linear), layout_(layout) {}
 
   /// Angles in deg.
@@ -66,7 +66,7 @@ class SegmentParameters {
 
   const ProgramSegment& segment_;
   bool linear_;
-  Layout& layout_;
+  ProgramLayout& layout_;
 };
 
 /// `is_last`: of those that join in a row. Where it ends its rates are its neighbour's, and stay.
@@ -74,7 +74,7 @@ void add_joining(const ProgramSegment& segment, bool is_last, SegmentParameters&
                  SegmentPlaces& places) {
   if (!segment.points.empty()) {
     std::vector<double> levels, angles;
-    for (const ProgramPoint& point : segment.points) {
+    for (const PassedPoint& point : segment.points) {
       levels.push_back(point.to);
       angles.push_back(point.angle);
     }
@@ -126,7 +126,7 @@ bool is_linear(const StatedProgram& program) {
 }
 
 /// What the angles leave for the last segment, of the cycle.
-Room room_of_last(const std::vector<ProgramSegment>& stated, const Layout& layout) {
+Room room_of_last(const std::vector<ProgramSegment>& stated, const ProgramLayout& layout) {
   std::vector<std::string> angle_names, time_names;
   std::vector<std::size_t> angles, times;
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -172,12 +172,12 @@ bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
   return true;
 }
 
-Layout lay_out(const StatedProgram& program) {
+ProgramLayout lay_out(const StatedProgram& program) {
   const auto& segments = program.segments;
   const auto last_move = std::find_if(segments.rbegin(), segments.rend(),
                                       [](const ProgramSegment& s) { return !s.rests; });
   const bool linear = is_linear(program);
-  Layout layout;
+  ProgramLayout layout;
   for (const ProgramSegment& segment : segments) {
     SegmentPlaces places;
     SegmentParameters parameters(segment, linear, layout);
@@ -228,7 +228,7 @@ Layout lay_out(const StatedProgram& program) {
   return layout;
 }
 
-std::vector<Room> rooms_of(const StatedProgram& program, const Layout& layout) {
+std::vector<Room> rooms_of(const StatedProgram& program, const ProgramLayout& layout) {
   const auto& stated = program.segments;
   std::vector<Room> rooms{room_of_last(stated, layout)};
   for (std::size_t i = 0; i < stated.size(); ++i) {

@@ -50,16 +50,16 @@ struct SegmentPlaces {
   std::size_t law = 0;  ///< of the first parameter of its law
 };
 
-struct Layout {
+struct ProgramLayout {
   std::vector<SegmentPlaces> segments;
   std::optional<std::size_t> polydyne = {}, polydyne_damping = {}, speed = {};
   std::vector<Parameter> parameters;
 };
 
-Layout lay_out(const StatedProgram& program);
+ProgramLayout lay_out(const StatedProgram& program);
 
 /// What the parameters must leave: an angle for the last segment, and the rooms of laws.
-std::vector<Room> rooms_of(const StatedProgram& program, const Layout& layout);
+std::vector<Room> rooms_of(const StatedProgram& program, const ProgramLayout& layout);
 
 /// The part of a program's arguments that is one segment's law.
 template <class S>
@@ -102,13 +102,13 @@ Possible<std::vector<SegmentPoint<S>>> points_at(const ProgramSegment& stated,
 
 /// (SV13) The share of the cycle that a time takes, n t / 60 s.
 template <class S>
-S share_of_time(const Layout& layout, std::size_t time, const Arguments<S>& arguments) {
+S share_of_time(const ProgramLayout& layout, std::size_t time, const Arguments<S>& arguments) {
   return arguments.scalar(*layout.speed) * arguments.scalar(time) / number<S>(kMinute);
 }
 
 /// The segments' shares of the cycle. The last takes what is left of it.
 template <class S>
-Possible<std::vector<S>> shares_at(const StatedProgram& program, const Layout& layout,
+Possible<std::vector<S>> shares_at(const StatedProgram& program, const ProgramLayout& layout,
                                    const Arguments<S>& arguments) {
   std::vector<S> shares;
   S left = number<S>(1);
@@ -129,7 +129,8 @@ Possible<std::vector<S>> shares_at(const StatedProgram& program, const Layout& l
 
 /// The program's segments for arguments.
 template <class S>
-Possible<std::vector<Segment<S>>> segments_at(const StatedProgram& program, const Layout& layout,
+Possible<std::vector<Segment<S>>> segments_at(const StatedProgram& program,
+                                              const ProgramLayout& layout,
                                               const Arguments<S>& arguments) {
   std::vector<Segment<S>> result;
   const auto shares = shares_at(program, layout, arguments);

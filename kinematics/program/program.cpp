@@ -17,7 +17,7 @@ namespace camlaw {
 namespace {
 
 using detail::kCycle;
-using detail::Layout;
+using detail::ProgramLayout;
 using detail::refuse_program;
 using detail::StatedProgram;
 
@@ -59,7 +59,7 @@ void check_motion(const ProgramSegment& segment) {
   const bool states_acceleration =
       segment.acceleration ||
       std::any_of(segment.points.begin(), segment.points.end(),
-                  [](const ProgramPoint& point) { return point.acceleration.has_value(); });
+                  [](const PassedPoint& point) { return point.acceleration.has_value(); });
   if (states_acceleration && segment.continuity == 2) {
     refuse_program(
         fmt::format("'{}' is made of pieces of degree 3, for which no acceleration can be stated; "
@@ -241,7 +241,7 @@ void set_timed_angles(StatedProgram& program) {
 /// A program that need not be such as a person may state: a design may have a move that stays where
 /// it is.
 Member program_of(const StatedProgram& program) {
-  const Layout layout = detail::lay_out(program);
+  const ProgramLayout layout = detail::lay_out(program);
   Family family{
       .name = name_of(program.segments),
       .aliases = {},

@@ -13,7 +13,7 @@
 namespace camlaw {
 
 /// A place that a segment passes.
-struct ProgramPoint {
+struct PassedPoint {
   double angle;  ///< since the segment began, deg
   double to;     ///< displacement there, in parts of the stroke
   /// What is stated of the motion there, in strokes per cycle and per cycle^2.
@@ -34,7 +34,7 @@ struct ProgramSegment {
   /// The segment joins, and its law, from rest to rest, shapes it: what sets the law apart from the
   /// 3-4-5 polynomial is added.
   bool shapes = false;
-  std::vector<ProgramPoint> points = {};
+  std::vector<PassedPoint> points = {};
   /// Where a segment that joins ends, in strokes per cycle and per cycle^2.
   std::optional<double> velocity = {}, acceleration = {};
   /// Of a segment that joins: 4 for pieces of degree 5, which have the least mean square of jerk, 2

@@ -18,13 +18,13 @@ struct Lanes {
 /// read as integers, so the sign bit of a difference tells a point outside, a negative one and a
 /// NaN too: comparisons of doubles would wait for the arithmetic's units.
 template <class V>
-struct Stretch {
+struct PieceStretch {
   using Bits = typename lanes::Unsigned<V>::Type;
 
   std::uint64_t first, last;
   bool from_zero;
 
-  Stretch(double low, double high)
+  PieceStretch(double low, double high)
       : first(lanes::bits_as<std::uint64_t>(low)),
         last(lanes::bits_as<std::uint64_t>(high) - 1),
         from_zero(low == 0) {}
@@ -79,13 +79,13 @@ void put_some(const Lanes<V>& m, MotionRows out, std::size_t i, std::size_t coun
 /// Whole blocks from the first point on while all of a block is inside; how many points these are.
 /// What is computed of the block that is not is to be overwritten.
 template <class V, bool FromZero, class Body>
-std::size_t run_blocks(const Stretch<V>& stretch, const double* x, std::size_t n, MotionRows out,
-                       const Body& body) {
+std::size_t run_blocks(const PieceStretch<V>& stretch, const double* x, std::size_t n,
+                       MotionRows out, const Body& body) {
   // Four vectors side by side hide each other's latency.
   constexpr std::size_t kBlock = 4 * kWidth<V>;
   std::size_t i = 0;
   for (; i + kBlock <= n; i += kBlock) {
-    typename Stretch<V>::Bits outside = {};
+    typename PieceStretch<V>::Bits outside = {};
     for (std::size_t k = i; k < i + kBlock; k += kWidth<V>) {
       const V at = load<V>(x + k);
       outside |= stretch.template outside<FromZero>(at);
@@ -101,7 +101,7 @@ std::size_t run_blocks(const Stretch<V>& stretch, const double* x, std::size_t n
 template <class V, class Body>
 std::size_t run(const PieceNumbers& piece, const double* x, std::size_t n, MotionRows out,
                 const Body& body) {
-  const Stretch<V> stretch(piece.low, piece.high);
+  const PieceStretch<V> stretch(piece.low, piece.high);
   std::size_t i = stretch.from_zero ? run_blocks<V, true>(stretch, x, n, out, body)
                                     : run_blocks<V, false>(stretch, x, n, out, body);
   const auto inside = [&](std::size_t k) { return x[k] >= piece.low && x[k] < piece.high; };

@@ -138,7 +138,7 @@ std::size_t run_of_rows(const PieceRows& law, const double* x, std::size_t n, Mo
   if (!inside(1) || !inside(2) || !inside(4 * kWidth<V> - 1)) return 0;
   const double* numbers = law.rows + piece * PieceRows::kNumbers;
   const auto row = same_row<V>(numbers);
-  const Stretch<V> stretch(low, high);
+  const PieceStretch<V> stretch(low, high);
   if (Wave && numbers[5] == 0 && numbers[6] == 0) {  // no harmonic: its terms would be zeros
     return run_blocks<V, false>(stretch, x, n, out, [&](const V& at) {
       return row_motion<V, Degree, Wave, false>(row, at);

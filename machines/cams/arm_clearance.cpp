@@ -14,7 +14,7 @@
 namespace camlaw::problems {
 namespace {
 
-using arm::Gap, arm::HeldPlace, arm::held_place, arm::kNumbers, arm::Meeting, arm::PointTrace,
+using arm::ArmGap, arm::BreakPlace, arm::held_place, arm::kNumbers, arm::Meeting, arm::PointTrace,
     arm::Sight, arm::whole_turn;
 using optim::Bounds, optim::Curve, optim::Function, optim::Place;
 using optim::packed, optim::packed_size;
@@ -43,8 +43,8 @@ class Level {
 class ClearanceKernel final : public optim::Kernel {
  public:
   ClearanceKernel(const ArmAndProfile& of, const Binding& binding)
-      : beside_(detail::kernel_of(Gap{of.turn, false})),
-        through_(detail::kernel_of(Gap{of.turn, true})),
+      : beside_(detail::kernel_of(ArmGap{of.turn, false})),
+        through_(detail::kernel_of(ArmGap{of.turn, true})),
         turn_(of.turn) {
     const MechanismResponse* const seen[] = {&of.contact_x, &of.contact_y, &of.centre_x,
                                              &of.centre_y};
@@ -84,7 +84,7 @@ class ClearanceKernel final : public optim::Kernel {
     Eigen::VectorXd first;
     Eigen::MatrixXd second;
   };
-  using Places = std::array<HeldPlace, 2>;  // of the arm and of the point touched
+  using Places = std::array<BreakPlace, 2>;  // of the arm and of the point touched
   Derivatives derived(std::span<const double> u, const Places& at, bool is_through) const;
 
   double pivot(std::span<const double> u) const {

@@ -44,7 +44,7 @@ T distance_from_arm(const T& x, const T& y, const T& cx, const T& cy, const T& d
 /// at which the arm stands and the point is touched.
 enum Of { ContactX, ContactY, CentreX, CentreY, Pivot, ArmAt, TouchedAt, kNumbers };
 
-struct Gap {
+struct ArmGap {
   double turn;
   bool depths;
 
@@ -69,12 +69,12 @@ struct Meeting {
 };
 
 /// A place, and whether a break holds it: from there on the curve is another.
-struct HeldPlace {
+struct BreakPlace {
   Place place;
   bool is_held = false;
 };
 
-inline HeldPlace held_place(double angle, const std::vector<double>& breaks) {
+inline BreakPlace held_place(double angle, const std::vector<double>& breaks) {
   constexpr double kBeside = 1e-6;  // deg: what the steps of a search leave
   for (const double at : breaks) {
     if (std::abs(angle - at) > kBeside) continue;
@@ -275,7 +275,7 @@ class Sight {
                 double arm_at, double touched_at, bool depths) const {
     const std::array<double, kNumbers> z{touched[0], touched[1], centre[0], centre[1],
                                          pivot_,     arm_at,     touched_at};
-    return Gap{turn_, depths}(std::span<const double>(z));
+    return ArmGap{turn_, depths}(std::span<const double>(z));
   }
   /// By steps along both angles and both diagonals, halved where none leads lower.
   Meeting descended(Meeting here, double step, bool depths) const {

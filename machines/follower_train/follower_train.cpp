@@ -189,9 +189,16 @@ std::optional<Impossible> fault_of(const FollowerTrain<T>& train, const Law<T>& 
     return Impossible{"elastic train: the law does not consist of polynomials and harmonics"};
   }
   const double tau = value_of(train.period_ratio), zeta = value_of(train.damping_ratio);
-  if (tau > 0 && zeta >= 0 && zeta < 1) return {};
-  return Impossible{
-      "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1"};
+  if (!(tau > 0)) {
+    return Impossible{
+        "elastic train: the period ratio must be above 0, but the train has no stiffness"};
+  }
+  if (std::isinf(tau)) {
+    return Impossible{
+        "elastic train: the period ratio must be a number, but the train's end has no mass"};
+  }
+  if (zeta >= 0 && zeta < 1) return {};
+  return Impossible{"elastic train: the damping ratio must be from 0 to below 1"};
 }
 
 Impossible jump() { return {"elastic train: the velocity of the law jumps"}; }

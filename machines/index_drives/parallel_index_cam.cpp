@@ -50,7 +50,7 @@ std::vector<MechanismResponse> roller_angles() {
 /// (IX23) Seen from its place on the holding flank a roller will drive P - 1 places later.
 template <class T>
 std::vector<T> by_place(const ParallelIndexCam<T>& cam, std::span<const T> means) {
-  constexpr int kMostPlates = 4;
+  constexpr int kMostPlates = 4;  // that `plates` accepts
   const auto driven = means.first(kServed), held = means.subspan(kServed);
   std::vector<T> all(driven.begin(), driven.end());
   all.resize(kServed + kMostPlates - 1, number<T>(0));

@@ -16,13 +16,19 @@ namespace camlaw {
 /// that follows, in whose dwell the roller has already taken over.
 inline constexpr int kServed = kMostHandovers + 1;
 
+/// A roller takes over when its place is reached but for this part of a step: a dwell at a
+/// hand-over is the taking roller's, in spite of rounding. A motion comes to rest with the cube of
+/// the time, so these are the last thousandth of it; with less, rounding would leave the moment
+/// open by more than a limit's tolerance.
+inline constexpr double kPlaceRounding = 1e-9;
+
 /// What a roller gains, by the turret's gain y since the first one took over, while it serves as
 /// the one of this place; 0 otherwise.
 template <class T, class X>
 X while_serving(const X& y, const T& step, int place, const X& gain) {
   const X none = number<X>(0);
   // The end of one place and the beginning of the next are the same formula, to the last bit.
-  const auto beyond = [&](int k) { return X(y / step - number<T>(k - kHandoverRounding)); };
+  const auto beyond = [&](int k) { return X(y / step - number<T>(k - kPlaceRounding)); };
   return by_side(beyond(place), by_side(beyond(place + 1), none, gain), none);
 }
 

@@ -43,7 +43,7 @@ class Halving {
     while (!open_.empty()) {
       const Part highest = open_.top();
       if (highest.upper <= found_.value.upper) return;
-      if (highest.halvings == 0 || parts_ <= 0 || highest.is_close || optim::ProofTime::is_over()) {
+      if (highest.is_divided() || parts_ <= 0 || highest.is_close || optim::ProofTime::is_over()) {
         found_.value.upper = highest.upper;
         found_.left = highest.box;
         return;
@@ -60,8 +60,21 @@ class Halving {
     Box box;
     double upper;
     bool is_close;  ///< what is left about the middle's value comes of the stretch, not of the box
-    int halvings;   ///< that it may still be divided
-    bool operator<(const Part& other) const { return upper < other.upper; }
+    int halvings;   ///< that it may still be divided; below 0 of one that nothing bounds
+
+    bool is_bounded() const { return std::isfinite(upper); }
+    /// Nothing bounds a part in which the function may have no value. It is halved on, as a root is
+    /// bracketed, until a place without a value is met or there is none: an edge of what has values
+    /// may lie so close to another one.
+    bool is_divided() const {
+      constexpr int kOnward = 36;
+      return halvings <= (is_bounded() ? 0 : -kOnward);
+    }
+    /// Of parts that nothing bounds the smallest first.
+    bool operator<(const Part& other) const {
+      const bool are_open = !is_bounded() && !other.is_bounded();
+      return are_open ? halvings > other.halvings : upper < other.upper;
+    }
   };
 
   void look_into(const Box& box, int halvings) {

@@ -258,9 +258,12 @@ Point HighestKernel::climbed_highest(const std::vector<Point>& places,
   }
   const Box box = box_at(u);
   if (optim::ProofTime::is_over()) return tops_of(box, places, value).front();
-  std::vector<Point> all = places;
-  if (looks_along_) all.push_back(highest_along_ranges(box, places, value));
-  const std::vector<Point> tops = tops_of(box, all, value);
+  const std::vector<Point> tops = [&] {
+    if (!looks_along_) return tops_of(box, places, value);
+    const auto one = [&](const Point& p, const auto&) { return std::vector{value(p)}; };
+    const Heights known = heights_along_ranges(box, places, 1, one).front();
+    return tops_of(box, known.places, [&](const Point& p) { return known.at(p); });
+  }();
   Point best = climb(tops.front(), u);
   if (tops.size() == 1) return best;
   const auto height = [&](const Point& p) { return sign_ * f_.value(design(u, p)); };

@@ -61,10 +61,11 @@ bool may_jump(const Recorded& record) {
   return !moving(jump_deciders(record.formula), record.arguments).empty();
 }
 
-Jumps::Jumps(const Recorded& record)
+FormulaJumps::FormulaJumps(const Recorded& record)
     : deciders_(moving(jump_deciders(record.formula), record.arguments)) {
   std::set<std::size_t> moved_by;
   for (const Formula& decider : deciders_) {
+    kernels_.push_back(recorded_kernel({decider, record.arguments, {}}));
     for (const std::size_t input : decider.uses()) {
       if (input < record.arguments) moved_by.insert(input);
     }
@@ -76,8 +77,8 @@ Jumps::Jumps(const Recorded& record)
 /// Of a piece: so near its ends, where a motion begins or ends, signs of a velocity are noise.
 constexpr double kNearEnd = 1e-6;
 
-void Jumps::add_places(const PieceInStretch& piece, int steps, std::span<const double> arguments,
-                       std::set<double>& places) const {
+void FormulaJumps::add_places(const PieceInStretch& piece, int steps,
+                              std::span<const double> arguments, std::set<double>& places) const {
   std::vector<double> x;
   std::array<std::vector<double>, 5> motion;
   for (int i = 0; i <= steps; ++i) {
@@ -99,8 +100,8 @@ void Jumps::add_places(const PieceInStretch& piece, int steps, std::span<const d
   }
 }
 
-std::vector<double> Jumps::places(const Cycle& cycle, const Law<double>& law,
-                                  std::span<const double> arguments) const {
+std::vector<double> FormulaJumps::places(const Cycle& cycle, const Law<double>& law,
+                                         std::span<const double> arguments) const {
   if (!possible()) return {};
   const int steps = steps_of_piece(law.pieces().size());
   std::set<double> places;
@@ -110,6 +111,17 @@ std::vector<double> Jumps::places(const Cycle& cycle, const Law<double>& law,
     }
   }
   return {places.begin(), places.end()};
+}
+
+std::vector<double> FormulaJumps::slopes_of_decider(std::span<const double> before,
+                                                    std::span<const double> here) const {
+  for (const auto& kernel : kernels_) {
+    if ((kernel->value(before) > 0) == (kernel->value(here) > 0)) continue;
+    std::vector<double> slopes(here.size());
+    kernel->gradient(here, slopes);
+    return slopes;
+  }
+  return {};
 }
 
 LawPlace law_place(const Stretch& stretch, optim::Place place, bool may_jump) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -21,11 +22,11 @@ bool may_jump(const Recorded& record);
 /// Where a curve's formula jumps inside the stretches of its law: where it goes over to another
 /// number, as an index drive does to its next roller, or changes a sign, as friction does
 /// (docs/theory.md, "Where a formula jumps").
-class Jumps {
+class FormulaJumps {
  public:
-  Jumps() = default;
+  FormulaJumps() = default;
   /// Of a formula of a machine's arguments, s, v, a, j and the place.
-  explicit Jumps(const Recorded& record);
+  explicit FormulaJumps(const Recorded& record);
 
   /// Whether the formula may jump anywhere.
   bool possible() const { return !deciders_.empty(); }
@@ -36,13 +37,18 @@ class Jumps {
   /// Signs that change twice within a step, a 64th of a piece of a law of few pieces, are not seen.
   std::vector<double> places(const Cycle& cycle, const Law<double>& law,
                              std::span<const double> arguments) const;
+  /// The derivatives of the number that changes its sign between two lists of a formula's inputs,
+  /// of those just before and those at one of places(), by each input. Empty where none does.
+  std::vector<double> slopes_of_decider(std::span<const double> before,
+                                        std::span<const double> here) const;
 
  private:
   void add_places(const PieceInStretch& piece, int steps, std::span<const double> arguments,
                   std::set<double>& places) const;
 
   std::vector<Formula> deciders_;
-  std::optional<FormulaBlocks> together_;  ///< the same
+  std::vector<std::shared_ptr<const optim::Kernel>> kernels_;  ///< of the same
+  std::optional<FormulaBlocks> together_;                      ///< the same
   std::vector<std::size_t> moved_by_;
 };
 

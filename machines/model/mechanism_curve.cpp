@@ -63,7 +63,7 @@ std::optional<optim::Function> MechanismCurve::joint_angle(int joint) const {
   return still_angle(stretch.begin + stretch.length() * end);
 }
 
-const Jumps& MechanismCurve::jumps() const {
+const FormulaJumps& MechanismCurve::jumps() const {
   std::call_once(jumps_asked_, [&] {
     if (affine() == nullptr && parts_->find_jumps) jumps_ = parts_->find_jumps();
   });
@@ -87,6 +87,50 @@ std::optional<std::vector<double>> MechanismCurve::jump_places(optim::Design x) 
   if (jumps_move()) return places();
   std::call_once(places_asked_, [&] { still_places_ = places(); });
   return still_places_;
+}
+
+/// With g the number that decides, which is 0 at the jump whatever the design: x of the law moves
+/// by -g_p / g_x (docs/theory.md, (SE3)).
+std::vector<double> MechanismCurve::jump_motion(optim::Place place, optim::Design x) const {
+  if (!jumps_move()) return {};
+  const auto places = jump_places(x);
+  if (!places || !std::binary_search(places->begin(), places->end(), place.angle)) return {};
+  const Stretch& stretch = parts_->cycle.stretch_at(place);
+  const Cycle::Part part = parts_->cycle.part_of(stretch);
+  const double at = law_place(stretch, {place.angle}).x;
+  const std::vector<double> values = law_->values_at(x), machine = arguments_at(variables_, x);
+  const auto motion_at = [&](double of_law, int order) {
+    return follower_motion(stretch, law_->motion(of_law, Side::Right, values, order));
+  };
+  const auto inputs = [&](const MotionDerivatives& motion, double of_law) {
+    std::vector<double> all = machine;
+    all.insert(all.end(), motion.value.begin(), motion.value.end());
+    all.push_back(part.at(of_law));
+    return all;
+  };
+  const double before = at - 2 * kBesideJump;
+  const MotionDerivatives motion = motion_at(at, 1);
+  const std::vector<double> g =
+      jumps().slopes_of_decider(inputs(motion_at(before, 0), before), inputs(motion, at));
+  if (g.empty()) return {};
+  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, Side::Right, values));
+  const std::size_t m = machine.size();
+  // What the number does not use may have no bound there, and counts for nothing.
+  const auto by_motion = [&](const std::array<double, 4>& moved) {
+    double sum = 0;
+    for (std::size_t k = 0; k < moved.size(); ++k) sum += g[m + k] == 0 ? 0 : g[m + k] * moved[k];
+    return sum;
+  };
+  const double along = by_motion(rate.value) + g[m + 4] * part.slope<double>();
+  std::vector<double> result(x.size(), 0.0);
+  for (std::size_t k = 0; k < m; ++k) result[variables_[k]] -= stretch.length() * g[k] / along;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result[law_->variables()[i].variable] -=
+        stretch.length() * by_motion(motion.gradient[i]) / along;
+  }
+  const bool is_known =
+      std::all_of(result.begin(), result.end(), [](double d) { return std::isfinite(d); });
+  return is_known ? result : std::vector<double>();
 }
 
 std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {

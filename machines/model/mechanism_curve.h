@@ -12,6 +12,7 @@
 #include "machines/model/jumps.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
+#include "optim/cycle/moving_jumps.h"
 #include "optim/problem/curve.h"
 
 namespace camlaw::problems {
@@ -29,11 +30,11 @@ struct CurveParts {
   /// The formula for given arguments of the machine.
   std::function<std::unique_ptr<const CurveFormula>(std::span<const double>)> formula;
   /// What to look for jumps with, made from the record when it is first asked for.
-  std::function<Jumps()> find_jumps;
+  std::function<FormulaJumps()> find_jumps;
 };
 
 /// A curve of a mechanism over the variables of a binding.
-class MechanismCurve final : public optim::Curve {
+class MechanismCurve final : public optim::Curve, public optim::MovingJumps {
  public:
   MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape);
 
@@ -42,6 +43,7 @@ class MechanismCurve final : public optim::Curve {
   bool breaks_move() const override;
   double memory() const override { return law_->memory(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::vector<double> jump_motion(optim::Place place, optim::Design x) const override;
   std::optional<optim::Function> joint_angle(int joint) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
@@ -55,7 +57,7 @@ class MechanismCurve final : public optim::Curve {
   bool joint_moves(int joint) const;
   PlaceMotion motion_at(optim::Place place) const;
   const AffineCurve* affine() const;
-  const Jumps& jumps() const;
+  const FormulaJumps& jumps() const;
   bool jumps_move() const;
   std::optional<std::vector<double>> jump_places(optim::Design x) const;
 
@@ -66,7 +68,7 @@ class MechanismCurve final : public optim::Curve {
   /// Worked out when it is first asked for.
   mutable std::once_flag affine_asked_, jumps_asked_, places_asked_;
   mutable std::shared_ptr<const AffineCurve> affine_;
-  mutable Jumps jumps_;
+  mutable FormulaJumps jumps_;
   mutable std::vector<double> still_places_;  ///< of jumps that do not move
 };
 

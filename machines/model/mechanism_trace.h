@@ -21,7 +21,7 @@ namespace camlaw::problems {
 class MechanismTrace final : public optim::Trace {
  public:
   /// `uses` tells which of s, v, a, j the formula depends on, and `jumps` where it may jump
-  /// (Jumps::places); none where it never does.
+  /// (FormulaJumps::places); none where it never does.
   MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses, std::optional<Law<double>> law,
                  std::function<std::optional<Law<Interval>>()> enclosing,
                  std::unique_ptr<const CurveFormula> formula,

@@ -2,8 +2,10 @@
 #include "machines/model/possible_by.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
+#include <queue>
 #include <set>
 
 #include "machines/model/arguments.h"
@@ -78,31 +80,72 @@ std::optional<std::size_t> widest(const std::vector<Bounds>& box, std::span<cons
   return found;
 }
 
-/// Looks at one condition all over a box, which is halved where its bounds leave open whether it
-/// holds.
-MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const Bounds> whole) {
-  constexpr int kParts = 500;  // parts, each one enclosure: a proof that needs more is given up
-  std::vector<std::vector<Bounds>> left{{whole.begin(), whole.end()}};
-  for (int parts = 0; !left.empty(); ++parts) {
-    const std::vector<Bounds> box = std::move(left.back());
-    left.pop_back();
-    std::vector<Interval> within;
-    std::vector<double> middle;
-    for (const Bounds& b : box) {
-      within.emplace_back(b.lower, b.upper);
-      middle.push_back(std::midpoint(b.lower, b.upper));
-    }
-    if (holds_within(margin(std::span<const Interval>(within)), may_be_zero)) continue;
-    if (!holds(margin(std::span<const double>(middle)), may_be_zero)) return {false, middle};
-    const auto halved = widest(box, whole, margin.uses());
-    if (!halved) continue;  // a single machine, which is possible
-    if (parts >= kParts) return {false, {}};
-    for (const bool is_upper : {false, true}) {
-      left.push_back(box);
-      (is_upper ? left.back()[*halved].lower : left.back()[*halved].upper) = middle[*halved];
+/// A part of a box, by the least that a margin may be there.
+struct OpenPart {
+  std::vector<Bounds> box;
+  double least;
+  bool operator<(const OpenPart& other) const { return least > other.least; }
+};
+
+std::vector<double> middle_of(const std::vector<Bounds>& box) {
+  std::vector<double> middle;
+  for (const Bounds& b : box) middle.push_back(std::midpoint(b.lower, b.upper));
+  return middle;
+}
+
+/// The corners of a box in these inputs, the others in their middles; none where they are many.
+std::vector<std::vector<double>> corners_of(std::span<const Bounds> box,
+                                            const std::vector<std::size_t>& inputs) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::vector<double>> all{middle_of({box.begin(), box.end()})};
+  if (inputs.size() > kMost) return {};
+  for (const std::size_t i : inputs) {
+    const std::size_t count = all.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      all[k][i] = box[i].lower;
+      all.push_back(all[k]);
+      all.back()[i] = box[i].upper;
     }
   }
-  return {};
+  return all;
+}
+
+/// Looks at one condition all over a box, which is halved where its bounds leave open whether it
+/// holds: first where its margin may be least. So it comes to the least margin as a search for a
+/// root does, however narrow the place at which the condition fails.
+MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const Bounds> whole) {
+  constexpr int kParts = 2000;  // parts, each one enclosure: a proof that needs more is given up
+  std::priority_queue<OpenPart> open;
+  std::optional<std::vector<double>> fails;
+  const auto look = [&](std::vector<Bounds> box) {
+    std::vector<Interval> within;
+    for (const Bounds& b : box) within.emplace_back(b.lower, b.upper);
+    const Interval value = margin(std::span<const Interval>(within));
+    if (holds_within(value, may_be_zero)) return;
+    std::vector<double> middle = middle_of(box);
+    if (!holds(margin(std::span<const double>(middle)), may_be_zero)) fails = std::move(middle);
+    const double least = std::isnan(value.lower()) ? -optim::kInfinity : value.lower();
+    open.push({std::move(box), least});
+  };
+  for (std::vector<double>& corner : corners_of(whole, margin.uses())) {
+    if (!holds(margin(std::span<const double>(corner)), may_be_zero)) return {false, corner};
+  }
+  look({whole.begin(), whole.end()});
+  for (int parts = 0; !fails && !open.empty(); ++parts) {
+    if (parts >= kParts) return {false, {}};
+    const std::vector<Bounds> box = open.top().box;
+    open.pop();
+    const auto halved = widest(box, whole, margin.uses());
+    if (!halved) continue;  // a single machine, which is possible
+    const double middle = std::midpoint(box[*halved].lower, box[*halved].upper);
+    if (!(middle > box[*halved].lower && middle < box[*halved].upper)) return {false, {}};
+    for (const bool is_upper : {false, true}) {
+      std::vector<Bounds> half = box;
+      (is_upper ? half[*halved].lower : half[*halved].upper) = middle;
+      look(std::move(half));
+    }
+  }
+  return fails ? MachinesOfBox{false, std::move(*fails)} : MachinesOfBox{};
 }
 
 /// A binding in which all parameters vary; its constants do not matter.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "machines/model/box_traces.h"
+#include "machines/model/highest_along_ranges.h"
 #include "machines/model/suspect.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/proof_time.h"
@@ -31,7 +32,7 @@ constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// The curve at a place, as a function of the design.
 HighestKernel highest_at(const RangeParts& parts, Place place) {
-  return HighestKernel(parts.curve->at(place), parts.wide, parts.sign).looking_along_ranges();
+  return HighestKernel(parts.curve->at(place), parts.wide, parts.sign);
 }
 
 class RangeTrace final : public optim::Trace {
@@ -51,16 +52,16 @@ class RangeTrace final : public optim::Trace {
 
   std::vector<double> breaks() const override { return breaks_; }
 
-  std::array<double, 3> at(Place place) const override {
-    optim::check_deadline();
-    const Row row = row_at(place);
-    const Point found = worst(place, row);
-    const auto known = traces_.find(found);
-    std::array<double, 3> at =
-        known != traces_.end() ? known->second->at(place)
-                               : parts_->curve->trace(parts_->wide->design(x_, found))->at(place);
-    if (std::isnan(row.highest.settled(row.u, found, at[0]))) at.fill(kNoValue);
-    return at;
+  std::array<double, 3> at(Place place) const override { return at_each({&place, 1}).front(); }
+
+  std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
+    return at_each(optim::even_places(from, to, count));
+  }
+
+  std::vector<double> values(std::span<const Place> places) const override {
+    std::vector<double> result;
+    for (const auto& at : at_each(places)) result.push_back(at[0]);
+    return result;
   }
 
   Bounds enclose(double from, double to) const override {
@@ -75,7 +76,7 @@ class RangeTrace final : public optim::Trace {
 
   std::string why_unbounded() const override { return at_place(places_.front()).why_unbounded(); }
 
-  Point worst(Place place) const { return worst(place, row_at(place)); }
+  Point worst(Place place) const { return worst(row_at(place), heights({&place, 1}).front()); }
 
  private:
   /// The curve at one place, as a function of the ranges.
@@ -89,14 +90,48 @@ class RangeTrace final : public optim::Trace {
     for (const std::size_t input : row.highest.own_inputs()) row.u.push_back(x_[input]);
     return row;
   }
-  Point worst(Place place, const Row& row) const {
-    std::vector<Point> places = places_;
-    for (const Point& p : told_) {
-      if (!p.empty()) places.push_back(p);
-    }
+  Point worst(const Row& row, const Heights& heights) const {
     return row.highest.climbed_highest(
-        places, [&](const Point& p) { return parts_->sign * at_place(p).at(place)[0]; }, row.u);
+        heights.places, [&](const Point& p) { return heights.at(p); }, row.u);
   }
+
+  /// Of each place of the cycle the values in the ranges.
+  std::vector<Heights> heights(std::span<const Place> places) const {
+    std::vector<Point> points = places_;
+    for (const Point& p : told_) {
+      if (!p.empty()) points.push_back(p);
+    }
+    return heights_along_ranges(
+        box_, points, places.size(), [&](const Point& p, const std::vector<std::size_t>& wanted) {
+          if (wanted.size() == 1) {
+            return std::vector{parts_->sign * at_place(p).at(places[wanted[0]])[0]};
+          }
+          std::vector<Place> there;
+          for (const std::size_t i : wanted) there.push_back(places[i]);
+          std::vector<double> values = at_place(p).values(there);
+          for (double& value : values) value *= parts_->sign;
+          return values;
+        });
+  }
+
+  std::vector<std::array<double, 3>> at_each(std::span<const Place> places) const {
+    const std::vector<Heights> all = heights(places);
+    std::vector<std::array<double, 3>> result;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      optim::check_deadline();
+      const Row row = row_at(places[i]);
+      const Point found = worst(row, all[i]);
+      const auto known = traces_.find(found);
+      std::array<double, 3> at =
+          known != traces_.end()
+              ? known->second->at(places[i])
+              : parts_->curve->trace(parts_->wide->design(x_, found))->at(places[i]);
+      if (std::isnan(row.highest.settled(row.u, found, at[0]))) at.fill(kNoValue);
+      result.push_back(at);
+    }
+    return result;
+  }
+
   const optim::Trace& at_place(const Point& p) const {
     auto& known = traces_[p];
     if (known) return *known;
@@ -151,7 +186,7 @@ RangeCurve::RangeCurve(RangeParts parts)
     : parts_(std::make_shared<const RangeParts>(std::move(parts))) {}
 
 Function RangeCurve::at(Place place) const {
-  return function_of_highest(highest_at(*parts_, place));
+  return function_of_highest(highest_at(*parts_, place).looking_along_ranges());
 }
 
 std::vector<double> RangeCurve::slope_gradient(Place place, Design x) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <list>
 #include <optional>
 #include <set>
 
@@ -86,6 +87,28 @@ optim::BoxRange RecordedKernel::range(std::span<const optim::Bounds> box) const 
   return result;
 }
 
+/// A formula as steps over many points, of which the first inputs stay. Those that a thread asked
+/// for last are kept: a curve is looked at for one machine after the other.
+const FormulaBlocks& blocks_of(const Formula& formula, std::size_t first) {
+  struct Known {
+    Formula formula;  ///< holds the steps, so that no other formula's are at their address
+    std::size_t first;
+    FormulaBlocks blocks;
+  };
+  constexpr std::size_t kKept = 16;
+  thread_local std::list<Known> known;  // the last one first
+  const auto found = std::find_if(known.begin(), known.end(), [&](const Known& one) {
+    return &one.formula.steps() == &formula.steps() && one.first == first;
+  });
+  if (found != known.end()) {
+    known.splice(known.begin(), known, found);
+    return known.front().blocks;
+  }
+  known.push_front({formula, first, FormulaBlocks({&formula, 1}, first)});
+  if (known.size() > kKept) known.pop_back();
+  return known.front().blocks;
+}
+
 }  // namespace
 
 std::shared_ptr<const optim::Kernel> recorded_kernel(Recorded recorded) {
@@ -107,7 +130,7 @@ std::vector<double> RecordedCurveFormula::values(const PlaceRows& places) const 
   const std::array<std::span<const double>, 5> inputs{places.s, places.v, places.a, places.j,
                                                       places.x};
   const std::array<std::span<double>, 1> row{result};
-  FormulaBlocks({&record_, 1}, machine_.size())(machine_, inputs, row);
+  blocks_of(record_, machine_.size())(machine_, inputs, row);
   return result;
 }
 

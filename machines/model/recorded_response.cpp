@@ -231,7 +231,7 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
                                                        uses[4],
                                                        recorded_kernel(record),
                                                        formula,
-                                                       [record] { return Jumps(record); }},
+                                                       [record] { return FormulaJumps(record); }},
                                             binding, shape);
   };
   return response;

@@ -286,6 +286,20 @@ optim::Place ShaftCurve::tied(optim::Place place, optim::Design x) const {
   return place;
 }
 
+std::vector<double> ShaftCurve::jump_motion(optim::Place place, optim::Design x) const {
+  const auto traces = parts_->traces_at(x);
+  for (std::size_t k = 0; k < parts_->held.size(); ++k) {
+    const ShaftParts::Held& held = parts_->held[k];
+    const optim::Place own =
+        cam_place(place.angle, place.from_left, held.phase_at(x), traces->breaks[k]);
+    std::vector<double> motion = optim::jump_motion(*held.curve, own, x);
+    if (motion.empty()) continue;
+    if (held.phase_variable) motion[*held.phase_variable] += 1;
+    return motion;
+  }
+  return {};
+}
+
 std::unique_ptr<optim::Trace> ShaftCurve::trace(optim::Design x) const {
   return std::make_unique<ShaftTrace>(parts_, x);
 }

@@ -13,6 +13,7 @@
 #include "machines/model/recent.h"
 #include "machines/model/recorded_kernel.h"
 #include "machines/model/shape_rules.h"
+#include "optim/cycle/moving_jumps.h"
 #include "optim/problem/curve.h"
 
 /// Curves over the turn of a shaft that several cams stand on, each at its phase: formulas of the
@@ -75,7 +76,7 @@ struct ShaftParts {
 
 /// Such a curve over the variables of a binding. A place may be tied to a break of a cam: there the
 /// shaft turns as that break does, with the cam's phase and with the cam's own joint.
-class ShaftCurve final : public optim::Curve, public BoundedOverBoxes {
+class ShaftCurve final : public optim::Curve, public optim::MovingJumps, public BoundedOverBoxes {
  public:
   ShaftCurve(ShaftParts parts, optim::Shape shape);
 
@@ -83,6 +84,8 @@ class ShaftCurve final : public optim::Curve, public BoundedOverBoxes {
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override;
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  /// Of a jump of one of the cams' curves.
+  std::vector<double> jump_motion(optim::Place place, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
   double memory() const override;

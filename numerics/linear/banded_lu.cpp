@@ -18,6 +18,15 @@ BandedLu::BandedLu(Index size, Index half)
 
 bool BandedLu::factor(const std::vector<double>& entries) {
   entries_ = entries;
+  return eliminate();
+}
+
+bool BandedLu::factor(std::vector<double>&& entries) {
+  entries_ = std::move(entries);
+  return eliminate();
+}
+
+bool BandedLu::eliminate() {
   for (Index k = 0; k < size_; ++k) {
     const Index below = std::min(half_, size_ - 1 - k), right = std::min(2 * half_, size_ - 1 - k);
     const auto in_column = [&](Index i) { return std::abs(row(i)[k - i]); };
@@ -51,7 +60,8 @@ Eigen::VectorXd BandedLu::solve(Eigen::VectorXd b) const {
     const Index right = std::min(2 * half_, size_ - 1 - k);
     const double* const top = row(k);
     double left = b[k];
-    for (Index j = 1; j <= right; ++j) left -= top[j] * b[k + j];
+    // The nearest last: what is before it waits for no unknown that has just been found.
+    for (Index j = right; j >= 1; --j) left -= top[j] * b[k + j];
     b[k] = left / top[0];
   }
   return b;

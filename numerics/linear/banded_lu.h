@@ -23,11 +23,13 @@ class BandedLu {
 
   /// Replaces A. False where a pivot vanishes or is not a number.
   bool factor(const std::vector<double>& entries);
+  bool factor(std::vector<double>&& entries);
 
   /// A^-1 b.
   Eigen::VectorXd solve(Eigen::VectorXd b) const;
 
  private:
+  bool eliminate();
   /// Row i from column i on.
   double* row(Eigen::Index i) { return entries_.data() + place(i, i); }
   const double* row(Eigen::Index i) const { return entries_.data() + place(i, i); }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/linear/power_method.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace camlaw::optim {
 
@@ -12,8 +15,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Each step multiplies the other eigenvectors' share by their eigenvalue over the largest.
-constexpr int kMostSteps = 200;
+constexpr Index kMostSteps = 100;
 /// The iteration ends when a step changes the eigenvalue by less than this share.
 constexpr double kConverged = 1e-10;
 
@@ -24,16 +26,36 @@ VectorXd random_direction(Index size) {
   return x.normalized();
 }
 
+/// Of the symmetric matrix with this diagonal and these entries beside it.
+double largest_of(const std::vector<double>& diagonal, const std::vector<double>& beside) {
+  const auto size = static_cast<Index>(diagonal.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+  eigen.computeFromTridiagonal(Eigen::Map<const VectorXd>(diagonal.data(), size),
+                               Eigen::Map<const VectorXd>(beside.data(), size - 1),
+                               Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues()[size - 1];
+}
+
 }  // namespace
 
 double largest_eigenvalue(Index size, const std::function<VectorXd(const VectorXd& x)>& times) {
+  const Index most = std::min(kMostSteps, size);
+  Eigen::MatrixXd basis(size, 0);
+  std::vector<double> diagonal, beside;
   VectorXd x = random_direction(size);
   double value = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  while (basis.cols() < most) {
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = x;
     x = times(x);
-    const double before = std::exchange(value, x.stableNorm());
-    if (!(value > 0) || std::abs(value - before) <= kConverged * value) break;
-    x /= value;
+    if (!x.allFinite()) return x.stableNorm();
+    diagonal.push_back(basis.rightCols(1).col(0).dot(x));
+    for (int time = 0; time < 2; ++time) x -= basis * (basis.transpose() * x);
+    const double before = std::exchange(value, largest_of(diagonal, beside));
+    const double length = x.stableNorm();
+    if (std::abs(value - before) <= kConverged * value || !(length > 0)) break;
+    beside.push_back(length);
+    x /= length;
   }
   return value;
 }

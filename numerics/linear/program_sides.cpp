@@ -35,6 +35,8 @@ ProgramSides::ProgramSides(const QuadraticProgram& program)
       equation_rows.push_back(r);
     } else if (is_bounded(program.row_lower[r], program.row_upper[r])) {
       program_rows.push_back(r);
+    } else {
+      ++idle_;
     }
   }
   rows = chosen(program.rows, program_rows);
@@ -55,8 +57,21 @@ ProgramSides::ProgramSides(const QuadraticProgram& program)
   level = Eigen::Map<const VectorXd>(levels.data(), static_cast<Index>(levels.size()));
 }
 
+Index ProgramSides::bound(Index side) const {
+  const Index own = row(side), variable = own - rows.rows();
+  const Index number = variable < 0 ? program_rows[static_cast<std::size_t>(own)]
+                                    : bounds() / 2 - variables() + variable;
+  return 2 * number + (sign(side) > 0 ? 1 : 0);
+}
+
 VectorXd ProgramSides::times(const VectorXd& y) const {
-  const VectorXd at = rows * y;
+  VectorXd at(rows.rows());
+  for (Index r = 0; r < at.size(); ++r) {
+    double sum = 0;
+    for (int k = rows.outerIndexPtr()[r]; k < rows.outerIndexPtr()[r + 1]; ++k)
+      sum += rows.valuePtr()[k] * y[rows.innerIndexPtr()[k]];
+    at[r] = sum;
+  }
   VectorXd result(count());
   for (Index i = 0; i < count(); ++i)
     result[i] = sign(i) * (row(i) < at.size() ? at[row(i)] : y[row(i) - at.size()]);
@@ -77,7 +92,12 @@ VectorXd ProgramSides::weights_by_row(const VectorXd& weights) const {
 
 VectorXd ProgramSides::transposed(const VectorXd& z) const {
   const VectorXd of_rows = by_row(z);
-  return rows.transpose() * of_rows.head(rows.rows()) + of_rows.tail(variables());
+  VectorXd result = of_rows.tail(variables());
+  for (Index r = 0; r < rows.rows(); ++r) {
+    for (int k = rows.outerIndexPtr()[r]; k < rows.outerIndexPtr()[r + 1]; ++k)
+      result[rows.innerIndexPtr()[k]] += rows.valuePtr()[k] * of_rows[r];
+  }
+  return result;
 }
 
 VectorXd ProgramSides::side_terms(const VectorXd& y) const {

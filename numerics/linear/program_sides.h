@@ -23,6 +23,11 @@ class ProgramSides {
   Eigen::Index row(Eigen::Index side) const { return rows_[static_cast<std::size_t>(side)]; }
   double sign(Eigen::Index side) const { return signs_[static_cast<std::size_t>(side)]; }
 
+  /// The number of a side's bound among those of the program's rows, then of its variables, each
+  /// lower one before its upper one; how many numbers there are.
+  Eigen::Index bound(Eigen::Index side) const;
+  Eigen::Index bounds() const { return 2 * (rows.rows() + equations.rows() + idle_ + variables()); }
+
   /// G y.
   Eigen::VectorXd times(const Eigen::VectorXd& y) const;
   /// What sides say, added up by row: G = S rows, with S's signs; this is S^T z.
@@ -53,6 +58,7 @@ class ProgramSides {
  private:
   std::vector<Eigen::Index> rows_;  ///< of the sides
   std::vector<double> signs_;
+  Eigen::Index idle_ = 0;  ///< rows of the program without a bound
 };
 
 }  // namespace camlaw::optim

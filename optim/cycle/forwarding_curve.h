@@ -5,12 +5,13 @@
 #include <memory>
 #include <utility>
 
+#include "optim/cycle/moving_jumps.h"
 #include "optim/problem/problem.h"
 
 namespace camlaw::optim {
 
 /// A curve that is another one, but for its trace.
-class ForwardingCurve : public Curve {
+class ForwardingCurve : public Curve, public MovingJumps {
  public:
   explicit ForwardingCurve(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
 
@@ -20,6 +21,9 @@ class ForwardingCurve : public Curve {
   }
   bool breaks_move() const override { return curve_->breaks_move(); }
   Place tied(Place place, Design x) const override { return curve_->tied(place, x); }
+  std::vector<double> jump_motion(Place place, Design x) const override {
+    return optim::jump_motion(*curve_, place, x);
+  }
   std::vector<Rest> rests(double bound, Design x) const override { return curve_->rests(bound, x); }
   Shape shape() const override { return curve_->shape(); }
   double memory() const override { return curve_->memory(); }

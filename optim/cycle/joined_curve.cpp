@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "optim/cycle/moving_jumps.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -142,7 +144,7 @@ class JoinedTrace final : public Trace {
   Breaks breaks_;
 };
 
-class JoinedCurve final : public Curve {
+class JoinedCurve final : public Curve, public MovingJumps {
  public:
   JoinedCurve(std::vector<std::shared_ptr<const Curve>> parts, double length, std::size_t variables)
       : parts_(std::move(parts)), length_(length) {
@@ -174,6 +176,12 @@ class JoinedCurve final : public Curve {
     const auto count = static_cast<int>(parts_.size());
     return {static_cast<double>(k) * length_ + own.angle, tied.from_left,
             tied.joint < 0 ? -1 : tied.joint * count + static_cast<int>(k)};
+  }
+  std::vector<double> jump_motion(Place place, Design x) const override {
+    Breaks breaks;
+    for (const auto& part : parts_) breaks.push_back(part->trace(x)->breaks());
+    const auto [k, own] = locate(place, breaks, length_);
+    return optim::jump_motion(*parts_[k], own, x);
   }
   std::vector<Rest> rests(double bound, Design x) const override {
     std::vector<Rest> all;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/peak_slopes.h"
 
 namespace camlaw::optim {
 namespace {
@@ -26,17 +27,16 @@ class PeakKernel final : public Kernel {
   }
 
   double gradient(std::span<const double> u, std::span<double> g) const override {
-    const Extreme peak = find(u);
-    const Function f = response_.curve().at(response_.curve().tied(peak.place, u));
-    std::vector<double> slopes(f.inputs().size());
-    f.gradient(u, slopes);
+    const auto trace = response_.curve().trace(u);
+    const Extreme peak = find(*trace);
     const double sign = sign_of(peak);
-    spread(f, sign, slopes, g);
+    fill(peak_slopes(response_.curve(), *trace, peak.place, u), sign, g);
     return sign * peak.value;
   }
 
   /// Of the peak at the place p: f_uu, less f_up f_up^T / f_pp where p lies inside a smooth
-  /// stretch and so moves with u (docs/optimisation.md, "Second order").
+  /// stretch and so moves with u (docs/optimisation.md, "Second order"). Not numbers where the peak
+  /// is an edge of the formula that moves.
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
     const auto trace = response_.curve().trace(u);
@@ -46,7 +46,12 @@ class PeakKernel final : public Kernel {
     const std::vector<std::size_t>& inputs = f.inputs();
     std::vector<double> slopes(inputs.size()), second(packed_size(inputs.size()));
     f.hessian(u, slopes, second);
-    spread(f, sign, slopes, g);
+    const PeakSlopes known = peak_slopes(response_.curve(), *trace, peak.place, u);
+    fill(known, sign, g);
+    if (known.moves_with_edge) {
+      std::fill(h.begin(), h.end(), kNaN);
+      return result;
+    }
     std::fill(h.begin(), h.end(), 0.0);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (std::size_t k = 0; k <= i; ++k) {
@@ -86,11 +91,8 @@ class PeakKernel final : public Kernel {
   double sign_of(const Extreme& peak) const {
     return part_ == Part::Magnitude && peak.value < 0 ? -1 : 1;
   }
-  /// Slopes by the inputs of f as those by every variable.
-  static void spread(const Function& f, double sign, const std::vector<double>& slopes,
-                     std::span<double> g) {
-    std::fill(g.begin(), g.end(), 0.0);
-    for (std::size_t k = 0; k < slopes.size(); ++k) g[f.inputs()[k]] = sign * slopes[k];
+  static void fill(const PeakSlopes& slopes, double sign, std::span<double> g) {
+    for (std::size_t i = 0; i < g.size(); ++i) g[i] = sign * slopes.by[i];
   }
   Extreme find(const Trace& trace) const {
     return look_ == Look::Proved ? proved_extreme_of(trace, part_).peak : extreme_of(trace, part_);

@@ -32,6 +32,10 @@ struct Memory {
     std::vector<Extreme> found;
   };
   std::vector<Maxima> maxima;
+  /// Bounds of stretches, which objective and limits on either side ask for. Kept of light curves
+  /// alone: those of others sharpen as they are asked again.
+  std::map<std::pair<double, double>, Bounds> bounds;
+  bool keeps_bounds = false;
 };
 
 class RememberedTrace final : public Trace, public RemembersMaxima {
@@ -41,7 +45,10 @@ class RememberedTrace final : public Trace, public RemembersMaxima {
   std::vector<double> breaks() const override { return memory_->breaks; }
   std::array<double, 3> at(Place place) const override { return memory_->trace->at(place); }
   Bounds enclose(double from, double to) const override {
-    return memory_->trace->enclose(from, to);
+    if (!memory_->keeps_bounds) return memory_->trace->enclose(from, to);
+    const auto [at, is_fresh] = memory_->bounds.try_emplace({from, to});
+    if (is_fresh) at->second = memory_->trace->enclose(from, to);
+    return at->second;
   }
   Values even(double from, double to, int count) const override {
     auto& known = memory_->stretches;
@@ -105,6 +112,7 @@ class RememberedCurve final : public ForwardingCurve {
       fresh->x.assign(x.begin(), x.end());
       fresh->trace = curve().trace(fresh->x);
       fresh->breaks = fresh->trace->breaks();
+      fresh->keeps_bounds = is_light();
       latest_ = std::move(fresh);
     }
     return std::make_unique<RememberedTrace>(latest_);

@@ -143,17 +143,17 @@ double larger_bound(const Constraint& c) {
 }
 
 void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::vector<double>& own,
-                   ConstraintScale& size) {
+                   ConstraintScale& its) {
   constexpr double kShare = 1e-6;     // of the bound, or of the size of what acts (SC3)
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
   constexpr double kCancels = 1e-6;   // of typical changes of a curve: rounding leaves so much
   const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
-  const double least = c.response.is_curve() && !c.scale ? kCancels * size.size : 0;
+  const double least = c.response.is_curve() && !c.scale ? kCancels * its.scale : 0;
   const double usual =
       kShare * (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0)
                           : or_one(std::max(whole, least)));
-  size.tolerance = c.tolerance.value_or(usual);
-  size.default_tolerance = std::min(usual, size.tolerance);
+  its.tolerance = c.tolerance.value_or(usual);
+  its.default_tolerance = std::min(usual, its.tolerance);
 }
 
 /// What is known of each curve, which many limits may be on.
@@ -260,7 +260,7 @@ double largest_violation(const Problem& problem, const Scales& scales, Design x)
   double worst = -kInfinity;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const double over = violation(problem.constraints[i], maxima, x);
-    worst = std::max(worst, over / scales.constraints[i].size);
+    worst = std::max(worst, over / scales.constraints[i].scale);
   }
   return worst;
 }
@@ -271,7 +271,7 @@ Scales broken_alike(const Problem& problem, Scales scales, Design x) {
   MaximaAt maxima(x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const double over = violation(problem.constraints[i], maxima, x);
-    if (over > scales.constraints[i].tolerance) scales.constraints[i].size = over / share;
+    if (over > scales.constraints[i].tolerance) scales.constraints[i].scale = over / share;
   }
   return scales;
 }

@@ -10,7 +10,7 @@
 namespace camlaw::optim {
 
 struct ConstraintScale {
-  double size;               ///< change of the response by typical changes of the variables
+  double scale;              ///< change of the response by typical changes of the variables
   double tolerance;          ///< a violation up to this counts as none
   double default_tolerance;  ///< what that would be if nothing were stated, or less
 };
@@ -18,7 +18,7 @@ struct ConstraintScale {
 struct Scales {
   std::vector<double> variables;  ///< typical changes (typical_scales)
   std::vector<double> own;        ///< own magnitudes (own_magnitudes): no box makes them smaller
-  double objective;               ///< the objective's size
+  double objective;               ///< the objective's scale
   double objective_tolerance;
   double objective_typical;  ///< change of the objective by typical changes about the design
   std::vector<ConstraintScale> constraints;
@@ -34,11 +34,11 @@ std::vector<double> typical_scales(const Problem& problem, Design x);
 /// The objective: of a curve its peak, found by search.
 double objective_value(const Objective& objective, Design x);
 
-/// The largest violation of a constraint at x, over its size; below 0 where all have room.
+/// The largest violation of a constraint at x, over its scale; below 0 where all have room.
 double largest_violation(const Problem& problem, const Scales& scales, Design x);
 
 /// Scales about a design, from the design's own magnitudes: a box that is written wider changes
-/// nothing. A response's size is the largest change that one variable's typical change makes, to
+/// nothing. A response's scale is the largest change that one variable's typical change makes, to
 /// first order, but no less than 1e-3 of the bound. A design may be unlike its neighbours (a
 /// stationary point, a pole): the change is kept within a hundredth and a hundred times the median
 /// of eight designs that fill the neighbourhood, one typical change wide to each side.

@@ -79,13 +79,21 @@ std::vector<double> WindowCurve::slope_gradient(Place place, Design x) const {
   return curve().slope_gradient(in_turn(place, turn_), x);
 }
 
+bool WindowCurve::is_fixed_end(Place place, Design x) const {
+  if (!is_fixed_) return false;
+  const auto [from, to] = window_(x);
+  constexpr double kBeside = 1e-9;  // of the cycle: where an end is a break of the curve
+  const double near = kBeside * std::max(std::abs(from), std::abs(to));
+  return std::abs(place.angle - from) <= near || std::abs(place.angle - to) <= near;
+}
+
+std::vector<double> WindowCurve::jump_motion(Place place, Design x) const {
+  if (is_fixed_end(place, x)) return {};
+  return optim::jump_motion(curve(), in_turn(place, turn_), x);
+}
+
 Place WindowCurve::tied(Place place, Design x) const {
-  if (is_fixed_) {
-    const auto [from, to] = window_(x);
-    constexpr double kBeside = 1e-9;  // of the cycle: where an end is a break of the curve
-    const double near = kBeside * std::max(std::abs(from), std::abs(to));
-    if (std::abs(place.angle - from) <= near || std::abs(place.angle - to) <= near) return place;
-  }
+  if (is_fixed_end(place, x)) return place;
   place.joint = curve().tied(in_turn(place, turn_), x).joint;
   return place;
 }

@@ -32,10 +32,13 @@ class WindowCurve final : public ForwardingCurve {
   Function at(Place place) const override;
   std::vector<double> slope_gradient(Place place, Design x) const override;
   Place tied(Place place, Design x) const override;
+  std::vector<double> jump_motion(Place place, Design x) const override;
   std::vector<Rest> rests(double bound, Design x) const override;
   std::unique_ptr<Trace> trace(Design x) const override;
 
  private:
+  bool is_fixed_end(Place place, Design x) const;
+
   bool is_fixed_;
   std::function<Window(Design)> window_;
   std::optional<double> turn_;

@@ -10,6 +10,131 @@
 namespace camlaw::optim {
 namespace {
 
+/// A place that was asked for, and why.
+struct AskedPlace {
+  double size = 0;
+  bool is_beyond = false;
+  Costs from;          ///< of a place beyond: the point's costs
+  Costs place, range;  ///< costs there, and what they were measured by
+};
+/// What came of it. `place` is in costs until empty_looks() makes it one by the ranges.
+struct Look {
+  Costs place;
+  double size = 0;
+  bool is_beyond = false, failed = false, is_new = false, reached = false;
+  Costs from = {}, result = {};
+};
+
+/// What is known, in places by the ranges of the front.
+struct KnownPlaces {
+  std::vector<Look> empty;    ///< searches that tell where nothing is
+  std::vector<Costs> looked;  ///< places that were searched from
+  std::vector<Costs> points;  ///< of the front
+};
+
+/// Where was searched.
+std::vector<Costs> places_of(const std::vector<Look>& looks, const FrontSoFar& front) {
+  std::vector<Costs> result;
+  for (const Look& look : looks) result.push_back(front.place(look.place));
+  return result;
+}
+
+/// Whether the scout is better than one of the front in everything, and by enough in something.
+bool improves(const FrontPoint& scouted, const FrontSoFar& front, double share) {
+  return std::any_of(front.points.begin(), front.points.end(), [&](const FrontPoint& p) {
+    bool by_enough = false;
+    for (std::size_t i = 0; i < p.costs.size(); ++i) {
+      if (scouted.costs[i] > p.costs[i]) return false;
+      by_enough = by_enough || scouted.costs[i] < p.costs[i] - share * front.range[i];
+    }
+    return by_enough;
+  });
+}
+
+/// Whether this very place was: what came of it is not on the front, or all that is about it.
+bool was_asked_for(const Hole& hole, const std::vector<Costs>& looked) {
+  // A hole's place moves by as much of its size when the front's ranges change.
+  constexpr double kSame = 0.05;
+  return std::any_of(looked.begin(), looked.end(), [&](const Costs& place) {
+    return distance_aside(place, hole.place) <= kSame * hole.size;
+  });
+}
+
+/// Of the angle between two steps, each without its part along (1, 1, ...).
+double cosine_aside(const Costs& a, const Costs& b, const Costs& c, const Costs& d) {
+  double first = 0, second = 0, product = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    first += b[i] - a[i];
+    second += d[i] - c[i];
+    product += (b[i] - a[i]) * (d[i] - c[i]);
+  }
+  const double lengths = distance_aside(a, b) * distance_aside(c, d);
+  return lengths > 0 ? (product - first * second / static_cast<double>(a.size())) / lengths : 0;
+}
+
+/// Whether a search beyond the point, or one that led to it, has found nothing in the direction.
+bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& point) {
+  // A point nearby stands for the one that was searched from, and a direction within 60 degrees
+  // leads to the same empty region.
+  constexpr double kSame = 0.3, kCosine = 0.5;
+  return std::any_of(looks.begin(), looks.end(), [&](const Look& look) {
+    if (!look.is_beyond) return false;
+    for (const Costs* at : {&look.from, &look.result}) {
+      if (at->empty() || distance(*at, point) > kSame * hole.size) continue;
+      if (cosine_aside(*at, look.place, point, hole.place) > kCosine) return true;
+    }
+    return false;
+  });
+}
+
+/// Searches that tell where nothing is, by the ranges of the front: those that did not reach
+/// their place, and those whose point something dominates.
+std::vector<Look> empty_looks(const std::vector<Look>& looks, const FrontSoFar& front) {
+  std::vector<Look> result;
+  const std::vector<Costs> all = front.places();
+  for (Look look : looks) {
+    look.place = front.place(look.place);
+    const bool is_there = look.reached && std::any_of(all.begin(), all.end(), [&](const auto& p) {
+                            return distance_aside(p, look.place) <= look.size / 2;
+                          });
+    if (is_there) continue;
+    if (!look.from.empty()) look.from = front.place(look.from);
+    if (!look.result.empty()) look.result = front.place(look.result);
+    result.push_back(std::move(look));
+  }
+  return result;
+}
+
+/// What a search has told, beside the points that are known: it has reached the place if it came to
+/// a point that is new, not far aside from where it was sent.
+Look looked(const AskedPlace& asked, const Outcome& outcome,
+            const std::vector<FrontPoint>& points) {
+  // In units of the hole's size, which is its distance from the nearest point: farther aside a
+  // point lies in another hole, and a point nearer than that to a known one fills no hole.
+  constexpr double kReached = 0.5, kNew = 0.45;
+  Look look{.place = asked.place,
+            .size = asked.size,
+            .is_beyond = asked.is_beyond,
+            .failed = outcome.points.empty() && !outcome.infeasible,
+            .from = asked.from};
+  if (outcome.points.empty()) return look;
+  look.result = outcome.points.front().costs;
+  const auto place = [&](const Costs& costs) {
+    Costs result;
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      result.push_back((costs[i] - asked.place[i]) / asked.range[i]);
+    }
+    return result;
+  };
+  const Costs there = place(look.result);
+  look.is_new = std::none_of(points.begin(), points.end(), [&](const FrontPoint& p) {
+    return distance(place(p.costs), there) < kNew * asked.size;
+  });
+  const double aside = distance_aside(there, Costs(there.size(), 0.0));
+  look.reached = look.is_new && aside <= kReached * asked.size;
+  return look;
+}
+
 class DirectionFront final : public PartFront {
  public:
   using PartFront::PartFront;
@@ -40,7 +165,9 @@ class DirectionFront final : public PartFront {
     if (task.kind != Task::Kind::Toward) {
       challenged_.insert(task.bounds);
     } else if (const auto asked = asked_.find(task.origin); asked != asked_.end()) {
-      looks_.push_back(looked(asked->second, outcome));
+      looks_.push_back(looked(asked->second, outcome, points_));
+      beyond_.tried += looks_.back().is_beyond;
+      beyond_.found += looks_.back().is_beyond && looks_.back().is_new;
     }
     for (const FrontPoint& point : outcome.points) insert(point);
   }
@@ -50,7 +177,7 @@ class DirectionFront final : public PartFront {
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
     std::vector<OpenPlace> places = challenges(front);
     if (!has_ends() || front.points.empty()) return places;
-    const Known known{empty_looks(front), looked_at(front), front.places()};
+    const KnownPlaces known{empty_looks(looks_, front), places_of(looks_, front), front.places()};
     for (const Hole& hole : front.holes) {
       const bool is_mine = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
         return front.points[p].part == part_;
@@ -82,53 +209,13 @@ class DirectionFront final : public PartFront {
   Beyond beyond() const override { return beyond_; }
 
   bool is_known_empty(const Costs& place, double within, const FrontSoFar& front) const override {
-    for (const Look& look : empty_looks(front)) {
+    for (const Look& look : empty_looks(looks_, front)) {
       if (!look.failed && distance_aside(place, look.place) <= within) return true;
     }
     return false;
   }
 
  private:
-  /// A place that was asked for, and why.
-  struct Asked {
-    double size = 0;
-    bool is_beyond = false;
-    Costs from;          ///< of a place beyond: the point's costs
-    Costs place, range;  ///< costs there, and what they were measured by
-  };
-  /// What came of it. `place` is in costs until empty_looks() makes it one by the ranges.
-  struct Look {
-    Costs place;
-    double size = 0;
-    bool is_beyond = false, failed = false, reached = false;
-    Costs from, result;
-  };
-
-  /// What is known, in places by the ranges of the front.
-  struct Known {
-    std::vector<Look> empty;    ///< searches that tell where nothing is
-    std::vector<Costs> looked;  ///< places that were searched from
-    std::vector<Costs> points;  ///< of the front
-  };
-
-  std::vector<Costs> looked_at(const FrontSoFar& front) const {
-    std::vector<Costs> result;
-    for (const Look& look : looks_) result.push_back(front.place(look.place));
-    return result;
-  }
-
-  /// Whether the scout is better than one of the front in everything, and by enough in something.
-  static bool improves(const FrontPoint& scouted, const FrontSoFar& front, double share) {
-    return std::any_of(front.points.begin(), front.points.end(), [&](const FrontPoint& p) {
-      bool by_enough = false;
-      for (std::size_t i = 0; i < p.costs.size(); ++i) {
-        if (scouted.costs[i] > p.costs[i]) return false;
-        by_enough = by_enough || scouted.costs[i] < p.costs[i] - share * front.range[i];
-      }
-      return by_enough;
-    });
-  }
-
   /// Searches for what beats points of other combinations.
   std::vector<OpenPlace> challenges(const FrontSoFar& front) const {
     std::vector<OpenPlace> places;
@@ -221,7 +308,7 @@ class DirectionFront final : public PartFront {
   }
 
   /// A hole becomes a place to look at, as far as no search was near it.
-  void add(std::vector<OpenPlace>& places, const Hole& hole, const Known& known,
+  void add(std::vector<OpenPlace>& places, const Hole& hole, const KnownPlaces& known,
            const FrontSoFar& front) const {
     // In ranges: points of any front that can be shown lie farther apart.
     constexpr double kClosed = 1e-4;
@@ -241,15 +328,6 @@ class DirectionFront final : public PartFront {
                            hole.is_beyond ? front.points[hole.about.front()].costs : Costs{},
                            front.costs_at(hole.place), front.range};
     places.push_back({size, std::move(task), false, hole.place, hole.is_beyond});
-  }
-
-  /// Whether this very place was: what came of it is not on the front, or all that is about it.
-  static bool was_asked_for(const Hole& hole, const std::vector<Costs>& looked) {
-    // A hole's place moves by as much of its size when the front's ranges change.
-    constexpr double kSame = 0.05;
-    return std::any_of(looked.begin(), looked.end(), [&](const Costs& place) {
-      return distance_aside(place, hole.place) <= kSame * hole.size;
-    });
   }
 
   /// All costs by their ranges; one that does not vary is held within its tolerance.
@@ -279,82 +357,6 @@ class DirectionFront final : public PartFront {
     return {std::move(mean), near.x};
   }
 
-  /// Whether a search beyond the point, or one that led to it, has found nothing in the direction.
-  static bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& point) {
-    // A point nearby stands for the one that was searched from, and a direction within 60 degrees
-    // leads to the same empty region.
-    constexpr double kSame = 0.3, kCosine = 0.5;
-    return std::any_of(looks.begin(), looks.end(), [&](const Look& look) {
-      if (!look.is_beyond) return false;
-      for (const Costs* at : {&look.from, &look.result}) {
-        if (at->empty() || distance(*at, point) > kSame * hole.size) continue;
-        if (cosine_aside(*at, look.place, point, hole.place) > kCosine) return true;
-      }
-      return false;
-    });
-  }
-
-  /// Of the angle between two steps, each without its part along (1, 1, ...).
-  static double cosine_aside(const Costs& a, const Costs& b, const Costs& c, const Costs& d) {
-    double first = 0, second = 0, product = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      first += b[i] - a[i];
-      second += d[i] - c[i];
-      product += (b[i] - a[i]) * (d[i] - c[i]);
-    }
-    const double lengths = distance_aside(a, b) * distance_aside(c, d);
-    return lengths > 0 ? (product - first * second / static_cast<double>(a.size())) / lengths : 0;
-  }
-
-  /// What a search has told: it has reached the place if it came to a point that is new, not far
-  /// aside from where it was sent.
-  Look looked(const Asked& asked, const Outcome& outcome) {
-    // In units of the hole's size, which is its distance from the nearest point: farther aside a
-    // point lies in another hole, and a point nearer than that to a known one fills no hole.
-    constexpr double kReached = 0.5, kNew = 0.45;
-    Look look{asked.place, asked.size, asked.is_beyond, false, false, asked.from, {}};
-    bool is_new = false;
-    if (outcome.points.empty()) {
-      look.failed = !outcome.infeasible;
-    } else {
-      look.result = outcome.points.front().costs;
-      const auto place = [&](const Costs& costs) {
-        Costs result;
-        for (std::size_t i = 0; i < costs.size(); ++i) {
-          result.push_back((costs[i] - asked.place[i]) / asked.range[i]);
-        }
-        return result;
-      };
-      const Costs there = place(look.result);
-      is_new = std::none_of(points_.begin(), points_.end(), [&](const FrontPoint& p) {
-        return distance(place(p.costs), there) < kNew * asked.size;
-      });
-      const double aside = distance_aside(there, Costs(objectives_, 0.0));
-      look.reached = is_new && aside <= kReached * asked.size;
-    }
-    beyond_.tried += asked.is_beyond;
-    beyond_.found += asked.is_beyond && is_new;
-    return look;
-  }
-
-  /// Searches that tell where nothing is, by the ranges of the front: those that did not reach
-  /// their place, and those whose point something dominates.
-  std::vector<Look> empty_looks(const FrontSoFar& front) const {
-    std::vector<Look> result;
-    const std::vector<Costs> all = front.places();
-    for (Look look : looks_) {
-      look.place = front.place(look.place);
-      const bool is_there = look.reached && std::any_of(all.begin(), all.end(), [&](const auto& p) {
-                              return distance_aside(p, look.place) <= look.size / 2;
-                            });
-      if (is_there) continue;
-      if (!look.from.empty()) look.from = front.place(look.from);
-      if (!look.result.empty()) look.result = front.place(look.result);
-      result.push_back(std::move(look));
-    }
-    return result;
-  }
-
   std::size_t stage_ = 0;  ///< of setting up; `objectives_`: the compromises
   Costs scale_;
   std::vector<FrontPoint> scouted_;
@@ -363,7 +365,7 @@ class DirectionFront final : public PartFront {
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
   std::vector<Look> looks_;
   Beyond beyond_;
-  mutable std::map<Costs, Asked> asked_;  ///< by the origin of the task
+  mutable std::map<Costs, AskedPlace> asked_;  ///< by the origin of the task
 };
 
 }  // namespace

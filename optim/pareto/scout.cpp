@@ -88,7 +88,7 @@ struct Unlimited {
     if (std::isnan(worst)) return kInfinity;
     double tolerated = kInfinity;
     for (const ConstraintScale& c : scales.constraints) {
-      tolerated = std::min(tolerated, c.tolerance / c.size);
+      tolerated = std::min(tolerated, c.tolerance / c.scale);
     }
     return worst > tolerated ? worst : 0;
   }

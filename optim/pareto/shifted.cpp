@@ -121,6 +121,11 @@ class ShiftedCurve final : public ForwardingCurve {
   Place tied(Place place, Design x) const override {
     return curve().tied(place, x.first(variable_));
   }
+  std::vector<double> jump_motion(Place place, Design x) const override {
+    std::vector<double> motion = optim::jump_motion(curve(), place, x.first(variable_));
+    if (!motion.empty()) motion.resize(x.size(), 0.0);  // t moves the value, not the place
+    return motion;
+  }
   std::vector<Rest> rests(double, Design) const override { return {}; }  // t moves it everywhere
   std::unique_ptr<Trace> trace(Design x) const override {
     return std::make_unique<ShiftedTrace>(curve().trace(x.first(variable_)), slope_, x[variable_]);

@@ -9,6 +9,7 @@
 
 #include "optim/search/local.h"
 #include "optim/search/memory.h"
+#include "optim/search/several_starts.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {

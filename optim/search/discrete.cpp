@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <set>
+#include <utility>
 
 #include "optim/verdict/verdict.h"
 
@@ -104,6 +107,7 @@ class TreeSearch {
     result_.combinations = as_count(combinations_of(problem_));
     result_.enumerated = false;
     branch_and_bound();
+    if (!result_.complete || !result_.bounds_hold) step_down();
     // A tree has solved nodes that have designs, and still no whole one may be left.
     result_.all_infeasible = !is_feasible(result_.found.assessment) && result_.complete;
     return std::move(result_);
@@ -182,6 +186,78 @@ class TreeSearch {
       }
     }
     return {std::move(below), std::move(above)};
+  }
+
+  /// The best of a combination, begun at a design of another one: its continuous variables go on
+  /// from there.
+  Found solve_near(const std::vector<double>& x, const std::vector<double>& integers) {
+    Problem fixed = problem_;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Variable& v = fixed.variables[i];
+      v.start = std::clamp(v.integer ? integers[i] : x[i], v.lower, v.upper);
+      if (v.integer) v.lower = v.upper = v.start;
+    }
+    OptimiseOptions once = options_;
+    once.starts = 1;
+    Found found = search_continuous(fixed, once, deadline_, Depth::Node);
+    result_.add(fixed, found);
+    return found;
+  }
+
+  /// From the best whole design, else from the start: steps that double along one integer variable,
+  /// then single steps of one and of two at once, as long as they lead to something better. A
+  /// design is the better of two that break limits where it breaks them less.
+  void step_down() {
+    constexpr std::size_t kMost = 20000;  // combinations
+    const bool has_design =
+        is_feasible(result_.found.assessment) && are_integers(problem_, result_.found.x);
+    Found best =
+        has_design ? result_.found : solve(with_integers_fixed(problem_, problem_.start()));
+    std::set<std::vector<double>> tried;
+    const auto is_open = [&] { return !deadline_.passed() && tried.size() < kMost; };
+    // Whether a step leads to a better design, which is then the best one.
+    const auto step = [&](std::initializer_list<std::pair<std::size_t, double>> moves) {
+      std::vector<double> to = best.x;
+      if (to.empty()) return false;
+      for (const std::size_t i : whole_) to[i] = std::round(to[i]);
+      for (const auto& [variable, by] : moves) {
+        const IntegerRange range = range_of(problem_.variables[variable]);
+        to[variable] += by;
+        if (to[variable] < range.low || to[variable] > range.high) return false;
+      }
+      std::vector<double> key;
+      for (const std::size_t i : whole_) key.push_back(to[i]);
+      if (!is_open() || !tried.insert(std::move(key)).second) return false;
+      Found found = solve_near(best.x, to);
+      if (found.x.empty() || !better(problem_, found.assessment, best.assessment)) return false;
+      best = std::move(found);
+      return true;
+    };
+    const auto along = [&](std::size_t variable, double direction) {
+      bool any = false;
+      for (double by = 1; step({{variable, direction * by}}); by *= 2) any = true;
+      return any;
+    };
+    const auto in_one = [&] {
+      bool any = false;
+      for (const std::size_t i : whole_) any |= along(i, 1) || along(i, -1);
+      return any;
+    };
+    const auto in_two = [&] {
+      for (std::size_t a = 0; a < whole_.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+          for (const double by_a : {1.0, -1.0}) {
+            for (const double by_b : {1.0, -1.0}) {
+              if (step({{whole_[a], by_a}, {whole_[b], by_b}})) return true;
+            }
+          }
+        }
+      }
+      return false;
+    };
+    while (in_one() || in_two()) {
+    }
+    result_.neighbours_tried = is_open() && is_feasible(best.assessment);
   }
 
   /// The integer variable farthest from an integer; past the end where all are integers.

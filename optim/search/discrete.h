@@ -27,6 +27,9 @@ struct IntegerOutcome {
   bool all_infeasible = true;    ///< every one that was looked at had none
   bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
   bool enumerated = true;
+  /// Of what was not enumerated: whether every combination one step away from the best in one
+  /// integer variable, and in two at once, was tried, and none is better.
+  bool neighbours_tried = false;
   std::vector<IntegerDesign> designs = {};  ///< all, in the order in which they were found
 
   /// Counts what came of one continuous problem, the integer variables held or not, and keeps the
@@ -43,7 +46,8 @@ std::optional<std::vector<std::vector<double>>> integer_combinations(const Probl
 Problem with_integers(const Problem& problem, const std::vector<double>& values);
 
 /// Solves over the integer variables of one problem by branch and bound; the best is not proved
-/// yet.
+/// yet. Where bounds do not settle it, steps of the integer variables from the best design, one or
+/// two at once, are taken as long as they lead to a better one.
 IntegerOutcome search_tree(const Problem& problem, const OptimiseOptions& options,
                            const Deadline& deadline);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "optim/problem/deadline.h"
 #include "optim/search/discrete.h"
 #include "optim/search/plan.h"
 #include "optim/verdict/limits.h"
@@ -122,17 +123,35 @@ std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
   return result;
 }
 
-std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
-                            OptimiseOptions options) {
-  if (options.time_limit && !(*options.time_limit > 0)) return {};
+FoundEasings easings(const Problem& problem, const Found& infeasible, OptimiseOptions options) {
+  constexpr double kShare = 0.5;     // of the time that is left
   if (is_large(problem)) return {};  // each of these searches may take as long as the first
+  std::optional<double> own;
+  if (options.time_limit) own = kShare * std::max(0.0, *options.time_limit - options.spent);
+  const Deadline deadline(own, options.stop);
   options.starts = 1;
   options.divides = false;
   options.progress = {};
   options.candidate = {};
-  return easings(problem, infeasible, [&](const Problem& posed) {
-    return optimise(ProblemSpace::of(posed), options).found;
+  options.spent = 0;
+  FoundEasings result;
+  bool is_cut = false;
+  result.all = easings(problem, infeasible, [&](const Problem& posed) -> Found {
+    Found found;
+    if (!deadline.passed()) {
+      options.time_limit = deadline.left();
+      found = optimise(ProblemSpace::of(posed), options).found;
+    }
+    if (!deadline.passed()) return found;
+    is_cut = true;  // what was found by then need not be the least that helps
+    return {};
   });
+  if (!is_cut) return result;
+  const bool had_none = own && *own <= 0;
+  result.cut_short = deadline.stopped() ? "the search was stopped"
+                     : had_none         ? "the search left nothing of the time limit"
+                                : "they took half of what the search had left of the time limit";
+  return result;
 }
 
 }  // namespace camlaw::optim

@@ -35,10 +35,16 @@ using SearchFromStart = std::function<Found(const Problem&)>;
 std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
                             const SearchFromStart& search);
 
+/// What was found of them, and what was not looked for.
+struct FoundEasings {
+  std::vector<Easing> all;
+  std::string cut_short;  ///< why some were not looked for to the end; empty where all were
+};
+
 /// The same with one search each, by the solver of `options`, from the design of least violation.
-/// Nothing of large problems, whose searches take long.
-std::vector<Easing> easings(const Problem& problem, const Found& infeasible,
-                            OptimiseOptions options);
+/// Nothing of large problems, whose searches take long. With a time limit they take half of what is
+/// left of it at most: what comes after them has the rest.
+FoundEasings easings(const Problem& problem, const Found& infeasible, OptimiseOptions options);
 
 /// Each takes a search; of the limits that contradict one another few are of use to who has to
 /// decide which to ease.

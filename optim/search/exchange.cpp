@@ -21,7 +21,7 @@ SolverOptions tightened(const Problem& problem, const Scales& scales, SolverOpti
   // Rounding of scaled rows keeps solvers from coming nearer (SC4).
   constexpr double kTightest = 1e-11;
   for (const ConstraintScale& c : scales.constraints) {
-    options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
+    options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.scale);
   }
   const double wanted = 0.1 * scales.objective_tolerance / scales.objective;
   if (problem.objective().tolerance) options.tolerance = std::min(options.tolerance, wanted);

@@ -66,6 +66,9 @@ class HeldCurve final : public ForwardingCurve {
     return curve().slope_gradient(place, into_(x));
   }
   Place tied(Place place, Design x) const override { return curve().tied(place, into_(x)); }
+  std::vector<double> jump_motion(Place place, Design x) const override {
+    return optim::jump_motion(curve(), place, into_(x));
+  }
   std::vector<Rest> rests(double bound, Design x) const override {
     std::vector<Rest> rests = curve().rests(bound, into_(x));
     for (Rest& rest : rests) rest.leading = held(rest.leading, variables_, into_);

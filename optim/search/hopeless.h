@@ -16,7 +16,7 @@ namespace camlaw::optim {
 struct Hopeless {
   std::string limit;
   std::string why;     ///< "no variable changes it"
-  std::string global;  ///< the same as a statement of every design
+  std::string global;  ///< the same as a statement of every design; empty where none is proved
 };
 
 /// Looks for a limit that nothing moves which varies, or that is passed at a place of the cycle at

@@ -11,19 +11,18 @@
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
 #include "optim/search/along_edge.h"
-#include "optim/search/convex_part.h"
 #include "optim/search/from_start.h"
 #include "optim/search/hopeless.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/look_around.h"
 #include "optim/search/proof.h"
-#include "optim/search/told.h"
+#include "optim/search/several_starts.h"
 #include "optim/search/unbounded.h"
 #include "optim/search/with_numbers.h"
-#include "optim/verdict/conditions.h"
+#include "optim/search/without_value.h"
+#include "optim/verdict/limits.h"
 #include "optim/verdict/limits_in_haste.h"
 #include "optim/verdict/none_possible.h"
-#include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -37,7 +36,7 @@ void blame(const Hopeless& hopeless, const Problem& problem, const Scales& scale
   found.assessment.verdict = Verdict::Infeasible;
   found.assessment.blamed = {hopeless.limit};
   found.assessment.reason = fmt::format("{} cannot be met: {}", hopeless.limit, hopeless.why);
-  found.assessment.global = hopeless.global;
+  if (!hopeless.global.empty()) found.assessment.global = hopeless.global;
 }
 
 /// Judges the one design of a problem in which nothing varies.
@@ -54,108 +53,6 @@ void judge_alone(const Problem& problem, Trail& trail) {
   } else if (const auto hopeless = hopeless_limit(problem, trail.scales)) {
     blame(*hopeless, problem, trail.scales, found);
   }
-}
-
-int count_of_starts(const Setting& setting) {
-  // Seven drawn at random miss a basin of a third of the box once in 17 times.
-  constexpr int kStarts = 8;
-  // These begin nearer to a design, and each takes longer.
-  constexpr int kStartsOfMany = 3;
-  if (setting.options.starts) return *setting.options.starts;
-  const bool one_is_enough = why_convex(setting.original) && !needs_slope(setting.problem);
-  if (one_is_enough || setting.plan.solvers.front()->is_global()) return 1;
-  return is_large(setting.problem) ? kStartsOfMany : kStarts;
-}
-
-/// Whether no others are needed after the first start: it has come near what theory says that no
-/// design passes, or the box of few variables, divided into a few parts, holds nothing better than
-/// where it ended.
-bool leaves_nothing(const Setting& setting, const Trail& trail) {
-  constexpr int kFewBoxes = 300;  // less work than the seven other starts that it may spare
-  const OptimiseOptions& how = setting.options;
-  const bool has_others = !how.starts && count_of_starts(setting) > 1;
-  if (!has_others || !is_settled(trail.found.assessment)) return false;
-  if (is_near_limit(setting.original, trail.found.assessment)) return true;
-  if (!how.divides) return false;
-  const Problem guarded = interruptible(setting.original, setting.deadline);
-  const std::vector<double>& x = trail.found.x;
-  const Scales there = scales(guarded, x);
-  const auto division = subdivided(
-      guarded, there, x, [&] { return setting.deadline.passed(); }, kFewBoxes);
-  if (!division || division->better) return false;
-  const double gain = std::abs(trail.found.assessment.objective.value - division->best_possible);
-  return gain <= kBoundTolerance * there.objective * objective_measure(guarded, there, x);
-}
-
-/// Searches from one start, whatever came of the others.
-FromStart search_one(const Setting& setting, int number, FirstStart first) {
-  FromStart result;
-  Trail& trail = result.trail;
-  trail.in_vain = number > 0 && first == FirstStart::InVain;
-  trail.design_elsewhere = number > 0 && first == FirstStart::Led;
-  trail.none_elsewhere = number > 0 && first != FirstStart::Led;
-  trail.found.solver = setting.plan.solvers.front()->name();
-  trail.found.why_solver = setting.plan.why;
-  trail.found.starts = number + 1;
-  trail.found.planned_starts = count_of_starts(setting);
-  try {
-    const bool as_it_is =
-        number == 0 || !is_large(setting.problem) || setting.plan.solvers.front()->is_global();
-    const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
-    const std::vector<double> start =
-        as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
-    trail.scales = scales(setting.problem, start);
-    const Assessment end = search_from_start(start, setting, trail);
-    if (is_feasible(end)) result.objective = end.objective.value;
-    if (number == 0 && leaves_nothing(setting, trail)) result.end = StartEnd::BestOfAll;
-  } catch (const Interrupted&) {
-    result.end = StartEnd::CutShort;
-  } catch (...) {
-    trail.thrown = words_of(std::current_exception());
-    result.end = StartEnd::Thrown;
-  }
-  return result;
-}
-
-/// Of what has been told the functions; after a stop it is not needed, and left out.
-void find_told(const Setting& setting, Trail& trail) {
-  try {
-    find_functions(setting.problem, trail.told);
-  } catch (const Interrupted&) {
-    trail.told.clear();
-  }
-}
-
-/// What the model threw in the search from a start ends the search.
-struct ModelThrew {};
-
-/// Searches from one start or several; of the first of them what is known is taken. `ends` gets the
-/// objective where each start ended, infinite where that is no design.
-void search_starts(const Setting& setting, Trail& trail, std::vector<double>& ends,
-                   std::vector<FromStart> known) {
-  Found& found = trail.found;
-  const int count = count_of_starts(setting);
-  found.planned_starts = count;
-  FirstStart first = FirstStart::Led;
-  bool is_cut = false;
-  for (int number = 0; number < count; ++number) {
-    const auto at = static_cast<std::size_t>(number);
-    const bool is_known = at < known.size();
-    if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
-    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
-    if (is_known) find_told(setting, start.trail);
-    if (number == 0) first = told_of(start);
-    const bool is_last = ends_search(start);
-    const StartEnd end = start.end;
-    ends.push_back(start.objective);
-    trail.join(setting.problem, std::move(start.trail));
-    if (end == StartEnd::Thrown) throw ModelThrew();
-    is_cut = is_cut || end == StartEnd::CutShort;
-    if (!is_last || is_cut) continue;
-    found.planned_starts = found.starts;
-    break;
-  }
-  if (is_cut) throw Interrupted();
 }
 
 /// Whether the answer is where the search began, or says itself that its conditions may hold by
@@ -281,20 +178,47 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
       return true;
     }
   }
-  const auto hopeless = hopeless_limit(problem, trail.scales);
+  auto hopeless = hopeless_limit(problem, trail.scales);
+  if (!hopeless) hopeless = limit_without_value(problem, setting.options.seed, Asked::Before);
   if (hopeless) blame(*hopeless, problem, trail.scales, trail.found);
   return hopeless.has_value();
 }
 
-/// Where no design with numbers was found: there is none, if the model's own conditions show that.
+/// Blames a limit of whose response proofs have come upon a place without a value, such as a narrow
+/// part of a range, at the answer and at a few other designs: no search is led there.
+void blame_without_value(const Setting& setting, Trail& trail) {
+  constexpr int kDesigns = 4;
+  Assessment& a = trail.found.assessment;
+  if (a.verdict != Verdict::Failed || !setting.proves() || setting.deadline.passed()) return;
+  const auto none = std::ranges::find_if(
+      a.limits, [](const LimitReport& limit) { return std::isnan(limit.value); });
+  if (none == a.limits.end()) return;
+  const Problem& problem = setting.problem;
+  for (const std::vector<double>& x : starts(problem, kDesigns, setting.options.seed)) {
+    const auto limits = limit_reports(problem, scales(problem, x), x, true);
+    if (!std::isnan(limits[static_cast<std::size_t>(none - a.limits.begin())].value)) return;
+  }
+  a.verdict = Verdict::Infeasible;
+  a.blamed = {none->name};
+  a.reason = fmt::format(
+      "{} cannot be met: it has no value somewhere at each of the {} designs that were looked at "
+      "with proofs",
+      none->name, 1 + kDesigns);
+}
+
+/// Where no design with numbers was found: there is none, if the model's own conditions show that,
+/// or if a limit's response has no value anywhere.
 void end_without_numbers(const Setting& setting, Trail& trail) {
   trail.fail(undefined_at(setting.original, setting.problem.start(), "the start"));
-  const auto none = none_possible(setting.original);
-  if (!none) return;
   Assessment& assessment = trail.found.assessment;
-  assessment.verdict = Verdict::Infeasible;
-  assessment.reason = fmt::format("{}; {}", *none, assessment.reason);
-  assessment.global = *none;
+  if (const auto none = none_possible(setting.original)) {
+    assessment.verdict = Verdict::Infeasible;
+    assessment.reason = fmt::format("{}; {}", *none, assessment.reason);
+    assessment.global = *none;
+    return;
+  }
+  const auto without = limit_without_value(setting.problem, setting.options.seed, Asked::After);
+  if (without) blame(*without, setting.problem, trail.scales, trail.found);
 }
 
 /// Carries out all stages in turn.
@@ -322,6 +246,7 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   search_elsewhere(watched, setting, trail);
   keep_from_edge(setting, trail);
   keep_start(setting, trail);
+  blame_without_value(setting, trail);
   if (!trail.is_infeasible()) conclude_search(setting, ends, trail);
 }
 
@@ -375,13 +300,7 @@ FromStart search_one_start(const Problem& problem, const OptimiseOptions& option
   } catch (...) {  // the whole search comes upon it too
     return {{}, kInfinity, StartEnd::NotBegun};
   }
-  return search_one(setting, start, first);
-}
-
-bool ends_search(const FromStart& start) {
-  const Assessment& a = start.trail.found.assessment;
-  const bool best_of_all = is_settled(a) && a.is_global;
-  return best_of_all || start.trail.is_infeasible() || start.end != StartEnd::Itself;
+  return search_one(setting, start, first, none.scales.variables.empty() ? nullptr : &none.scales);
 }
 
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,

@@ -26,8 +26,6 @@ int planned_starts(const Problem& problem, const OptimiseOptions& options);
 /// The search from one of them, counted from 0, by itself. `first`: what it knows of the first.
 FromStart search_one_start(const Problem& problem, const OptimiseOptions& options,
                            const Deadline& deadline, int start, FirstStart first);
-/// Whether no other start need be tried after the search from one.
-bool ends_search(const FromStart& start);
 
 /// What is said of a design on which a search was cut short.
 Found cut_short(const Problem& problem, const std::vector<double>& x, const std::string& why);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "optim/cycle/maxima_at.h"
 #include "optim/problem/interrupted.h"
 #include "optim/problem/starts.h"
 
@@ -27,10 +29,57 @@ int designs_to_look_at(const Problem& problem) {
   return is_quick(problem) ? kQuick : kSearched;
 }
 
-/// Whether a design keeps every limit without its tolerance.
-bool keeps_limits(const Setting& setting, const Trail& trail, Design x) {
-  return !(largest_violation(setting.problem, trail.scales, x) > 0);
-}
+/// Whether designs keep every limit without its tolerance. Where one design breaks a limit others
+/// break it too as a rule, which is seen at once; only the rest takes searches over the cycle.
+class LimitsElsewhere {
+ public:
+  explicit LimitsElsewhere(const Problem& problem) : problem_(problem) {}
+
+  bool are_kept(Design x) {
+    MaximaAt maxima(x);
+    const auto broken = std::find_if(known_.begin(), known_.end(), [&](const Breach& breach) {
+      const Curve& curve = problem_.constraints[breach.limit].response.curve();
+      return passes(breach, maxima.trace(curve).at(breach.place)[0]);
+    });
+    if (broken != known_.end()) {
+      std::rotate(known_.begin(), broken, broken + 1);  // which is the first to be looked at next
+      return false;
+    }
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      if (is_broken(i, 1, maxima, x) || is_broken(i, -1, maxima, x)) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// A limit's bound, 1 for the upper one and -1 for the lower one, and where a curve passed it.
+  struct Breach {
+    std::size_t limit;
+    double sign;
+    Place place;
+  };
+
+  bool passes(const Breach& breach, double value) const {
+    const Constraint& c = problem_.constraints[breach.limit];
+    const std::optional<double>& bound = breach.sign > 0 ? c.upper : c.lower;
+    return bound && breach.sign * (value - *bound) > 0;
+  }
+
+  bool is_broken(std::size_t limit, double sign, MaximaAt& maxima, Design x) {
+    const Constraint& c = problem_.constraints[limit];
+    if (!(sign > 0 ? c.upper : c.lower)) return false;
+    if (!c.response.is_curve()) return passes({limit, sign, {}}, c.response.function().value(x));
+    const Extreme highest = maxima.highest(c.response.curve(), sign);
+    const Breach breach{limit, sign, highest.place};
+    if (!passes(breach, highest.value)) return false;
+    std::erase_if(known_, [&](const Breach& k) { return k.limit == limit && k.sign == sign; });
+    known_.insert(known_.begin(), breach);
+    return true;
+  }
+
+  const Problem& problem_;
+  std::vector<Breach> known_;
+};
 
 }  // namespace
 
@@ -50,10 +99,11 @@ std::optional<std::vector<double>> better_elsewhere(const Setting& setting,
   if (trail.is_within_limits()) {
     least = sign * trail.found.assessment.objective.value - trail.scales.objective_tolerance;
   }
+  LimitsElsewhere limits(problem);
   std::optional<std::vector<double>> best;
   for (std::vector<double>& x : starts(problem, designs, setting.options.seed)) {
     const double value = sign * objective_value(problem.objective(), x);
-    if (!(value < least) || !keeps_limits(setting, trail, x)) continue;
+    if (!(value < least) || !limits.are_kept(x)) continue;
     least = value;
     best = std::move(x);
   }

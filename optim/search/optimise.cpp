@@ -59,6 +59,8 @@ class Optimiser {
       tally_.unsettled.push_back(words_of(part.options));
     tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
     tally_.enumerated = tally_.enumerated && search.enumerated;
+    tally_.neighbours_tried =
+        tally_.neighbours_tried && (search.enumerated || search.neighbours_tried);
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
     const bool all_told = search.enumerated && search.complete &&
                           search.infeasible + search.designs.size() == search.solved;
@@ -243,18 +245,40 @@ class Optimiser {
     return found;
   }
 
+  /// Whether a design meets the limits of a problem that only asks for one: first from the design
+  /// of least violation alone; where that is led to none, and it is not known that there is none,
+  /// as any other search is.
+  Assessment met_by_any(Problem posed, Found& nearest) {
+    constexpr int kFewIterations = 200;  // of a solver: no optimum is asked for
+    for (std::size_t i = 0; i < posed.variables.size(); ++i) {
+      Variable& v = posed.variables[i];
+      v.start = std::clamp(nearest.x[i], v.lower, v.upper);
+    }
+    OptimiseOptions how = options_;
+    how.divides = false;
+    how.max_iterations = std::min(how.max_iterations, kFewIterations);
+    how.starts = 1;
+    Assessment without;
+    for (const auto& starts : {how.starts, options_.starts}) {
+      how.starts = starts;
+      Found found = search_continuous(posed, how, deadline_, Depth::Combination);
+      work_.add_work(found);
+      nearest.add_work(found);
+      without = std::move(found.assessment);
+      if (is_feasible(without) || without.global || options_.starts == 1) break;
+    }
+    return without;
+  }
+
   void blame_fewest() {
     Found& found = best_.found;
     const bool is_known = found.assessment.verdict == Verdict::Infeasible && !found.x.empty();
     if (!is_known || deadline_.passed()) return;
+    Problem whole = with_integers_fixed(best_.problem, found.x);
+    // What is asked is whether any design meets the other limits, not which is best.
+    whole.objectives = {no_objective()};
     narrow_blame(
-        with_integers_fixed(best_.problem, found.x),
-        [&](const Problem& others) {
-          Found without = search_continuous(others, options_, deadline_, Depth::Combination);
-          work_.add_work(without);
-          found.add_work(without);
-          return std::move(without.assessment);
-        },
+        std::move(whole), [&](const Problem& others) { return met_by_any(others, found); },
         found.assessment);
     for (PartFound& part : best_.parts) {
       if (part.options == best_.options) part.active = found.assessment.blamed;

@@ -11,7 +11,7 @@ bool differ(const Scales& a, const Scales& b) {
     if (far(a.variables[i], b.variables[i])) return true;
   }
   for (std::size_t i = 0; i < a.constraints.size(); ++i) {
-    if (far(a.constraints[i].size, b.constraints[i].size)) return true;
+    if (far(a.constraints[i].scale, b.constraints[i].scale)) return true;
     if (far(a.constraints[i].tolerance, b.constraints[i].tolerance)) return true;
   }
   return false;

@@ -97,8 +97,8 @@ void visit(Archive& archive, P& push) {
 template <class Archive, class C>
 requires std::is_same_v<std::remove_const_t<C>, ConstraintScale>
 void visit(Archive& archive, C& one) {
-  auto& [size, tolerance, default_tolerance] = one;
-  archive(size), archive(tolerance), archive(default_tolerance);
+  auto& [scale, tolerance, default_tolerance] = one;
+  archive(scale), archive(tolerance), archive(default_tolerance);
 }
 
 template <class Archive, class S>
@@ -137,9 +137,10 @@ template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, IntegerOutcome>
 void visit(Archive& archive, O& outcome) {
   auto& [found, combinations, solved, complete, infeasible, all_infeasible, bounds_hold, enumerated,
-         designs] = outcome;
+         neighbours_tried, designs] = outcome;
   archive(found), archive(combinations), archive(solved), archive(complete), archive(infeasible);
-  archive(all_infeasible), archive(bounds_hold), archive(enumerated), archive(designs);
+  archive(all_infeasible), archive(bounds_hold), archive(enumerated), archive(neighbours_tried),
+      archive(designs);
 }
 
 template <class Archive, class T>

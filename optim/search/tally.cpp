@@ -27,6 +27,15 @@ std::string not_looked_at_words(std::size_t count) {
   return fmt::format("; {} {} not looked at", count, count == 1 ? "was" : "were");
 }
 
+/// What is known of a design whose combination was not found by trying all.
+std::string neighbour_words(const CombinationTally& tally) {
+  if (tally.enumerated || !tally.neighbours_tried) return {};
+  return fmt::format(
+      "; none of those one step away in one integer variable, or in two at once, is better ({} "
+      "problems solved)",
+      tally.solved);
+}
+
 }  // namespace
 
 void judge_combinations(const CombinationTally& tally, Assessment& a) {
@@ -40,6 +49,7 @@ void judge_combinations(const CombinationTally& tally, Assessment& a) {
     a.verdict = Verdict::Feasible;
     a.reason = fmt::format("not all of the {} combinations were settled{}", tally.combinations,
                            unsettled_words(tally.unsettled) + not_looked_at_words(tally.missed));
+    a.reason += neighbour_words(tally);
     if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
     a.global.reset();
     return;
@@ -48,7 +58,8 @@ void judge_combinations(const CombinationTally& tally, Assessment& a) {
     a.verdict = Verdict::Feasible;
     a.reason =
         "combinations were excluded by bounds that hold only locally, as the rest of the problem "
-        "is not convex";
+        "is not convex" +
+        neighbour_words(tally);
     a.global.reset();
     return;
   }

@@ -12,6 +12,7 @@ namespace camlaw::optim {
 struct CombinationTally {
   std::size_t combinations = 0, solved = 0, missed = 0;
   bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
+  bool neighbours_tried = true;             ///< of what was not enumerated (IntegerOutcome)
   std::string stopped = {};                 ///< why the search ended early, where it did
   std::vector<std::string> unsettled = {};  ///< combinations of choices, in words
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "optim/search/exchange.h"
+#include "optim/search/plan.h"
 
 namespace camlaw::optim {
 namespace {
@@ -110,9 +111,9 @@ WorkingSet::WorkingSet(const Problem& problem, const Scales& scales, Aim aim)
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) continue;
-    const ConstraintScale& size = scales.constraints[i];
+    const ConstraintScale& own = scales.constraints[i];
     const auto add = [&](double sign, double bound) {
-      add_side({&c.response, sign, bound, false, size.size, size.tolerance, i, {}, {}}, known);
+      add_side({&c.response, sign, bound, false, own.scale, own.tolerance, i, {}, {}}, known);
     };
     if (c.upper) add(1, *c.upper);
     if (c.lower) add(-1, *c.lower);
@@ -178,7 +179,8 @@ void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, Lin
   };
   const bool tells_rows = tells(curve);
   LinearRows& known = rows.try_emplace(side.group, x, kRounding).first->second;
-  const auto breaks = curve.trace(x)->breaks();
+  const auto trace = curve.trace(x);
+  const std::vector<double> breaks = trace->breaks();
   const int steps = steps_at_first(breaks.size());
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     for (int i = 0; i <= steps; ++i) {
@@ -189,6 +191,37 @@ void WorkingSet::begin_side(CurveSide& side, Design x, std::map<std::size_t, Lin
       if (tells_rows && !known.add(held.function, side.sign, kRounding * side.size)) continue;
       side.places.push_back(std::move(held));
     }
+  }
+  if (aim_ == Aim::Optimum && is_linear(problem_) && is_large(problem_))
+    hold_start_peaks(side, *trace, x, known);
+}
+
+void WorkingSet::hold_start_peaks(CurveSide& side, const Trace& trace, Design x,
+                                  LinearRows& known) {
+  constexpr double kRoom = 1e-2, kBeside = 1e-6;  // of the limit
+  constexpr double kRounding = 1e-9;              // of slopes
+  if (!tells(side.response->curve())) return;
+  const double limit = limit_of(side, side.of_peak ? auxiliary_start(x) : 0);
+  const std::vector<double> breaks = trace.breaks();
+  const Curve& curve = side.response->curve();
+  const RestWeights weights = weights_of(side, x);
+  const auto hold = [&](double angle) {
+    const Place place = curve.tied({angle}, x);
+    HeldPlace held{place, weights.at(place), curve.at(place)};
+    if (weights.is_rest(place) || !known.add(held.function, side.sign, kRounding * side.size))
+      return;
+    side.places.push_back(std::move(held));
+  };
+  for (const Extreme& peak : local_maxima(trace, side.sign)) {
+    const double angle = peak.place.angle;
+    const auto after = std::upper_bound(breaks.begin(), breaks.end(), angle);
+    const bool is_inside = after != breaks.begin() && after != breaks.end() && *(after - 1) < angle;
+    if (!is_inside || limit - side.sign * peak.value > kRoom * std::abs(limit)) continue;
+    hold(angle);
+    // Between these a curve of this bend rises by no more than that share.
+    const double half = std::sqrt(2 * kBeside * std::abs(limit / trace.at(peak.place)[2]));
+    if (angle - half > *(after - 1)) hold(angle - half);
+    if (angle + half < *after) hold(angle + half);
   }
 }
 
@@ -260,7 +293,7 @@ Row WorkingSet::number_row(std::size_t constraint) const {
   return {.function = c.response.function(),
           .lower = c.lower.value_or(-kInfinity),
           .upper = c.upper.value_or(kInfinity),
-          .size = scales_.constraints[constraint].size,
+          .size = scales_.constraints[constraint].scale,
           .constraint = constraint};
 }
 
@@ -326,7 +359,7 @@ double WorkingSet::auxiliary_start(Design x) const {
 }
 
 Program WorkingSet::program(Design start) const {
-  std::vector<Column> columns;
+  std::vector<ProgramColumn> columns;
   for (std::size_t i = 0; i < problem_.variables.size(); ++i) {
     const Variable& v = problem_.variables[i];
     columns.push_back({v.lower, v.upper, start[i], scales_.variables[i]});

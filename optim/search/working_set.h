@@ -77,6 +77,9 @@ class WorkingSet {
  private:
   void add_side(CurveSide side, std::map<std::pair<const Curve*, bool>, std::size_t>& known);
   void begin_side(CurveSide& side, Design x, std::map<std::size_t, LinearRows>& rows);
+  /// Adds the start's peaks that stand near their limit, with a place on either side: where a
+  /// search begins between answers of like problems, its own answer's peaks are not far.
+  void hold_start_peaks(CurveSide& side, const Trace& trace, Design x, LinearRows& known);
   std::size_t add_violated_places(CurveSide& side, Design x, double limit, double least,
                                   std::map<std::size_t, LinearRows>& rows);
   RestWeights weights_of(const CurveSide& side, Design x) const;

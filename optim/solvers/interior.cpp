@@ -31,6 +31,10 @@ void settle_at_bounds(const QuadraticProgram& program, const InteriorSolution& f
   }
 }
 
+Eigen::VectorXd vector_of(std::span<const double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 class InteriorSolver final : public Solver {
  public:
   std::string name() const override { return "interior"; }
@@ -56,10 +60,27 @@ class InteriorSolver final : public Solver {
     if (!read) return solution;
     const QuadraticProgram& linear = *read;
     RunEnd cut_short{Status::Stopped, "stopped"};
-    const InteriorSolution found = solve_by_interior_point(
-        linear, Eigen::Map<const Eigen::VectorXd>(start.data(), linear.cost.size()),
-        {.most_iterations = std::min(options.max_iterations, InteriorOptions{}.most_iterations),
-         .goes_on = watch(program, options, cut_short)});
+    const auto found_from = [&](const InteriorSolution* near) {
+      return solve_by_interior_point(
+          linear, vector_of(start),
+          {.most_iterations = std::min(options.max_iterations, InteriorOptions{}.most_iterations),
+           .near = near,
+           .goes_on = watch(program, options, cut_short)});
+    };
+    std::optional<InteriorSolution> near;
+    if (warm != nullptr && !warm->rows.empty()) {
+      near = InteriorSolution{.y = {},
+                              .row_multipliers = vector_of(warm->rows),
+                              .lower_multipliers = vector_of(warm->lower),
+                              .upper_multipliers = vector_of(warm->upper)};
+    }
+    InteriorSolution found = found_from(near ? &*near : nullptr);
+    const bool is_left = found.end != InteriorEnd::Optimal && found.end != InteriorEnd::Ended;
+    if (near && is_left) {
+      const int before = found.iterations;
+      found = found_from(nullptr);
+      found.iterations += before;
+    }
     const RunEnd end = found.end == InteriorEnd::Ended ? cut_short : run_end(found.end);
     solution.status = end.status;
     solution.message = end.message;

@@ -74,9 +74,9 @@ std::optional<RunEnd> unfit_start(const NloptMethod& method, const Program& prog
 
 /// NLopt calls it a success where a method ends at an infeasible point or against a region where
 /// the model is undefined, and where a global method could not go on.
-RunEnd doubted(const RunEnd& claim, bool is_global, const Point& final,
+RunEnd doubted(const RunEnd& claim, bool is_global, const NloptPoint& final,
                const Evaluator& evaluator) {
-  const Point& best = evaluator.best();
+  const NloptPoint& best = evaluator.best();
   if (claim.status != Status::Solved) return claim;
   if (is_global) return {Status::Stalled, "the search has reached its finest resolution"};
   if (best.violation > kAcceptableViolation) {
@@ -91,7 +91,7 @@ RunEnd doubted(const RunEnd& claim, bool is_global, const Point& final,
   return claim;
 }
 
-Solution solution(const Point& point, RunEnd outcome, const Evaluator& evaluator) {
+Solution solution(const NloptPoint& point, RunEnd outcome, const Evaluator& evaluator) {
   Solution result;
   result.status = outcome.status;
   result.message = std::move(outcome.message);
@@ -114,13 +114,13 @@ Solution search_from(const NloptMethod& method, const Program& program,
   y = evaluator.best().y;  // the start, drawn into the box
   NloptSearch search(method, program, options, evaluator);
   const nlopt_result result = search.run(y);
-  const Point& best = evaluator.best();
-  const Point final = evaluator.at(y);
+  const NloptPoint& best = evaluator.best();
+  const NloptPoint final = evaluator.at(y);
   if (evaluator.halt() != Halt::None) return solution(best, run_end(evaluator.halt()), evaluator);
   const bool prefer_final =
       final.violation <= kAcceptableViolation &&
       (best.violation > kAcceptableViolation || materially_lower(final.objective, best.objective));
-  const Point& chosen = prefer_final ? final : best;
+  const NloptPoint& chosen = prefer_final ? final : best;
   RunEnd end = doubted(run_end(result, search.words()), method.is_global, final, evaluator);
   if (end.status == Status::Solved && chosen.violation > options.tolerance) {
     end.status = Status::Acceptable;

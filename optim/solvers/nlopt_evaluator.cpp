@@ -24,7 +24,7 @@ double largest_violation(const Program& program, std::span<const double> rows) {
 }
 
 /// Feasible before infeasible, then the lower objective; among the infeasible the lesser violation.
-bool better(const Point& a, const Point& b, double tolerance) {
+bool better(const NloptPoint& a, const NloptPoint& b, double tolerance) {
   const bool feasible = a.violation <= tolerance;
   if (feasible != (b.violation <= tolerance)) return feasible;
   if (feasible || a.violation == b.violation) return a.objective < b.objective;
@@ -42,7 +42,7 @@ Evaluator::Evaluator(const Program& program, const SolverOptions& options, long 
   last_.rows.resize(program.rows());
 }
 
-const Point& Evaluator::at(std::span<const double> y) {
+const NloptPoint& Evaluator::at(std::span<const double> y) {
   std::vector<double> inside(y.begin(), y.end());
   for (std::size_t i = 0; i < inside.size(); ++i) {
     inside[i] = std::min(std::max(inside[i], program_.lower()[i]), program_.upper()[i]);
@@ -53,7 +53,7 @@ const Point& Evaluator::at(std::span<const double> y) {
   return last_;
 }
 
-const Point& Evaluator::with_derivatives_at(std::span<const double> y) {
+const NloptPoint& Evaluator::with_derivatives_at(std::span<const double> y) {
   at(y);
   if (last_.defined && !derived_) derive();
   return last_;

@@ -10,7 +10,7 @@ namespace camlaw::optim {
 
 /// A point of the search. It is undefined where objective or a row is not a finite number, and
 /// where the search has been halted.
-struct Point {
+struct NloptPoint {
   std::vector<double> y;
   bool defined = false;
   double objective = kInfinity;
@@ -28,9 +28,9 @@ class Evaluator {
   Evaluator(const Program& program, const SolverOptions& options, long evaluation_limit);
 
   /// Objective and rows at y, drawn into the box. Valid until the next call.
-  const Point& at(std::span<const double> y);
+  const NloptPoint& at(std::span<const double> y);
   /// The same with derivatives: the point is undefined where one of those is not a finite number.
-  const Point& with_derivatives_at(std::span<const double> y);
+  const NloptPoint& with_derivatives_at(std::span<const double> y);
   std::span<const double> gradient() const { return gradient_; }
   std::span<const double> jacobian() const { return jacobian_; }
 
@@ -43,7 +43,7 @@ class Evaluator {
   std::span<const double> last_defined_rows() const { return last_defined_rows_; }
 
   /// Feasible to the tolerance with the lowest objective, else of the least violation.
-  const Point& best() const { return best_; }
+  const NloptPoint& best() const { return best_; }
   Halt halt() const { return halt_; }
   long evaluations() const { return evaluations_; }
   /// Whether one of the latest points was undefined: the search presses against such a region.
@@ -68,7 +68,7 @@ class Evaluator {
   std::optional<long> last_undefined_;  // evaluation
   Halt halt_ = Halt::None;
   std::exception_ptr error_;
-  Point last_, best_;
+  NloptPoint last_, best_;
   bool derived_ = false;  // whether the last point's derivatives are known
   std::vector<double> gradient_, jacobian_, last_defined_rows_;
   double least_objective_ = kInfinity, worst_objective_ = -kInfinity, worst_violation_ = 0;

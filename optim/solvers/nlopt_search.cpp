@@ -38,15 +38,15 @@ NloptSearch::NloptSearch(const NloptMethod& method, const Program& program,
       round_(std::max(
           1L, evaluation_limit_ / (method.uses_gradients ? kRoundsWithGradients : kRounds))) {}
 
-const Point& NloptSearch::evaluate(std::span<const double> y, bool with_derivatives) {
-  const Point& point = with_derivatives ? evaluator_.with_derivatives_at(y) : evaluator_.at(y);
+const NloptPoint& NloptSearch::evaluate(std::span<const double> y, bool with_derivatives) {
+  const NloptPoint& point = with_derivatives ? evaluator_.with_derivatives_at(y) : evaluator_.at(y);
   if (evaluator_.halt() != Halt::None) nlopt_force_stop(opt_.get());
   return point;
 }
 
 double NloptSearch::objective(unsigned n, const double* y, double* gradient, void* data) {
   NloptSearch& search = *static_cast<NloptSearch*>(data);
-  const Point& point = search.evaluate({y, n}, gradient != nullptr);
+  const NloptPoint& point = search.evaluate({y, n}, gradient != nullptr);
   if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
   if (search.is_halted_ags()) return 10 * kStopValue;
   if (!point.defined) return search.evaluator_.rejected_objective() + search.offset_;
@@ -58,7 +58,7 @@ void NloptSearch::sides(unsigned m, double* values, unsigned n, const double* y,
                         void* data) {
   const Group& group = *static_cast<const Group*>(data);
   NloptSearch& search = *group.search;
-  const Point& point = search.evaluate({y, n}, gradients != nullptr);
+  const NloptPoint& point = search.evaluate({y, n}, gradients != nullptr);
   for (std::size_t k = 0; k < m; ++k) {
     const Side& side = group.sides[k];
     values[k] = point.defined ? side.sign * (point.rows[side.row] - side.bound)

@@ -52,7 +52,7 @@ class NloptSearch {
   nlopt_result add_rows();
   nlopt_result sweep(std::vector<double>& y);
 
-  const Point& evaluate(std::span<const double> y, bool with_derivatives);
+  const NloptPoint& evaluate(std::span<const double> y, bool with_derivatives);
   double undefined_side(const Side& side) const;
   bool is_halted_ags() const;
   static double objective(unsigned n, const double* y, double* gradient, void* search);

@@ -51,7 +51,7 @@ void leave_out_negative(std::span<double> packed_matrix, const Eigen::VectorXd& 
 
 }  // namespace
 
-Program::Program(std::vector<Column> columns, Function objective, double sign,
+Program::Program(std::vector<ProgramColumn> columns, Function objective, double sign,
                  double objective_size, std::vector<Row> rows)
     : columns_(std::move(columns)),
       objective_(std::move(objective)),
@@ -60,7 +60,7 @@ Program::Program(std::vector<Column> columns, Function objective, double sign,
       rows_(std::move(rows)),
       place_(columns_.size(), -1) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
+    const ProgramColumn& column = columns_[i];
     if (column.lower == column.upper) continue;
     place_[i] = static_cast<int>(free_.size());
     free_.push_back(i);
@@ -155,7 +155,7 @@ bool Program::is_linear() const {
 std::vector<double> Program::design(std::span<const double> y) const {
   std::vector<double> x(columns_.size());
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
+    const ProgramColumn& column = columns_[i];
     if (place_[i] < 0) {
       x[i] = column.lower;
       continue;

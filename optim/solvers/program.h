@@ -28,7 +28,7 @@ struct Row {
 };
 
 /// A variable of the program. Fixed variables (lower == upper) are not seen by the solvers.
-struct Column {
+struct ProgramColumn {
   double lower = -kInfinity;
   double upper = kInfinity;
   double start = 0;
@@ -46,8 +46,8 @@ struct Pattern {
 class Program {
  public:
   /// Minimises `objective` (maximises where `sign` is -1) of size `objective_size`.
-  Program(std::vector<Column> columns, Function objective, double sign, double objective_size,
-          std::vector<Row> rows);
+  Program(std::vector<ProgramColumn> columns, Function objective, double sign,
+          double objective_size, std::vector<Row> rows);
 
   std::size_t variables() const { return free_.size(); }
   std::size_t rows() const { return rows_.size(); }
@@ -87,7 +87,7 @@ class Program {
   /// The program's objective in the problem's unit and sign.
   double unscaled_objective(double value) const { return sign_ * objective_size_ * value; }
   const std::vector<Row>& row_list() const { return rows_; }
-  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<ProgramColumn>& columns() const { return columns_; }
   /// The column of an entry of y.
   std::size_t column(std::size_t variable) const { return free_[variable]; }
   double objective_size() const { return objective_size_; }
@@ -100,7 +100,7 @@ class Program {
   void add_entries(const std::vector<std::size_t>& inputs,
                    std::vector<std::vector<int>>& columns) const;
 
-  std::vector<Column> columns_;
+  std::vector<ProgramColumn> columns_;
   Function objective_;
   double sign_, objective_size_;
   std::vector<Row> rows_;

@@ -58,8 +58,9 @@ LocalModel model_at(const Program& program, const ProgramPoint& point,
   return model;
 }
 
-Quadratics::Quadratics(const Program& program, const LocalModel& model, double reach)
-    : program_(program), model_(model), reach_(reach) {
+Quadratics::Quadratics(const Program& program, const LocalModel& model, double reach,
+                       ProgramMemory& memory)
+    : program_(program), model_(model), reach_(reach), memory_(memory) {
   const auto m = static_cast<Eigen::Index>(program.rows());
   for (Eigen::Index r = 0; r < m; ++r) {
     const auto row = static_cast<std::size_t>(r);
@@ -81,7 +82,9 @@ std::optional<ProgramStep> Quadratics::step(const VectorXd& y, const VectorXd& r
   while (true) {
     const std::vector<RowSide> near = chosen(is_near, goal);
     set_rows(near, rows, goal);
-    const InteriorSolution found = solve_by_interior_point(quadratic_, start(rows), options);
+    const InteriorSolution found = goal == StepGoal::Rows
+                                       ? solve_by_interior_point(quadratic_, start(rows), options)
+                                       : solved(start(rows), radius, options);
     if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
     ProgramStep step = read(found, radius);
     const VectorXd after = rows + model_.jacobian * step.d;
@@ -94,6 +97,79 @@ std::optional<ProgramStep> Quadratics::step(const VectorXd& y, const VectorXd& r
     return goal == StepGoal::Rows || step.passed <= kMet ? std::optional(std::move(step))
                                                          : std::nullopt;
   }
+}
+
+InteriorSolution Quadratics::solved(const VectorXd& start, double radius, InteriorOptions options) {
+  if (!memory_.is_local) memory_.is_local = has_local_rows(quadratic_);
+  if (*memory_.is_local && !memory_.held.variables.empty()) {
+    HeldSides guess{{}, memory_.held.variables};
+    for (const Eigen::Index row : near_rows_)
+      guess.rows.push_back(memory_.held.rows[static_cast<std::size_t>(row)]);
+    if (auto known = solve_from_held_sides(quadratic_, std::move(guess))) {
+      known->is_augmented = memory_.is_augmented;
+      remember(*known);
+      return std::move(*known);
+    }
+  }
+  const auto near = stage(radius);
+  memory_.stages = {};
+  if (near) options.stage = &*near;
+  options.begins_augmented = memory_.is_augmented;
+  options.keeps_stages = true;
+  options.settles = *memory_.is_local;
+  InteriorSolution found = solve_by_interior_point(quadratic_, start, options);
+  memory_.is_augmented = found.is_augmented;
+  if (found.end == InteriorEnd::Optimal) remember(found);
+  return found;
+}
+
+void Quadratics::remember(InteriorSolution& found) {
+  HeldSides now = held_sides(quadratic_, found);
+  memory_.held.variables = std::move(now.variables);
+  memory_.held.rows.assign(program_.rows(), 0);
+  for (std::size_t k = 0; k < near_rows_.size(); ++k)
+    memory_.held.rows[static_cast<std::size_t>(near_rows_[k])] = now.rows[k];
+  const auto bounds = static_cast<Eigen::Index>(2 * (program_.rows() + program_.variables()));
+  const auto renumber = [&](VectorXd& of_bounds) {
+    VectorXd result = VectorXd::Zero(bounds);
+    for (Eigen::Index k = 0; k < of_bounds.size(); ++k) result[original(k)] = of_bounds[k];
+    of_bounds = std::move(result);
+  };
+  memory_.stages = std::move(found.stages);
+  for (InteriorStage& stage : memory_.stages) {
+    renumber(stage.slacks);
+    renumber(stage.multipliers);
+  }
+}
+
+Eigen::Index Quadratics::original(Eigen::Index bound) const {
+  const auto rows = static_cast<Eigen::Index>(near_rows_.size());
+  const Eigen::Index number = bound / 2;
+  const Eigen::Index row = number < rows
+                               ? near_rows_[static_cast<std::size_t>(number)]
+                               : static_cast<Eigen::Index>(program_.rows()) + number - rows;
+  return 2 * row + bound % 2;
+}
+
+std::optional<InteriorStage> Quadratics::stage(double radius) const {
+  constexpr double kWrong = 10;
+  const InteriorStage* best = nullptr;
+  for (const InteriorStage& stage : memory_.stages) {
+    if (stage.gap >= kWrong * memory_.unforeseen) best = &stage;
+  }
+  if (best == nullptr || memory_.unforeseen <= 0) return {};
+  const auto n = static_cast<Eigen::Index>(program_.variables());
+  const auto rows = static_cast<Eigen::Index>(near_rows_.size());
+  InteriorStage stage{best->gap, best->y, VectorXd(2 * (rows + n)), VectorXd(2 * (rows + n))};
+  for (Eigen::Index k = 0; k < stage.slacks.size(); ++k) {
+    stage.slacks[k] = best->slacks[original(k)];
+    stage.multipliers[k] = best->multipliers[original(k)];
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {  // a region's bounds are not those of the last one
+    if (quadratic_.lower[i] == -radius) stage.slacks[2 * (rows + i)] = 0;
+    if (quadratic_.upper[i] == radius) stage.slacks[2 * (rows + i) + 1] = 0;
+  }
+  return stage;
 }
 
 double Quadratics::bound(const RowSide& side) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "numerics/linear/held_sides.h"
 #include "numerics/linear/quadratic_program.h"
 #include "optim/solvers/program.h"
 
@@ -69,6 +70,22 @@ struct RowSide {
 /// met.
 enum class StepGoal { Objective, Rows };
 
+/// What a quadratic program leaves for the next ones, which differ little from it as steps become
+/// small. Rows and bounds are numbered as the nonlinear program's.
+struct ProgramMemory {
+  HeldSides held;                     ///< what held its solution; empty where there is none
+  std::optional<bool> is_local;       ///< whether rows are, once it is known
+  bool is_augmented = false;          ///< whether normal equations have lost too many digits
+  std::vector<InteriorStage> stages;  ///< where y counts from the point of now
+  /// How wrong the program was about the objective, rows by their multipliers included: a gap that
+  /// is smaller was closed in vain.
+  double unforeseen = 0;
+
+  void moved(const Eigen::VectorXd& d) {
+    for (InteriorStage& stage : stages) stage.y -= d;
+  }
+};
+
 /// The quadratic programs of a point, in the step. If the rows are the goal there is one more
 /// variable, by which any row may pass its bounds: so that there always is a step.
 class Quadratics {
@@ -77,13 +94,20 @@ class Quadratics {
 
  public:
   /// Sides with more room than `reach` come into a program only where its step passes them.
-  Quadratics(const Program& program, const LocalModel& model, double reach);
+  Quadratics(const Program& program, const LocalModel& model, double reach, ProgramMemory& memory);
   /// The step from a point whose rows are these there, no farther than the radius; none where the
   /// interior-point method finds none.
   std::optional<ProgramStep> step(const Eigen::VectorXd& y, const Eigen::VectorXd& rows,
                                   double radius, StepGoal goal, const InteriorOptions& options);
 
  private:
+  /// The program as it stands, from what is remembered of another.
+  InteriorSolution solved(const Eigen::VectorXd& start, double radius, InteriorOptions options);
+  void remember(InteriorSolution& found);
+  /// Of the bound of a row or variable of the quadratic program, as those of stages: the nonlinear
+  /// one's number.
+  Eigen::Index original(Eigen::Index bound) const;
+  std::optional<InteriorStage> stage(double radius) const;
   double bound(const RowSide& side) const;
   double room(const RowSide& side, const Eigen::VectorXd& rows) const;
   /// If the rows are the goal an equation has two sides.
@@ -101,6 +125,7 @@ class Quadratics {
   const Program& program_;
   const LocalModel& model_;
   double reach_;
+  ProgramMemory& memory_;
   std::vector<RowSide> sides_;
   QuadraticProgram quadratic_;
   std::vector<Eigen::Index> near_rows_;  ///< the program's, by those of the quadratic one

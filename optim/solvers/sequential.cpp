@@ -111,7 +111,7 @@ class Sequence {
     constexpr double kLeastRadius = 1e-10;  // shorter steps change rows and objective by rounding
     const LocalModel model = model_at(program_, place_, multipliers_.rows);
     if (!model.is_finite()) return Advance::Undefined;
-    Quadratics quadratics(program_, model, reach_);
+    Quadratics quadratics(program_, model, reach_, memory_);
     unsolved_radius_ = kInfinity;
     while (radius_ > kLeastRadius) {
       const auto advance =
@@ -123,6 +123,7 @@ class Sequence {
   }
 
   void cut_region(double length) {
+    memory_.stages.clear();  // of a program that was wrong by more than it promised
     radius_ = kShrink * std::min(radius_, length);
     is_cut_ = true;
   }
@@ -260,6 +261,7 @@ class Sequence {
     const VectorXd bends = trial.rows - place_.rows - model.jacobian * step.d;
     const double unforeseen =
         std::abs(promised - gained) + step.multipliers.rows.cwiseAbs().dot(bends.cwiseAbs());
+    memory_.unforeseen = unforeseen;
     const bool last = unforeseen <= rounding() && !at_edge && passed(trial) == 0;
     if (is_about_objective(promised)) {
       grow_region(gained / promised, step);
@@ -290,6 +292,7 @@ class Sequence {
     constexpr double kReach = 2;
     reach_ = kReach * (model.jacobian * d).lpNorm<Eigen::Infinity>();
     place_ = std::move(trial);
+    memory_.moved(d);
   }
 
   bool ended() {
@@ -325,6 +328,7 @@ class Sequence {
   ProgramPoint place_;
   ProgramMultipliers multipliers_;
   InteriorOptions interior_;
+  ProgramMemory memory_;
   Filter filter_;
   StepGoal goal_ = StepGoal::Objective;
   const double passed_at_first_ = place_.violation;

@@ -6,12 +6,23 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "optim/solvers/interior.h"
-#include "optim/solvers/sequential.h"
 #include "optim/solvers/solver.h"
 
 /// The solvers by name: camlaw's own and those that a program registers.
 namespace camlaw::optim {
+
+/// The back ends in the order of their listing, a line for each: its name, after which the function
+/// that has it is called (clp_solver), which the back end's file defines. NLopt's methods follow.
+#define CAMLAW_BACK_ENDS(BACK_END) \
+  BACK_END(ipopt)                  \
+  BACK_END(clp)                    \
+  BACK_END(interior)               \
+  BACK_END(sequential)
+
+#define CAMLAW_DECLARED(name) const Solver& name##_solver();
+CAMLAW_BACK_ENDS(CAMLAW_DECLARED)
+#undef CAMLAW_DECLARED
+
 namespace {
 
 /// A solver by the name that it was registered with, so that none can change it afterwards.
@@ -32,11 +43,11 @@ struct Registry {
 Registry& registry() {
   static Registry& known = *[] {
     auto* made = new Registry;
-    made->all.push_back({ipopt_solver().name(), &ipopt_solver()});
-    made->all.push_back({clp_solver().name(), &clp_solver()});
-    made->all.push_back({interior_solver().name(), &interior_solver()});
-    made->all.push_back({sequential_solver().name(), &sequential_solver()});
-    for (const Solver* solver : nlopt_solvers()) made->all.push_back({solver->name(), solver});
+    const auto add = [&](const Solver& solver) { made->all.push_back({solver.name(), &solver}); };
+#define CAMLAW_ADDED(name) add(name##_solver());
+    CAMLAW_BACK_ENDS(CAMLAW_ADDED)
+#undef CAMLAW_ADDED
+    for (const Solver* solver : nlopt_solvers()) add(*solver);
     made->built_in = made->all.size();
     return made;
   }();

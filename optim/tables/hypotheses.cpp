@@ -16,7 +16,7 @@ namespace {
 
 using namespace detail;
 
-void check_row(const Table& table, std::size_t row) {
+void check_row(const PrintedTable& table, std::size_t row) {
   const auto reject = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("table '{}': row {} {}", table.name, row, what));
   };
@@ -37,7 +37,7 @@ void check_row(const Table& table, std::size_t row) {
   }
 }
 
-void check(const Table& table) {
+void check(const PrintedTable& table) {
   const auto reject = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("table '{}': {}", table.name, what));
   };
@@ -111,7 +111,7 @@ void count(Reproduction& result) {
 
 }  // namespace
 
-Reproduction reproduce(const Table& table) {
+Reproduction reproduce(const PrintedTable& table) {
   check(table);
   Search search(table);
   const std::vector<JudgedChoice>& kept = search.run();

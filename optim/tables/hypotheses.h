@@ -58,7 +58,7 @@ inline constexpr std::size_t kMaxHypotheses = 64;
 inline constexpr std::size_t kMaxCombinations = std::size_t{1} << 23;
 inline constexpr std::size_t kMaxEquals = 100;
 
-struct Table {
+struct PrintedTable {
   std::string name;
   std::vector<PrintedNumber> printed;
   std::vector<Hypothesis> hypotheses;
@@ -113,6 +113,6 @@ struct Reproduction {
 /// the fault, for a missing model, `depends` that do not match the rows or the hypotheses, a print
 /// that is not finite or has unusable decimals, and a table beyond the limits above. What the model
 /// throws passes through.
-Reproduction reproduce(const Table& table);
+Reproduction reproduce(const PrintedTable& table);
 
 }  // namespace camlaw::optim

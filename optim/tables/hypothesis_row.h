@@ -17,7 +17,7 @@ using Mask = std::uint64_t;  // a set of hypotheses
 inline Mask bit(std::size_t hypothesis) { return Mask{1} << hypothesis; }
 inline std::size_t size(Mask set) { return static_cast<std::size_t>(std::popcount(set)); }
 
-inline std::size_t choices(const Table& table, std::size_t hypothesis) {
+inline std::size_t choices(const PrintedTable& table, std::size_t hypothesis) {
   return table.hypotheses[hypothesis].alternatives.size() + 1;
 }
 
@@ -35,7 +35,7 @@ struct Outlook {
 /// mixed-radix number.
 class HypothesisRow {
  public:
-  HypothesisRow(const Table& table, std::size_t row, const std::vector<std::size_t>& order)
+  HypothesisRow(const PrintedTable& table, std::size_t row, const std::vector<std::size_t>& order)
       : table_(table), row_(row), scratch_(table.hypotheses.size(), 0) {
     for (const std::size_t h : order) {
       const auto& depends = table.depends[row];
@@ -110,7 +110,7 @@ class HypothesisRow {
     return all;
   }
 
-  const Table& table_;
+  const PrintedTable& table_;
   std::size_t row_;
   std::vector<std::size_t> depends_;
   Mask unstated_ = 0;

@@ -35,7 +35,7 @@ inline bool equals(const Score& a, const Score& b) {
 /// Depth-first branch and bound over the hypotheses, the most widely depended-on first.
 class Search {
  public:
-  explicit Search(const Table& table)
+  explicit Search(const PrintedTable& table)
       : table_(table), choice_(table.hypotheses.size(), 0), dependents_(table.hypotheses.size()) {
     for (std::size_t row = 0; row < table.depends.size(); ++row)
       for (const std::size_t h : table.depends[row]) dependents_[h].push_back(row);
@@ -123,7 +123,7 @@ class Search {
   /// The best, those as good that are listed, and one more, which tells that there are others.
   static constexpr std::size_t kKept = 1 + kMaxEquals + 1;
 
-  const Table& table_;
+  const PrintedTable& table_;
   Assignment choice_;
   std::vector<std::vector<std::size_t>> dependents_;  // rows, per hypothesis
   std::vector<std::size_t> order_;                    // hypotheses

@@ -112,12 +112,12 @@ class Collector {
 
   void add_constraint(std::size_t i) {
     const Constraint& c = problem_.constraints[i];
-    const ConstraintScale& size = scales_.constraints[i];
-    const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
+    const ConstraintScale& own = scales_.constraints[i];
+    const double reach = std::max(net_.width * own.scale, 2 * own.tolerance);
     const bool equation = c.is_equation();
-    const double eased = c.is_strict ? 0 : violation_ * size.size;
+    const double eased = c.is_strict ? 0 : violation_ * own.scale;
     const auto add = [&](double sign, double bound) {
-      const Level level{sign, bound + sign * eased, size.size, reach};
+      const Level level{sign, bound + sign * eased, own.scale, reach};
       if (c.response.is_curve()) {
         add_curve(c.response, level, bound, i);
       } else {
@@ -201,9 +201,11 @@ class Collector {
       const double from = side.breaks[k], to = side.breaks[k + 1];
       for (int i = 0; i <= steps; ++i) {
         const Place place = even_place(from, to, steps, i);
+        const double value = side.trace.at(place)[0];
+        if (!is_near_level(side, place, value)) continue;
         const bool known = std::any_of(peaks.begin(), peaks.end(),
                                        [&](const Extreme& peak) { return peak.place == place; });
-        if (!known) add_place(side, {place, side.trace.at(place)[0]}, false);
+        if (!known) add_place(side, {place, value}, false);
       }
     }
   }
@@ -217,13 +219,17 @@ class Collector {
     return std::min(net_.places, std::max(kFew, shared));
   }
 
+  static bool is_near_level(const CurveLevel& side, Place place, double value) {
+    const double reach = side.level.reach * side.weights.at(place);
+    return !(side.level.sign * (side.level.bound - value) > reach);
+  }
+
   void add_place(const CurveLevel& side, const Extreme& at, bool is_peak) {
-    if (side.weights.is_rest(at.place)) return;
+    if (side.weights.is_rest(at.place) || !is_near_level(side, at.place, at.value)) return;
     Level level = side.level;
     const double weight = side.weights.at(at.place);
     level.size *= weight;
     level.reach *= weight;
-    if (level.sign * (level.bound - at.value) > level.reach) return;
     const Curve& curve = side.response.curve();
     const Place place = curve.tied(at.place, x_);
     ActiveLimit limit = gradient_of(curve.at(place), level);
@@ -243,10 +249,9 @@ class Collector {
     const std::vector<double>& breaks = side.breaks;
     const double cycle = breaks.back() - breaks.front();
     constexpr double kRounding = 1e-12;  // of the cycle
-    const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
-      return std::abs(angle - place.angle) <= kRounding * cycle;
-    });
-    if (inside) return true;
+    const auto after =
+        std::lower_bound(breaks.begin(), breaks.end(), place.angle - kRounding * cycle);
+    if (after == breaks.end() || *after > place.angle + kRounding * cycle) return true;
     if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
     return side.trace.at({place.angle, true}) == side.trace.at({place.angle, false});
   }

@@ -160,7 +160,7 @@ std::vector<Inequality> inequalities(const Problem& problem, const Scales& scale
     } else if (!limit.at_rest) {
       const Constraint& c = problem.constraints[*limit.constraint];
       level = limit.sign > 0 ? *c.upper : *c.lower;
-      terms = scales.constraints[*limit.constraint].size / limit.size;
+      terms = scales.constraints[*limit.constraint].scale / limit.size;
     }
     rows.push_back({*limit.function, sign, level, limit.size, std::abs(weight),
                     convex_row(limit.function->shape(), sign), of_objective, terms});

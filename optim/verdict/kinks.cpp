@@ -164,8 +164,8 @@ class Beside {
 
 /// Below 0 where the lower bound is the nearer one, or the one passed by more; 0 where neither is
 /// near.
-double near_side(const Constraint& c, const ConstraintScale& size, double value) {
-  const double reach = std::max(kNearBound * size.size, 2 * size.tolerance);
+double near_side(const Constraint& c, const ConstraintScale& own, double value) {
+  const double reach = std::max(kNearBound * own.scale, 2 * own.tolerance);
   const double above = c.upper ? *c.upper - value : kInfinity;
   const double below = c.lower ? value - *c.lower : kInfinity;
   if (!(std::min(above, below) <= reach)) return 0;

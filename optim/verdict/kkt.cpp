@@ -72,7 +72,7 @@ double worth_of_tolerances(const Scales& scales, const Weighed& weighed) {
     const ActiveLimit& limit = weighed.limits[j];
     if (!limit.constraint) continue;
     const ConstraintScale& own = scales.constraints[*limit.constraint];
-    worth += std::abs(weighed.multipliers[j]) * own.default_tolerance / own.size;
+    worth += std::abs(weighed.multipliers[j]) * own.default_tolerance / own.scale;
   }
   return worth;
 }

@@ -43,8 +43,8 @@ void take_worse(double value, const std::optional<Place>& place, double sign, do
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, `side` becomes that.
 bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
-                const ConstraintScale& size, SideOfLimit& side) {
-  const double tolerance = size.tolerance;
+                const ConstraintScale& own, SideOfLimit& side) {
+  const double tolerance = own.tolerance;
   if (!response.is_curve()) {
     const Function& f = response.function();
     if (f.is_searched()) {
@@ -66,7 +66,7 @@ bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sig
   // A number that is told is proved as well, where that is not the same question.
   const double highest = sign * bound + tolerance;
   if (side.margin > std::max(kToldMargin * std::abs(bound), tolerance)) {
-    const ProvedExtreme found = proved_highest(trace, sign, std::max(std::abs(bound), size.size));
+    const ProvedExtreme found = proved_highest(trace, sign, std::max(std::abs(bound), own.scale));
     take(found.peak);
     if (std::isnan(side.margin)) return false;
     if (found.proved && sign * found.peak.value + found.slack <= highest) return true;
@@ -88,19 +88,19 @@ void show(const SideOfLimit& side, double sign, double bound, LimitReport& repor
   report.from_left = side.place->from_left;
 }
 
-LimitReport report(const Constraint& c, const ConstraintScale& size, MaximaAt& maxima, Design x,
+LimitReport report(const Constraint& c, const ConstraintScale& own, MaximaAt& maxima, Design x,
                    bool prove) {
   LimitReport result;
   result.name = c.response.name;
   result.unit = c.response.unit;
   result.is_equation = c.is_equation();
-  result.tolerance = size.tolerance;
+  result.tolerance = own.tolerance;
   result.margin = kInfinity;
   result.proved = prove;
   const auto look = [&](double sign, double bound) {
     SideOfLimit side = side_of(c.response, maxima, x, sign, bound);
     if (prove) {
-      result.proved = prove_side(c.response, maxima, x, sign, bound, size, side) && result.proved;
+      result.proved = prove_side(c.response, maxima, x, sign, bound, own, side) && result.proved;
       if (side.left) result.left = side.left;
     }
     // A value at minus infinity is as far from its bound as can be, but no value of a design.
@@ -113,7 +113,7 @@ LimitReport report(const Constraint& c, const ConstraintScale& size, MaximaAt& m
   };
   if (c.upper) look(1, *c.upper);
   if (c.lower) look(-1, *c.lower);
-  result.met = result.margin >= -size.tolerance;
+  result.met = result.margin >= -own.tolerance;
   return result;
 }
 

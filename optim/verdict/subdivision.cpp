@@ -162,12 +162,12 @@ class Division {
   /// that the objective does not show it.
   double level(std::size_t constraint, double sign) const {
     const Constraint& c = problem_.constraints[constraint];
-    const ConstraintScale& size = scales_.constraints[constraint];
+    const ConstraintScale& own = scales_.constraints[constraint];
     // A thousandth of the tolerance does not show in the objective; a value rounds by some 1e-16 of
     // its size.
-    constexpr double kOfTolerance = 1e-3, kOfSize = 1e-12;
+    constexpr double kOfTolerance = 1e-3, kOfScale = 1e-12;
     return sign * (sign > 0 ? *c.upper : *c.lower) +
-           std::max(kOfTolerance * size.tolerance, kOfSize * size.size);
+           std::max(kOfTolerance * own.tolerance, kOfScale * own.scale);
   }
 
   /// A row over a box: numbers that sign * function is not below there, and at the middle.

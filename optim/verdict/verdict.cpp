@@ -36,7 +36,7 @@ std::vector<std::string> active_names(const Problem& problem, const Scales& scal
     if (active && !(std::abs(multiplier) * size < least)) names.push_back(name);
   };
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    add(conditions.active_constraints[i], conditions.constraints[i], scales.constraints[i].size,
+    add(conditions.active_constraints[i], conditions.constraints[i], scales.constraints[i].scale,
         problem.constraints[i].response.name);
   }
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
@@ -139,6 +139,20 @@ std::string outwards(double value, double sign) {
   return fmt::format("{:.{}g}", rounded, kPrinted);
 }
 
+/// "; the bound is 2e-5 mm from it, more than the tolerance of 1e-6 mm that is stated for the
+/// objective", where that asks for more than a bound has to show.
+std::string wider_than_stated(const Problem& problem, const Assessment& a) {
+  const Objective& objective = problem.objective();
+  const double gap = std::abs(a.objective.value - *a.best_possible);
+  if (!objective.tolerance || gap <= *objective.tolerance) return {};
+  const std::string& unit = objective.response.unit;
+  const std::string in_unit = unit == "1" ? "" : " " + unit;
+  return fmt::format(
+      "; the bound is {:.2g}{} from it, more than the tolerance of {:.2g}{} that is stated for the "
+      "objective",
+      gap, in_unit, *objective.tolerance, in_unit);
+}
+
 /// Why no better design exists anywhere, with the bound that shows it; `why` as a lower bound of
 /// its own says, empty: as the shapes do.
 std::string global_words(const Problem& problem, const Assessment& a, const std::string& why) {
@@ -148,12 +162,12 @@ std::string global_words(const Problem& problem, const Assessment& a, const std:
       problem.variables.begin(), problem.variables.end(),
       [](const Variable& v) { return std::isfinite(v.lower) && std::isfinite(v.upper); });
   return fmt::format(
-      "no design {} {}{}{}: {}", least ? "below" : "above",
+      "no design {} {}{}{}: {}{}", least ? "below" : "above",
       outwards(*a.best_possible, least ? 1 : -1), response.unit == "1" ? "" : " " + response.unit,
       boxed || !why.empty()
           ? ""
           : fmt::format(", as far as {:g} times the variables' own magnitudes", kFar),
-      why.empty() ? *why_convex(problem) : why);
+      why.empty() ? *why_convex(problem) : why, wider_than_stated(problem, a));
 }
 
 /// The verdict of a design that meets every limit, with proofs; `why`: as of global_words.

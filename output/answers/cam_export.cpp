@@ -15,7 +15,6 @@
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
 #include "output/answers/solid_export.h"
-#include "output/export/curve_svg.h"
 #include "output/export/dxf.h"
 #include "output/export/plane_curve.h"
 #include "output/export/plate_flanks.h"
@@ -108,10 +107,10 @@ std::optional<double> tool_radius(const ExportOptions& o) {
 }
 
 /// What writing moves arcs and cubics by, mm; lines are rounded before they are measured.
-double written_rounding(ExportFormat format, CurveForm form, int decimals) {
+double written_rounding(const FormatRow& format, CurveForm form, int decimals) {
   if (form == CurveForm::Lines) return 0;
-  if (format == ExportFormat::Gcode) return problems::gcode_rounding(decimals);
-  return format == ExportFormat::Svg ? 2e-6 : 1e-9;
+  return format.format == ExportFormat::Gcode ? problems::gcode_rounding(decimals)
+                                              : format.rounding;
 }
 
 /// With --tool the path of a tool of that radius on the profile.
@@ -190,7 +189,7 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   auto curves = problems::cam_curves(statement, asked);
   add_tool_path(o, statement, asked, curves);
   const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
-  const bool without = format.format == ExportFormat::JsonText && law && !o.curve;
+  const bool without = format.has_law && law && !o.curve;
   if (curves.empty() && !without) refuse_without(statement, asked);
   if (gcode && curves.size() > 1) {
     throw std::invalid_argument(fmt::format("--curve {}: a gcode program follows one curve{}",
@@ -255,7 +254,7 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
-  const double slack = written_rounding(format.format, form, e.accuracy.decimals);
+  const double slack = written_rounding(format, form, e.accuracy.decimals);
   auto inner = e.accuracy;
   inner.tolerance -= slack;
   const auto curves = curves_asked(o, format, e.design.statement);
@@ -314,20 +313,13 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
     return solid_text(o, e);
   }
   fit_curves(o, format, e);
+  if (format.text != nullptr) return format.text(e);
   std::vector<std::string> comments = comments_of(e);
-  switch (format.format) {
-    case ExportFormat::Csv:
-      return export_csv(e);
-    case ExportFormat::Dxf:
-      return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
-    case ExportFormat::Svg:
-      return problems::svg_text(e.curves, e.accuracy.unit, e.design.statement.title, comments);
-    case ExportFormat::Gcode:
-      comments.push_back(tool_line(o, e.design.statement, e.accuracy.unit));
-      return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
-    default:
-      return export_json(e).dump(2) + "\n";
+  if (format.format == ExportFormat::Dxf) {
+    return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
   }
+  comments.push_back(tool_line(o, e.design.statement, e.accuracy.unit));
+  return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
 }
 
 /// What was found by the search that the design is from.

@@ -7,6 +7,7 @@
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 
 namespace camlaw::cli {
 

@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "optim/cycle/scales.h"
+#include "optim/problem/interrupted.h"
 #include "optim/search/discrete.h"
+#include "optim/search/interruptible.h"
 #include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/free_limit.h"
@@ -122,19 +124,23 @@ struct JudgedPart {
   optim::PartFound found;
   std::vector<optim::LimitReport> limits = {};
   bool is_broken = false;  ///< its search took it for a design within the limits, which it is not
+  bool is_left = false;    ///< there was no time to judge it
 };
 
 std::string limits_words(const JudgedPart& part) {
   if (part.found.verdict == optim::Verdict::Infeasible) return "cannot be met";
   if (part.is_broken) return "not met";
+  if (part.is_left) return "met, not proved";
   return part.found.verdict == optim::Verdict::Failed ? "not solved" : "met";
 }
 
-/// With proofs, as an answer is judged: a search for the best of many combinations has none.
-void judge(const Answer& answer, JudgedPart& part) {
+/// With proofs, as an answer is judged: a search for the best of many combinations has none. Throws
+/// optim::Interrupted where the deadline has passed.
+void judge(const Answer& answer, const optim::Deadline& deadline, JudgedPart& part) {
   const std::vector<double>& x = part.found.x;
-  const optim::Problem problem =
-      optim::with_integers_fixed(answer.space.problem(part.found.options), x);
+  deadline.check();
+  const optim::Problem problem = optim::interruptible(
+      optim::with_integers_fixed(answer.space.problem(part.found.options), x), deadline);
   const optim::Scales scales = optim::scales(problem, x);
   optim::Assessment a =
       optim::assess(problem, scales, x, true, optim::teller_at(problem, scales, x));
@@ -146,9 +152,22 @@ void judge(const Answer& answer, JudgedPart& part) {
   part.is_broken = !has_design(part.found);
 }
 
+/// The same in the time that there is; else the design stays as its search has left it, which has
+/// proved nothing.
+void judge_in_time(const Answer& answer, const optim::Deadline& deadline, JudgedPart& part) {
+  JudgedPart judged = part;
+  try {
+    judge(answer, deadline, judged);
+    part = std::move(judged);
+  } catch (const optim::Interrupted&) {
+    part.found.verdict = optim::Verdict::Feasible;
+    part.is_left = true;
+  }
+}
+
 /// The combinations that were looked at, each judged; that of the answer, which was solved once
 /// more, as the answer has it.
-std::vector<JudgedPart> judged_parts(const Answer& answer) {
+std::vector<JudgedPart> judged_parts(const Answer& answer, const optim::Deadline& deadline) {
   std::vector<JudgedPart> parts;
   const optim::Assessment& own = answer.optimum.found.assessment;
   for (const optim::PartFound& found : answer.optimum.parts) {
@@ -160,9 +179,9 @@ std::vector<JudgedPart> judged_parts(const Answer& answer) {
       part.limits = own.limits;
       part.is_broken = !has_design(part.found);
       // That other combinations are not settled is not said of this one.
-      if (own.verdict == optim::Verdict::Feasible) judge(answer, part);
+      if (own.verdict == optim::Verdict::Feasible) judge_in_time(answer, deadline, part);
     } else if (has_design(found)) {
-      judge(answer, part);
+      judge_in_time(answer, deadline, part);
     }
     part.limits = problems::as_stated(answer.bound.statement(), std::move(part.limits));
     parts.push_back(std::move(part));
@@ -246,11 +265,12 @@ bool has_design(const optim::PartFound& part) {
   return part.verdict == optim::Verdict::Certified || part.verdict == optim::Verdict::Feasible;
 }
 
-Document combinations_document(const Answer& answer, const FreeLimit* free) {
+Document combinations_document(const Answer& answer, const FreeLimit* free,
+                               const optim::Deadline& deadline) {
   const std::vector<optim::Choice>& choices = answer.space.choices;
   Document document;
   if (choices.empty() || answer.optimum.parts.empty()) return document;
-  std::vector<JudgedPart> parts = judged_parts(answer);
+  std::vector<JudgedPart> parts = judged_parts(answer, deadline);
   const optim::Objective& sought = answer.optimum.problem.objective();
   const std::string& sought_name = answer.bound.statement().objectives.front().response.name;
   const double sense = sought.sense == optim::Sense::Minimize ? 1 : -1;
@@ -310,6 +330,14 @@ Document combinations_document(const Answer& answer, const FreeLimit* free) {
     document.say(
         "feasible: this design meets the limits, but is not shown to be the best of its "
         "combination\n");
+  }
+  const auto left = std::ranges::count_if(parts, [](const auto& part) { return part.is_left; });
+  document.fact("not_judged", left);
+  if (left > 0) {
+    document.say(fmt::format(
+        "{}: {} of {} combinations {} as the search has left {}, met as far as samples tell\n",
+        deadline.reason(), left, parts.size(), left == 1 ? "is" : "are",
+        left == 1 ? "it" : "them"));
   }
   if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;

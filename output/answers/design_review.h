@@ -7,6 +7,7 @@
 
 #include "output/answers/claim_output.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 

@@ -25,20 +25,61 @@ std::string small_ending(const std::string& path) {
 
 }  // namespace
 
+/// The formats in the order of --help, a line for each: its name, after which the function that
+/// makes its row is called. Those of curves alone are made by answers/NAME_format.cpp.
+#define CAMLAW_FORMATS(FORMAT) \
+  FORMAT(csv)                  \
+  FORMAT(dxf)                  \
+  FORMAT(step)                 \
+  FORMAT(svg)                  \
+  FORMAT(json)                 \
+  FORMAT(gcode)                \
+  FORMAT(inspection)           \
+  FORMAT(table)
+
+#define CAMLAW_DECLARED(name) FormatRow name##_format();
+CAMLAW_FORMATS(CAMLAW_DECLARED)
+#undef CAMLAW_DECLARED
+
+FormatRow dxf_format() {
+  return {.name = "dxf",
+          .endings = {".dxf"},
+          .forms = {CurveForm::Spline, CurveForm::Arcs, CurveForm::Lines},
+          .format = ExportFormat::Dxf};
+}
+
+FormatRow step_format() {
+  return {.name = "step",
+          .endings = {".step", ".stp"},
+          .forms = {CurveForm::Spline},
+          .decimals = 9,
+          .format = ExportFormat::Step};
+}
+
+FormatRow gcode_format() {
+  return {.name = "gcode",
+          .endings = {".gcode", ".nc", ".ngc"},
+          .forms = {CurveForm::Arcs, CurveForm::Lines},
+          .decimals = 4,
+          .format = ExportFormat::Gcode};
+}
+
+FormatRow inspection_format() {
+  return {.name = "inspection", .forms = {CurveForm::Lines}, .format = ExportFormat::Inspection};
+}
+
+FormatRow table_format() { return {.name = "table", .format = ExportFormat::Table}; }
+
 const std::vector<FormatRow>& export_formats() {
-  using F = CurveForm;
   static const std::vector<FormatRow> rows = [] {
-    std::vector<FormatRow> all{
-        {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
-        {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
-        {ExportFormat::Step, "step", {".step", ".stp"}, {F::Spline}, 9},
-        {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
-        {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
-        {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
-        {ExportFormat::Inspection, "inspection", {}, {F::Lines}, 6},
-        {ExportFormat::Table, "table", {}, {}, 6}};
+#define CAMLAW_ROW(name) name##_format(),
+    std::vector<FormatRow> all{CAMLAW_FORMATS(CAMLAW_ROW)};
+#undef CAMLAW_ROW
     for (const problems::DriveFormat& drive : problems::drive_formats()) {
-      all.push_back({ExportFormat::Drive, drive.name, {}, {}, drive.decimals, &drive});
+      all.push_back({.name = drive.name,
+                     .decimals = drive.decimals,
+                     .format = ExportFormat::Drive,
+                     .drive = &drive});
     }
     return all;
   }();

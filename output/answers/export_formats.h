@@ -24,14 +24,20 @@ struct ExportOptions {
   bool json = false;  ///< what is said is for programs
 };
 
-enum class ExportFormat { Csv, Dxf, Step, Svg, JsonText, Gcode, Inspection, Table, Drive };
+struct Exported;
+
+/// How a format is made. Curves: by its `text`, of curves alone; the others have more than that.
+enum class ExportFormat { Curves, Dxf, Step, Gcode, Inspection, Table, Drive };
 
 struct FormatRow {
-  ExportFormat format;
   const char* name;
-  std::vector<const char*> endings;
-  std::vector<problems::CurveForm> forms;  ///< the first is the default; none: no curves
-  int decimals;                            ///< the defaults
+  std::vector<const char*> endings = {};
+  std::vector<problems::CurveForm> forms = {};     ///< the first is the default; none: no curves
+  std::string (*text)(const Exported&) = nullptr;  ///< of Curves
+  bool has_law = false;    ///< the law is in the file, so that it may have no curve
+  double rounding = 1e-9;  ///< what writing moves arcs and cubics by, mm
+  int decimals = 6;        ///< the default
+  ExportFormat format = ExportFormat::Curves;
   const problems::DriveFormat* drive = nullptr;
 };
 

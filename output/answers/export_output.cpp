@@ -5,20 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "output/answers/buildable_output.h"
 #include "output/document/formatting.h"
-#include "output/export/motion.h"
-#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::cli {
 namespace {
 
 using problems::Chords, problems::ExportedCurve;
-
-constexpr const char* kFormat = "camlaw export 1";
 
 bool has_law(const Exported& e) {
   return e.design.statement.mechanism->moved_by != problems::MovedBy::Nothing;
@@ -30,16 +24,6 @@ std::string not_below(double value, double within) {
   return fmt::format("{:.4g}", value <= within ? std::min(up, within) : up);
 }
 
-Json provenance(const Exported& e) {
-  const problems::ProblemStatement& statement = e.design.statement;
-  const bool holds = e.design.verdict && e.settings.empty();
-  return {{"file", e.file},
-          {"problem", statement.source},
-          {"mechanism", statement.mechanism->name},
-          {"verdict", holds ? Json(*e.design.verdict) : Json(nullptr)},
-          {"set", e.settings}};
-}
-
 /// What a curve is made of.
 const char* pieces_of(const ExportedCurve& curve) {
   const bool arcs = std::holds_alternative<problems::ArcPath>(curve.path);
@@ -48,7 +32,7 @@ const char* pieces_of(const ExportedCurve& curve) {
 
 const char* proof_of(bool proved) { return proved ? "proved" : "measured, not proved"; }
 
-std::string motion_line(const ExportedMotion& m) {
+std::string motion_line(const DriveMotion& m) {
   using P = problems::DrivePath;
   const char* path = m.path == P::Lines      ? "with straight lines between them"
                      : m.path == P::Quintics ? "with polynomials of degree 5 between them"
@@ -100,48 +84,6 @@ std::vector<std::string> curve_lines(const Exported& e) {
   return lines;
 }
 
-/// What is known of a curve beside its points.
-Json curve_facts(const ExportedCurve& curve, const Exported& e) {
-  const std::string unit = e.accuracy.unit.name;
-  Json facts{{"name", curve.name},
-             {"closed", curve.closed},
-             {"pieces", pieces_of(curve)},
-             {"size", curve.size()},
-             {"worst_deviation_" + unit, curve.worst()},
-             {"proved", curve.proved()}};
-  if (!e.accuracy.step) facts["tolerance_" + unit] = e.accuracy.tolerance;
-  return facts;
-}
-
-Json curve_json(const ExportedCurve& curve, const Exported& e) {
-  Json angles = Json::array(), x = Json::array(), y = Json::array();
-  for (const auto& point : std::get<Chords>(curve.path).points) {
-    angles.push_back(point.angle);
-    x.push_back(point.at.x());
-    y.push_back(point.at.y());
-  }
-  Json result = curve_facts(curve, e);
-  result["cam_angle_deg"] = std::move(angles);
-  result[fmt::format("x_{}", e.accuracy.unit.name)] = std::move(x);
-  result[fmt::format("y_{}", e.accuracy.unit.name)] = std::move(y);
-  return result;
-}
-
-/// The motion that a controller would be given; null where the mechanism has none.
-Json motion_json(const Exported& e) {
-  const bool inches = e.accuracy.unit.mm != 1;
-  const auto motion = problems::motion_of(e.design.statement, {}, inches);
-  if (!motion) return nullptr;
-  const auto table =
-      problems::possible_table_of(*motion, {}, e.accuracy.decimals, {motion->master});
-  if (!table) return nullptr;
-  return {{"master", table->master},
-          {"slave", table->slave},
-          {"closed", table->closed},
-          {"places", table->places},
-          {"values", table->values}};
-}
-
 }  // namespace
 
 std::vector<std::string> comments_of(const Exported& e) {
@@ -158,6 +100,28 @@ std::vector<std::string> comments_of(const Exported& e) {
   return lines;
 }
 
+Json provenance(const Exported& e) {
+  const problems::ProblemStatement& statement = e.design.statement;
+  const bool holds = e.design.verdict && e.settings.empty();
+  return {{"file", e.file},
+          {"problem", statement.source},
+          {"mechanism", statement.mechanism->name},
+          {"verdict", holds ? Json(*e.design.verdict) : Json(nullptr)},
+          {"set", e.settings}};
+}
+
+Json curve_facts(const ExportedCurve& curve, const Exported& e) {
+  const std::string unit = e.accuracy.unit.name;
+  Json facts{{"name", curve.name},
+             {"closed", curve.closed},
+             {"pieces", pieces_of(curve)},
+             {"size", curve.size()},
+             {"worst_deviation_" + unit, curve.worst()},
+             {"proved", curve.proved()}};
+  if (!e.accuracy.step) facts["tolerance_" + unit] = e.accuracy.tolerance;
+  return facts;
+}
+
 Document export_document(const Exported& e) {
   Document document;
   for (const std::string& line : curve_lines(e)) document.say(line + "\n");
@@ -168,7 +132,7 @@ Document export_document(const Exported& e) {
   document.fact("notes", e.notes);
   document.fact("curves", curves);
   if (e.motion) {
-    const ExportedMotion& m = *e.motion;
+    const DriveMotion& m = *e.motion;
     document.fact("motion", Json{{"slave", m.slave},
                                  {"points", m.points},
                                  {"unit", m.unit},
@@ -197,42 +161,6 @@ std::string warning_head(const Exported& e) {
   for (const std::string& words : e.unmet)
     head += fmt::format("# {}\n", problems::plain_text(words));
   return head;
-}
-
-std::string export_csv(const Exported& e) {
-  const auto in_unit = [&](const char* name) {
-    return fmt::format("{} [{}]", name, e.accuracy.unit.name);
-  };
-  std::vector<std::vector<std::string>> rows{{"curve", "cam_angle [deg]", in_unit("x"),
-                                              in_unit("y"), in_unit("r"), "theta [deg]",
-                                              in_unit("deviation to the next point")}};
-  const int decimals = e.accuracy.decimals;
-  const auto fixed = [&](double value) {
-    return fmt::format("{:.{}f}", problems::rounded(value, decimals), decimals);
-  };
-  for (const ExportedCurve& curve : e.curves) {
-    for (const auto& point : std::get<Chords>(curve.path).points) {
-      const double theta = std::atan2(point.at.y(), point.at.x()) * 180 / std::numbers::pi;
-      rows.push_back({curve.name, exact(point.angle), fixed(point.at.x()), fixed(point.at.y()),
-                      fixed(point.at.norm()), fixed(theta),
-                      fmt::format("{:.3e}", point.deviation)});
-    }
-  }
-  return warning_head(e) + to_csv(rows);
-}
-
-Json export_json(const Exported& e) {
-  Json file{{"format", kFormat}};
-  file.update(json_of(export_document(e)));
-  file["curves"] = Json::array();
-  for (const ExportedCurve& curve : e.curves) file["curves"].push_back(curve_json(curve, e));
-  file["motion"] = motion_json(e);
-  file["law"] = nullptr;
-  if (has_law(e)) {
-    const Member member = e.design.statement.laws.front().listed();
-    file["law"] = problems::law_file(member.law(), member.label(), provenance(e));
-  }
-  return file;
 }
 
 }  // namespace camlaw::cli

@@ -11,12 +11,13 @@
 #include "output/export/solid/cam_solid.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
+#include "problems/statement/statement.h"
 
-/// What camlaw export writes as CSV and JSON, and says about it.
+/// What camlaw export writes, and what it says about it.
 namespace camlaw::cli {
 
 /// A motion as a controller has it: how far it is from the exact one.
-struct ExportedMotion {
+struct DriveMotion {
   std::string slave;  ///< "displacement [mm]"
   std::size_t points = 0;
   problems::DrivePath path = problems::DrivePath::Lines;
@@ -39,7 +40,7 @@ struct Exported {
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
   std::vector<problems::ToolPass> passes = {};  ///< of G-code
-  std::optional<ExportedMotion> motion = {};    ///< of drives
+  std::optional<DriveMotion> motion = {};       ///< of drives
   std::optional<ExportedSolid> solid = {};
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
@@ -55,11 +56,9 @@ Document export_document(const Exported& exported);
 /// Lines that begin with '#' and head a table whose design does not meet its limits; else empty.
 std::string warning_head(const Exported& exported);
 
-/// A row for each point, after warning_head: curve, cam angle, x, y, r, theta, how far the curve
-/// departs from the straight line to the next point.
-std::string export_csv(const Exported& exported);
-
-/// The points, the motion as a table where the mechanism has one, and the law as a law file has it.
-Json export_json(const Exported& exported);
+/// Where it is from: the file, the problem, the mechanism, the verdict (null after changes).
+Json provenance(const Exported& exported);
+/// What is known of a curve beside its points.
+Json curve_facts(const problems::ExportedCurve& curve, const Exported& exported);
 
 }  // namespace camlaw::cli

@@ -9,6 +9,7 @@
 
 #include "output/document/formatting.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/shaft_cams.h"
 
 namespace camlaw::cli {

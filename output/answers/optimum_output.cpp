@@ -389,7 +389,7 @@ Table scaling_table(const optim::Problem& problem) {
   table.add({problem.objective().response.name + " (objective)", digits(scales.objective),
              digits(scales.objective_tolerance), problem.objective().response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    table.add({problem.constraints[i].response.name, digits(scales.constraints[i].size),
+    table.add({problem.constraints[i].response.name, digits(scales.constraints[i].scale),
                digits(scales.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
   return table;

@@ -29,8 +29,8 @@ struct Answer {
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
   problems::Buildability built = {};       ///< of the design, buildability_of(*this)
   std::optional<problems::RefinedKnots> knots = {};  ///< where they were found: knots = "auto"
-  problems::Reached reached = {};                    ///< of reliabilities and of a robust objective
-  std::vector<optim::Easing> easings = {};  ///< of an infeasible answer, what would cure it
+  problems::ReachedReliability reached = {};         ///< of reliabilities and of a robust objective
+  optim::FoundEasings easings = {};  ///< of an infeasible answer, what would cure it
 
   /// Option or variable by name, with units: the design.
   std::vector<DesignValue> values() const;
@@ -50,8 +50,10 @@ bool has_design(const optim::PartFound& part);
 
 /// Every combination of choices that a search looked at, the best first: what was chosen, the
 /// objective, how far it is from the best and, where that was asked for, from what a free law
-/// reaches, the verdict and what holds it. Empty where there is nothing to choose.
-Document combinations_document(const Answer& answer, const FreeLimit* free = nullptr);
+/// reaches, the verdict and what holds it. Empty where there is nothing to choose. Each is judged
+/// with proofs, up to the deadline; those behind it are as the search has left them, which is told.
+Document combinations_document(const Answer& answer, const FreeLimit* free = nullptr,
+                               const optim::Deadline& deadline = optim::Deadline({}, nullptr));
 
 Document answer_document(const Answer& answer);
 

@@ -179,7 +179,7 @@ Cures cures_of(const Answer& answer) {
     return is_beyond_validity(answer.bound.statement(), easing) ||
            is_refused(answer.bound.statement(), easing);
   };
-  std::vector<optim::Easing> alone = answer.easings;
+  std::vector<optim::Easing> alone = answer.easings.all;
   std::erase_if(alone, is_beyond);
   if (!alone.empty()) return {std::move(alone), true};
   std::vector<optim::Easing> together = missed_limits(answer);
@@ -208,7 +208,10 @@ std::string failing_words(const std::vector<std::string>& names) {
 
 std::string cure_words(const Answer& answer) {
   const auto [all, alone] = cures_of(answer);
-  if (all.empty()) return "";
+  const std::string& cut = answer.easings.cut_short;
+  const std::string cut_words =
+      cut.empty() ? "" : fmt::format("not every cure was looked for: {}\n", cut);
+  if (all.empty()) return cut_words;
   const char* const by_this = answer.space.choices.empty() ? "" : " by this combination";
   if (!alone) {
     constexpr std::size_t kEasing = 7;  // "easing "
@@ -216,8 +219,8 @@ std::string cure_words(const Answer& answer) {
     for (const optim::Easing& easing : all)
       parts.push_back(easing_words(answer.bound.statement(), easing).substr(kEasing));
     return fmt::format(
-        "what would let every limit be met, by the design above\n  easing {} together{}\n",
-        problems::listed(parts), failing_words(still_failing(answer, all.front())));
+        "what would let every limit be met, by the design above\n  easing {} together{}\n{}",
+        problems::listed(parts), failing_words(still_failing(answer, all.front())), cut_words);
   }
   std::string text = fmt::format("what would let every limit be met{}{}\n", by_this,
                                  all.size() == 1 ? "" : ", each alone");
@@ -225,12 +228,13 @@ std::string cure_words(const Answer& answer) {
     text += fmt::format("  {}{}\n", easing_words(answer.bound.statement(), easing),
                         failing_words(still_failing(answer, easing)));
   }
-  return text;
+  return text + cut_words;
 }
 
 Json cures_json(const Answer& answer) {
   const auto [all, alone] = cures_of(answer);
-  if (all.empty()) return nullptr;
+  const std::string& cut = answer.easings.cut_short;
+  if (all.empty() && cut.empty()) return nullptr;
   Json list = Json::array();
   for (const optim::Easing& easing : all) {
     list.push_back({{"name", easing.name},
@@ -241,7 +245,9 @@ Json cures_json(const Answer& answer) {
                     {"by", to_json(easing.by)},
                     {"still_fails", still_failing(answer, easing)}});
   }
-  return {{"alone", alone}, {"easings", std::move(list)}};
+  return {{"alone", alone},
+          {"easings", std::move(list)},
+          {"cut_short", cut.empty() ? Json(nullptr) : Json(cut)}};
 }
 
 }  // namespace camlaw::cli

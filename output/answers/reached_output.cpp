@@ -22,7 +22,7 @@ std::string share_text(double share) {
 
 namespace {
 
-Table reliability_table(const problems::Reached& reached) {
+Table reliability_table(const problems::ReachedReliability& reached) {
   Table table{.key = "reliability",
               .columns = {names("reliability of", "name"), numbers("asked for", "wanted"),
                           numbers("of all parts", "share"), numbers("at least", "lower"),
@@ -41,7 +41,7 @@ Table reliability_table(const problems::Reached& reached) {
 
 }  // namespace
 
-Document reached_document(const problems::Reached& reached) {
+Document reached_document(const problems::ReachedReliability& reached) {
   Document document;
   if (!reached.limits.empty()) {
     document.say("\n");

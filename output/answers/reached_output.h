@@ -12,6 +12,6 @@ std::string share_text(double share);
 
 /// A line for the robust objective, a table of the limits, and for programs "reliability" and
 /// "robust_objective". Empty where there are neither.
-Document reached_document(const problems::Reached& reached);
+Document reached_document(const problems::ReachedReliability& reached);
 
 }  // namespace camlaw::cli

@@ -162,10 +162,10 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
 }
 
 Figure study_motion_figure(const SpineCutterStudy& study) {
-  std::vector<NamedLaw> laws;
+  std::vector<DrawnLaw> laws;
   const auto add = [&](const std::string& name, bool dashed) {
     const bool there = std::any_of(laws.begin(), laws.end(),
-                                   [&](const NamedLaw& law) { return law.name == name; });
+                                   [&](const DrawnLaw& law) { return law.name == name; });
     if (!there) laws.push_back({name, find_law(name).law(), dashed});
   };
   // The law for the smallest cam alone is left out: its jerk would flatten all the others.

@@ -23,7 +23,8 @@ std::vector<std::string> active_of(const SweepRow& row) {
   return active;
 }
 
-SweepRow row_of(const problems::SweepStudy& study, const problems::Sweep& sweep, std::size_t i) {
+SweepRow row_of(const problems::SweepStudy& study, const problems::SweptCombinations& sweep,
+                std::size_t i) {
   SweepRow row{.values = study.plan().values(i), .verdict = "not done", .reason = {}};
   const auto& outcome = sweep.outcomes[i];
   if (!outcome) return row;
@@ -60,7 +61,7 @@ SweepRow row_of(const problems::SweepStudy& study, const problems::Sweep& sweep,
 
 }  // namespace
 
-SweepAnswer::SweepAnswer(const problems::SweepStudy& of, const problems::Sweep& sweep)
+SweepAnswer::SweepAnswer(const problems::SweepStudy& of, const problems::SweptCombinations& sweep)
     : study(of), is_stopped(sweep.done() < sweep.outcomes.size()) {
   for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) rows.push_back(row_of(of, sweep, i));
 }

@@ -40,7 +40,7 @@ struct SweepAnswer {
   std::vector<std::string> notes = {};  ///< what is to be said of its record
   bool is_stopped = false;
 
-  SweepAnswer(const problems::SweepStudy& study, const problems::Sweep& sweep);
+  SweepAnswer(const problems::SweepStudy& study, const problems::SweptCombinations& sweep);
 
   std::size_t count(SweepState state) const;
   /// A name that is swept as tables call it: "speed", of a variable "start of base_radius".

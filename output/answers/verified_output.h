@@ -3,6 +3,7 @@
 
 #include "output/document/document.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 
 namespace camlaw::cli {
 

@@ -11,6 +11,7 @@
 #include "numerics/text/units.h"
 #include "output/export/chords.h"
 #include "output/export/motion.h"
+#include "problems/statement/statement.h"
 
 namespace camlaw::problems {
 namespace {

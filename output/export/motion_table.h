@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "problems/statement/statement.h"
+#include "numerics/possible.h"
 
 /// Motions as the cam tables of controllers: where the slave is for each place of the master.
 namespace camlaw::problems {
 
 struct ExportedMotion;
 struct MasterUnit;
+struct ProblemStatement;  // problems/statement/statement.h
 
 /// A derivative of the slave by the master.
 struct TableColumn {

@@ -9,8 +9,8 @@ namespace {
 
 /// Directions from a point to its label, best first: beside, above and below, corners, and the
 /// half ways, which shift the label sideways by a quarter of its width.
-constexpr Point kDirections[] = {{1, 0}, {-1, 0}, {0, -1},   {0, 1},     {1, -1},  {-1, -1},
-                                 {1, 1}, {-1, 1}, {0.5, -1}, {-0.5, -1}, {0.5, 1}, {-0.5, 1}};
+constexpr DrawnPoint kDirections[] = {{1, 0}, {-1, 0}, {0, -1},   {0, 1},     {1, -1},  {-1, -1},
+                                      {1, 1}, {-1, 1}, {0.5, -1}, {-0.5, -1}, {0.5, 1}, {-0.5, 1}};
 
 /// Gaps between a marker and its label. Beyond the first one there is a leader.
 constexpr double kGaps[] = {2, 10, 18, 28, 40, 55, 75, 100};
@@ -38,38 +38,38 @@ bool contains(const Rect& outer, const Rect& inner) {
          inner.bottom <= outer.bottom;
 }
 
-bool contains(const Rect& rect, Point p) {
+bool contains(const Rect& rect, DrawnPoint p) {
   return p.x >= rect.left && p.x <= rect.right && p.y >= rect.top && p.y <= rect.bottom;
 }
 
-double cross(Point o, Point a, Point b) {
+double cross(DrawnPoint o, DrawnPoint a, DrawnPoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-bool crossing(const Segment& s, const Segment& t) {
+bool crossing(const LineSegment& s, const LineSegment& t) {
   return cross(s.a, s.b, t.a) * cross(s.a, s.b, t.b) <= 0 &&
          cross(t.a, t.b, s.a) * cross(t.a, t.b, s.b) <= 0;
 }
 
-Placement candidate(const Label& label, Point direction, double gap) {
+Placement candidate(const Label& label, DrawnPoint direction, double gap) {
   const double distance = label.reach + gap;
-  const Point centre{label.anchor.x + direction.x * (distance + label.width / 2),
-                     label.anchor.y + direction.y * (distance + label.height / 2)};
+  const DrawnPoint centre{label.anchor.x + direction.x * (distance + label.width / 2),
+                          label.anchor.y + direction.y * (distance + label.height / 2)};
   const Rect box{centre.x - label.width / 2, centre.y - label.height / 2,
                  centre.x + label.width / 2, centre.y + label.height / 2};
   if (gap <= kGaps[0]) return {box, {}};
-  const Point end{std::clamp(label.anchor.x, box.left, box.right),
-                  std::clamp(label.anchor.y, box.top, box.bottom)};
+  const DrawnPoint end{std::clamp(label.anchor.x, box.left, box.right),
+                       std::clamp(label.anchor.y, box.top, box.bottom)};
   const double length = std::hypot(end.x - label.anchor.x, end.y - label.anchor.y);
   const double t = label.reach / length;  // The leader starts at the marker's edge.
-  const Point start{label.anchor.x + t * (end.x - label.anchor.x),
-                    label.anchor.y + t * (end.y - label.anchor.y)};
-  return {box, Segment{start, end}};
+  const DrawnPoint start{label.anchor.x + t * (end.x - label.anchor.x),
+                         label.anchor.y + t * (end.y - label.anchor.y)};
+  return {box, LineSegment{start, end}};
 }
 
 /// Whether the leader is clear of other points' markers and of what is placed already.
-bool is_free_leader(const Segment& leader, Point anchor, const std::vector<Placement>& placed,
-                    const Surroundings& around) {
+bool is_free_leader(const LineSegment& leader, DrawnPoint anchor,
+                    const std::vector<Placement>& placed, const Surroundings& around) {
   const auto blocks = [&](const Rect& m) { return !contains(m, anchor) && overlap(m, leader); };
   if (std::ranges::any_of(around.markers, blocks)) return false;
   return std::ranges::none_of(placed, [&](const Placement& other) {
@@ -93,7 +93,7 @@ std::optional<Placement> find_place(const Label& label, const std::vector<Placem
                                     const Surroundings& around) {
   for (const bool over_lines : {false, true})
     for (const double gap : kGaps)
-      for (const Point direction : kDirections) {
+      for (const DrawnPoint direction : kDirections) {
         const Placement place = candidate(label, direction, gap);
         if (is_free(place, label, placed, around, over_lines)) return place;
       }
@@ -106,7 +106,7 @@ bool overlap(const Rect& a, const Rect& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-bool overlap(const Rect& rect, const Segment& segment) {
+bool overlap(const Rect& rect, const LineSegment& segment) {
   const Rect bounds{std::min(segment.a.x, segment.b.x), std::min(segment.a.y, segment.b.y),
                     std::max(segment.a.x, segment.b.x), std::max(segment.a.y, segment.b.y)};
   if (bounds.left > rect.right || bounds.right < rect.left || bounds.top > rect.bottom ||

@@ -20,13 +20,13 @@ struct Rect {
   double bottom = 0;
 };
 
-struct Segment {
-  Point a;
-  Point b;
+struct LineSegment {
+  DrawnPoint a;
+  DrawnPoint b;
 };
 
 bool overlap(const Rect& a, const Rect& b);
-bool overlap(const Rect& rect, const Segment& segment);
+bool overlap(const Rect& rect, const LineSegment& segment);
 
 /// Estimated width of UTF-8 text in a sans-serif font. The widths are those of DejaVu Sans, the
 /// widest of the usual ones, so that text set in another font is narrower than estimated.
@@ -37,7 +37,7 @@ std::vector<std::string> wrap_text(std::string_view text, double font_size, doub
 
 /// A label of the given width and height for a point that is drawn within +-reach of the anchor.
 struct Label {
-  Point anchor;
+  DrawnPoint anchor;
   double reach = 0;
   double width = 0;
   double height = 0;
@@ -46,7 +46,7 @@ struct Label {
 /// Where a label goes, and the thin line from its point to it if it is not close by.
 struct Placement {
   Rect box;
-  std::optional<Segment> leader;
+  std::optional<LineSegment> leader;
 };
 
 /// What labels keep clear of: all within frame, never over markers, over lines only if there is no
@@ -54,7 +54,7 @@ struct Placement {
 struct Surroundings {
   Rect frame;
   std::vector<Rect> markers;
-  std::vector<Segment> lines;
+  std::vector<LineSegment> lines;
 };
 
 /// Greedy placement in the order given: the first free one of 12 directions, close to the point,

@@ -160,7 +160,7 @@ Margins margins_of(const std::vector<PlannedPanel>& panels) {
 }
 
 /// Places the legend's entries in rows from the height y on; the height after the last row.
-double place_legend(Plan& plan, double y) {
+double place_legend(ChartPlan& plan, double y) {
   double x = plan.left;
   for (LegendEntry& entry : plan.legend) {
     const double width = legend_width(entry);
@@ -175,7 +175,7 @@ double place_legend(Plan& plan, double y) {
 }
 
 /// Places the frames row by row from the height y on; the height after the last row.
-double place_panels(Plan& plan, const Figure& figure, const Margins& margins, double y) {
+double place_panels(ChartPlan& plan, const Figure& figure, const Margins& margins, double y) {
   const auto columns = static_cast<std::size_t>(figure.columns);
   const double cell = margins.left + figure.panel_width + margins.right;
   for (std::size_t i = 0; i < plan.panels.size(); ++i) {
@@ -190,7 +190,7 @@ double place_panels(Plan& plan, const Figure& figure, const Margins& margins, do
 }
 
 /// The width that the panels need, or the longest legend entry if that is more.
-double figure_width(const Plan& plan, const Figure& figure, const Margins& margins) {
+double figure_width(const ChartPlan& plan, const Figure& figure, const Margins& margins) {
   const double cell = margins.left + figure.panel_width + margins.right;
   double width = cell * std::min(figure.columns, std::max(1, static_cast<int>(plan.panels.size())));
   for (const LegendEntry& entry : plan.legend)
@@ -200,9 +200,9 @@ double figure_width(const Plan& plan, const Figure& figure, const Margins& margi
 
 }  // namespace
 
-Plan make_plan(const Figure& figure) {
+ChartPlan make_plan(const Figure& figure) {
   check(figure);
-  Plan plan;
+  ChartPlan plan;
   plan.panels = plan_panels(figure);
   plan.legend = collect_legend(figure);
   const Margins margins = margins_of(plan.panels);

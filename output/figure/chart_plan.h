@@ -28,7 +28,7 @@ struct LegendEntry {
   std::string colour = {};
   const Line* line = nullptr;
   const Markers* markers = nullptr;
-  Point position = {};
+  DrawnPoint position = {};
 };
 
 struct PlannedAxis {
@@ -49,7 +49,7 @@ struct PlannedPanel {
 };
 
 /// Refers to the figure it was made from, which must outlive it.
-struct Plan {
+struct ChartPlan {
   double width = 0;
   double height = 0;
   double left = 0;          ///< Where title, subtitle and legend begin.
@@ -61,6 +61,6 @@ struct Plan {
 };
 
 /// Lays the figure out; throws as to_svg.
-Plan make_plan(const Figure& figure);
+ChartPlan make_plan(const Figure& figure);
 
 }  // namespace camlaw::cli

@@ -86,10 +86,10 @@ int decimals_of(double step) {
   return decimals;
 }
 
-bool is_inside(Point p) { return p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1; }
+bool is_inside(DrawnPoint p) { return p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1; }
 
 /// The part of the segment ab within the unit square (Liang and Barsky 1984).
-std::optional<std::pair<Point, Point>> clip(Point a, Point b) {
+std::optional<std::pair<DrawnPoint, DrawnPoint>> clip(DrawnPoint a, DrawnPoint b) {
   double enter = 0, leave = 1;
   const double dx = b.x - a.x, dy = b.y - a.y;
   // Each side of the square: outward speed along the segment, and distance from a to the side.
@@ -101,7 +101,7 @@ std::optional<std::pair<Point, Point>> clip(Point a, Point b) {
   }
   if (enter > leave) return {};
   const auto at = [&](double t) {
-    return Point{std::clamp(a.x + t * dx, 0.0, 1.0), std::clamp(a.y + t * dy, 0.0, 1.0)};
+    return DrawnPoint{std::clamp(a.x + t * dx, 0.0, 1.0), std::clamp(a.y + t * dy, 0.0, 1.0)};
   };
   return std::pair{at(enter), at(leave)};
 }
@@ -109,21 +109,21 @@ std::optional<std::pair<Point, Point>> clip(Point a, Point b) {
 /// Collects the points of a curve's visible parts.
 class Pieces {
  public:
-  void add(Point p) { current_.push_back(p); }
+  void add(DrawnPoint p) { current_.push_back(p); }
   bool is_open() const { return !current_.empty(); }
   void close() {
     if (current_.size() == 1) current_.push_back(current_.front());
     if (is_open()) pieces_.push_back(std::move(current_));
     current_.clear();
   }
-  std::vector<std::vector<Point>> take() {
+  std::vector<std::vector<DrawnPoint>> take() {
     close();
     return std::move(pieces_);
   }
 
  private:
-  std::vector<std::vector<Point>> pieces_;
-  std::vector<Point> current_;
+  std::vector<std::vector<DrawnPoint>> pieces_;
+  std::vector<DrawnPoint> current_;
 };
 
 }  // namespace
@@ -187,10 +187,11 @@ double unit_position(double value, Range range) {
   return std::clamp((value - range.lower) / (range.upper - range.lower), -1e9, 1e9);
 }
 
-std::vector<std::vector<Point>> clipped_curve(std::span<const double> x, std::span<const double> y,
-                                              Range x_range, Range y_range) {
+std::vector<std::vector<DrawnPoint>> clipped_curve(std::span<const double> x,
+                                                   std::span<const double> y, Range x_range,
+                                                   Range y_range) {
   Pieces pieces;
-  Point previous{};
+  DrawnPoint previous{};
   bool has_previous = false;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     if (!is_drawable(x[i]) || !is_drawable(y[i])) {
@@ -198,7 +199,7 @@ std::vector<std::vector<Point>> clipped_curve(std::span<const double> x, std::sp
       has_previous = false;
       continue;
     }
-    const Point point{unit_position(x[i], x_range), unit_position(y[i], y_range)};
+    const DrawnPoint point{unit_position(x[i], x_range), unit_position(y[i], y_range)};
     if (!has_previous && is_inside(point)) pieces.add(point);
     if (const auto part = has_previous ? clip(previous, point) : std::nullopt) {
       if (!pieces.is_open()) pieces.add(part->first);

@@ -15,7 +15,7 @@ struct Range {
 };
 
 /// A point in px or, where said so, in units of the axes' ranges (0 to 1).
-struct Point {
+struct DrawnPoint {
   double x = 0;
   double y = 0;
 };
@@ -51,7 +51,8 @@ double unit_position(double value, Range range);
 
 /// The parts of the curve through (x[i], y[i]) that lie within the ranges, in units of the ranges,
 /// each of at least two points (a lone sample is doubled). Samples that are not drawable break it.
-std::vector<std::vector<Point>> clipped_curve(std::span<const double> x, std::span<const double> y,
-                                              Range x_range, Range y_range);
+std::vector<std::vector<DrawnPoint>> clipped_curve(std::span<const double> x,
+                                                   std::span<const double> y, Range x_range,
+                                                   Range y_range);
 
 }  // namespace camlaw::cli

@@ -9,9 +9,9 @@
 namespace camlaw::cli {
 namespace {
 
-std::string points_attribute(std::span<const Point> points) {
+std::string points_attribute(std::span<const DrawnPoint> points) {
   std::string text;
-  for (const Point& p : points) {
+  for (const DrawnPoint& p : points) {
     if (!text.empty()) text += ' ';
     text += svg_number(p.x) + "," + svg_number(p.y);
   }
@@ -39,7 +39,7 @@ std::string_view element_name(MarkerShape shape) {
 }
 
 /// The marker's element without its end.
-std::string shape(Point c, MarkerShape shape, double r) {
+std::string shape(DrawnPoint c, MarkerShape shape, double r) {
   const auto n = svg_number;
   switch (shape) {
     case MarkerShape::Circle:
@@ -48,7 +48,7 @@ std::string shape(Point c, MarkerShape shape, double r) {
       return fmt::format(R"(<rect x="{}" y="{}" width="{}" height="{}")", n(c.x - 0.9 * r),
                          n(c.y - 0.9 * r), n(1.8 * r), n(1.8 * r));
     case MarkerShape::Diamond: {
-      const Point corners[] = {{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}};
+      const DrawnPoint corners[] = {{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}};
       return fmt::format(R"(<polygon points="{}")", points_attribute(corners));
     }
     case MarkerShape::Cross:
@@ -84,20 +84,20 @@ void Svg::frame(const Rect& r, std::string_view colour) {
   rect(fmt::format(R"(class="frame" fill="none" stroke="{}")", xml_escape(colour)), r);
 }
 
-void Svg::line(std::string_view kind, const Segment& s, const Stroke& stroke) {
+void Svg::line(std::string_view kind, const LineSegment& s, const Stroke& stroke) {
   out_ += fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", kind,
                       svg_number(s.a.x), svg_number(s.a.y), svg_number(s.b.x), svg_number(s.b.y),
                       stroke_attributes(stroke));
 }
 
-void Svg::polyline(std::span<const Point> points, const Stroke& stroke) {
+void Svg::polyline(std::span<const DrawnPoint> points, const Stroke& stroke) {
   out_ += fmt::format(
       "<polyline fill=\"none\" {} stroke-linejoin=\"round\" stroke-linecap=\"{}\" "
       "points=\"{}\"/>\n",
       stroke_attributes(stroke), stroke.dashed ? "butt" : "round", points_attribute(points));
 }
 
-void Svg::text(std::string_view kind, Point p, std::string_view text, const TextStyle& style) {
+void Svg::text(std::string_view kind, DrawnPoint p, std::string_view text, const TextStyle& style) {
   const char* anchor = style.anchor == Anchor::Start ? "start"
                        : style.anchor == Anchor::End ? "end"
                                                      : "middle";
@@ -111,7 +111,7 @@ void Svg::text(std::string_view kind, Point p, std::string_view text, const Text
   out_ += fmt::format(">{}</text>\n", xml_escape(text));
 }
 
-void Svg::marker(Point centre, const MarkerStyle& style, std::string_view tooltip) {
+void Svg::marker(DrawnPoint centre, const MarkerStyle& style, std::string_view tooltip) {
   const bool filled = style.filled && style.shape != MarkerShape::Cross;
   const std::string colour = xml_escape(style.colour);
   out_ += fmt::format(R"({} fill="{}" stroke="{}" stroke-width="{}" pointer-events="all")",

@@ -46,12 +46,13 @@ class Svg {
   /// A white page; the description is for screen readers.
   Svg(double width, double height, std::string_view description);
 
-  void line(std::string_view kind, const Segment& segment, const Stroke& stroke);
-  void polyline(std::span<const Point> points, const Stroke& stroke);
+  void line(std::string_view kind, const LineSegment& segment, const Stroke& stroke);
+  void polyline(std::span<const DrawnPoint> points, const Stroke& stroke);
   void frame(const Rect& rect, std::string_view colour);
-  void text(std::string_view kind, Point position, std::string_view text, const TextStyle& style);
+  void text(std::string_view kind, DrawnPoint position, std::string_view text,
+            const TextStyle& style);
   /// A marker with an optional tooltip.
-  void marker(Point centre, const MarkerStyle& style, std::string_view tooltip);
+  void marker(DrawnPoint centre, const MarkerStyle& style, std::string_view tooltip);
   /// What follows until end_clip is drawn within the rectangle only.
   void begin_clip(const Rect& rect);
   void end_clip();

@@ -12,7 +12,7 @@ namespace camlaw::cli {
 namespace {
 
 /// One curve, piece by piece, so that jumps are drawn as gaps.
-Line motion_line(const NamedLaw& named, std::size_t order, int points) {
+Line motion_line(const DrawnLaw& named, std::size_t order, int points) {
   const int least = std::clamp(points / static_cast<int>(named.law.pieces().size()), 1, 8);
   Line line;
   line.name = named.name;
@@ -56,11 +56,11 @@ void limit_scale(Panel& panel) {
 }
 
 /// What a panel must say of peaks that a curve cannot show.
-void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>& laws) {
+void mark_unbounded(Panel& panel, std::size_t order, const std::vector<DrawnLaw>& laws) {
   if (order < 2) return;
   const auto q = order == 2 ? Quantity::Acceleration : Quantity::Jerk;
   bool jumps = false, singular = false;
-  for (const NamedLaw& named : laws) {
+  for (const DrawnLaw& named : laws) {
     const auto peak = peaks(named.law);
     const double inside = q == Quantity::Jerk ? std::max(peak.jerk_inside_highest.value,
                                                          -peak.jerk_inside_lowest.value)
@@ -75,7 +75,7 @@ void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>
 
 }  // namespace
 
-Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws, int points) {
+Figure motion_figure(const std::string& title, const std::vector<DrawnLaw>& laws, int points) {
   struct Row {
     const char *title, *unit;
   };
@@ -88,7 +88,7 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
     Panel panel;
     panel.x = {.label = "x = t / T", .unit = "", .lower = 0.0, .upper = 1.0};
     panel.y = {.label = kRows[order].title, .unit = kRows[order].unit};
-    for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order, points));
+    for (const DrawnLaw& law : laws) panel.lines.push_back(motion_line(law, order, points));
     mark_unbounded(panel, order, laws);
     figure.panels.push_back(std::move(panel));
   }

@@ -14,13 +14,13 @@ namespace camlaw::cli {
 
 /// s, v, a, j of some laws, one above the other over x. A law without a name stays out of the
 /// legend.
-struct NamedLaw {
+struct DrawnLaw {
   std::string name;
   Law<double> law;
   bool dashed = false;
 };
 inline constexpr int kMotionPoints = 400;  ///< that each curve is drawn with, or some more
-Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws,
+Figure motion_figure(const std::string& title, const std::vector<DrawnLaw>& laws,
                      int points = kMotionPoints);
 
 /// A law at one place.

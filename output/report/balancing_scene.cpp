@@ -15,7 +15,7 @@ namespace camlaw::cli {
 std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, int points) {
   if (design.mechanism->form != problems::Form::BalancingCam) return {};
   const SceneCurves curves(design, points);
-  const std::vector<Point> profile = curves.points("profile");
+  const std::vector<DrawnPoint> profile = curves.points("profile");
   const std::vector<double>& rise = curves.values("roller_displacement");
   const auto [low, high] = std::minmax_element(rise.begin(), rise.end());
   const double base = problems::constant_of(design, "base_radius"),

@@ -24,6 +24,7 @@
 #include "output/report/tiles.h"
 #include "output/report/timing_section.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {

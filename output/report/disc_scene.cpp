@@ -31,13 +31,13 @@ struct Disc {
     return problems::constant_of(design, parameter);
   }
   /// Where the follower's point is at the drawn pose: the cam has not turned yet.
-  Point follower() const { return curves.points("pitch").front(); }
+  DrawnPoint follower() const { return curves.points("pitch").front(); }
 };
 
 /// p turned about a pivot by an angle in degrees.
-Point turned(Point p, Point pivot, double degrees) {
+DrawnPoint turned(DrawnPoint p, DrawnPoint pivot, double degrees) {
   const double a = degrees * std::numbers::pi / 180, c = std::cos(a), s = std::sin(a);
-  const Point d{p.x - pivot.x, p.y - pivot.y};
+  const DrawnPoint d{p.x - pivot.x, p.y - pivot.y};
   return {pivot.x + d.x * c - d.y * s, pivot.y + d.x * s + d.y * c};
 }
 
@@ -62,14 +62,14 @@ void draw_cam(Scene& scene, const Disc& disc, double turning) {
 }
 
 /// The straight way of a follower's point, at its x, up and down its stroke.
-void draw_way(Scene& scene, Point point, const Disc& disc) {
+void draw_way(Scene& scene, DrawnPoint point, const Disc& disc) {
   scene.body("path of the follower");
   const double low = point.y - disc.zero + disc.lowest, high = point.y - disc.zero + disc.highest;
   scene.segment("way", {point.x, low}, {point.x, high});
   scene.include({point.x, low}), scene.include({point.x, high});
 }
 
-void draw_roller(Scene& scene, const Disc& disc, Point centre) {
+void draw_roller(Scene& scene, const Disc& disc, DrawnPoint centre) {
   const double radius = disc["roller_radius"], rise = disc.highest - disc.zero;
   draw_way(scene, centre, disc);
   draw_pushed_roller(scene, centre, radius, "displacement");
@@ -81,7 +81,7 @@ void draw_sliding_roller(Scene& scene, const Disc& disc) {
 }
 
 void draw_knife_edge(Scene& scene, const Disc& disc) {
-  const Point tip = disc.follower();
+  const DrawnPoint tip = disc.follower();
   const double length = 0.3 * disc.size, half = 0.06 * disc.size;
   draw_way(scene, tip, disc);
   scene.body("knife edge", {kLift});
@@ -91,7 +91,7 @@ void draw_knife_edge(Scene& scene, const Disc& disc) {
   scene.include({tip.x, tip.y + length + disc.highest - disc.zero}, half);
 }
 
-Point point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
+DrawnPoint point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
 
 void draw_flat(Scene& scene, const Disc& disc) {
   const double face = problems::sliding_face(disc.design, disc.zero).foot.y();
@@ -107,12 +107,12 @@ void draw_flat(Scene& scene, const Disc& disc) {
 
 void draw_conjugate(Scene& scene, const Disc& disc) {
   const problems::RollerPair pair = problems::conjugate_rollers(disc.design, disc.zero);
-  const Point upper = point(pair.main), lower = point(pair.second);
+  const DrawnPoint upper = point(pair.main), lower = point(pair.second);
   const double radius = disc["roller_radius"];
   draw_way(scene, upper, disc);
   scene.body("carriage with two rollers", {kLift});
   scene.segment("stem", lower, upper);
-  for (const Point& centre : {upper, lower}) {
+  for (const DrawnPoint& centre : {upper, lower}) {
     scene.roller(centre, radius);
     scene.include({centre.x, centre.y + disc.highest - disc.zero}, 1.2 * radius);
     scene.include({centre.x, centre.y + disc.lowest - disc.zero}, 1.2 * radius);
@@ -120,7 +120,7 @@ void draw_conjugate(Scene& scene, const Disc& disc) {
 }
 
 void draw_arm(Scene& scene, const Disc& disc) {
-  const Point pivot{disc["pivot_distance"], 0}, centre = disc.follower();
+  const DrawnPoint pivot{disc["pivot_distance"], 0}, centre = disc.follower();
   const double radius = disc["roller_radius"];
   draw_roller_arm(scene, pivot, centre, radius);
   for (const double at : {disc.lowest, disc.highest}) {
@@ -130,11 +130,11 @@ void draw_arm(Scene& scene, const Disc& disc) {
 }
 
 void draw_flat_arm(Scene& scene, const Disc& disc) {
-  const Point pivot{disc["pivot_distance"], 0};
+  const DrawnPoint pivot{disc["pivot_distance"], 0};
   const problems::FaceLine face = problems::swinging_face(disc.design, disc.zero);
   const std::vector<double>& levers = disc.curves.values("contact_lever");
   const auto [least, most] = std::minmax_element(levers.begin(), levers.end());
-  const Point foot = point(face.foot);
+  const DrawnPoint foot = point(face.foot);
   const auto along = [&](double t) { return point(face.foot + t * face.along); };
   scene.body("arm with its face, as long as the contact needs it",
              {{Kind::Turn, -1, pivot, "displacement"}});
@@ -184,7 +184,7 @@ std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
   double size = 0;
   for (const char* curve : {"profile", "second_profile", "pitch"}) {
     if (!curves.has(std::string(curve) + "_x")) continue;
-    for (const Point& p : curves.points(curve)) size = std::max(size, std::hypot(p.x, p.y));
+    for (const DrawnPoint& p : curves.points(curve)) size = std::max(size, std::hypot(p.x, p.y));
   }
   if (!std::isfinite(size) || !(size > 0)) return {};
   const Disc disc{design, curves, displacement.front(), *lowest, *highest, size};

@@ -21,31 +21,31 @@ using Kind = BodyMotion::Kind;
 /// Where the parts of the drive are.
 struct Feeder {
   double crank, offset, pinion;
-  Point guide;  ///< O2, the guide's centre
+  DrawnPoint guide;  ///< O2, the guide's centre
   const std::vector<double>&length, &angle;
 
   /// Of the crank pin at sample i of the cycle.
-  Point pin(std::size_t i) const {
+  DrawnPoint pin(std::size_t i) const {
     const double turn =
         2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length.size() - 1);
     return {crank * std::cos(turn), crank * std::sin(turn)};
   }
   /// Along the rack from the guide to the crank pin. At the cycle's beginning the pin is on the
   /// line of centres.
-  Point along(std::size_t i) const {
+  DrawnPoint along(std::size_t i) const {
     const double swung = (angle[i] - angle.front()) * std::numbers::pi / 180;
     const double inclined = -std::asin(offset / (guide.x - crank)) - swung;
     return {-std::cos(inclined), std::sin(inclined)};
   }
   /// The point of the pitch line that is `back` away from the crank pin.
-  Point rack(std::size_t i, double back) const {
-    const Point from = pin(i), direction = along(i);
+  DrawnPoint rack(std::size_t i, double back) const {
+    const DrawnPoint from = pin(i), direction = along(i);
     return {from.x - back * direction.x, from.y - back * direction.y};
   }
 };
 
 void draw_pinion(Scene& scene, const Feeder& feeder) {
-  const Point centre = feeder.guide;
+  const DrawnPoint centre = feeder.guide;
   scene.body("pinion, its pitch circle", {{Kind::Turn, 1, centre, "drum_angle"}});
   scene.circle("roller", centre, feeder.pinion);
   scene.segment("mark", centre, {centre.x, centre.y + feeder.pinion});
@@ -54,7 +54,7 @@ void draw_pinion(Scene& scene, const Feeder& feeder) {
 
 void draw_guide_and_rack(Scene& scene, const Feeder& feeder, double mark) {
   const BodyMotion rocking{Kind::Turn, 1, feeder.guide, "guide_angle"};
-  const Point pin = feeder.pin(0);
+  const DrawnPoint pin = feeder.pin(0);
   const double reach = *std::max_element(feeder.length.begin(), feeder.length.end());
   scene.body("guide, from its centre to the rack", {rocking});
   scene.segment("arm", feeder.guide, feeder.rack(0, feeder.length.front()));
@@ -94,7 +94,8 @@ std::optional<Scene> feeder_scene(const problems::ProblemStatement& design, int 
   draw_guide_and_rack(scene, feeder, mark);
   draw_crank(scene, feeder, mark);
   scene.body("centres of crank and guide");
-  for (const Point& centre : {Point{0, 0}, feeder.guide}) scene.circle("pivot", centre, mark);
+  for (const DrawnPoint& centre : {DrawnPoint{0, 0}, feeder.guide})
+    scene.circle("pivot", centre, mark);
   return scene;
 }
 

@@ -15,12 +15,13 @@ namespace {
 using Kind = BodyMotion::Kind;
 
 /// A slot along the direction at `angle` from a centre: open at the tip circle, round at its end.
-std::vector<Point> slot(Point centre, double angle, double tip, double end, double half_width) {
+std::vector<DrawnPoint> slot(DrawnPoint centre, double angle, double tip, double end,
+                             double half_width) {
   const double c = std::cos(angle), s = std::sin(angle);
   const auto at = [&](double along, double across) {
-    return Point{centre.x + along * c - across * s, centre.y + along * s + across * c};
+    return DrawnPoint{centre.x + along * c - across * s, centre.y + along * s + across * c};
   };
-  std::vector<Point> outline{at(tip, half_width)};
+  std::vector<DrawnPoint> outline{at(tip, half_width)};
   constexpr int kSteps = 12;  // corners of 15 deg in a slot's round end are not seen
   for (int i = 0; i <= kSteps; ++i) {
     const double turn = std::numbers::pi * (0.5 + static_cast<double>(i) / kSteps);
@@ -40,7 +41,7 @@ std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int)
   const double pin = problems::constant_of(design, "pin_radius");
   const double tip = distance * std::cos(std::numbers::pi / geneva.slots);
   const double entry = -geneva.half_engagement();  // the driver's angle where the cycle begins
-  const Point wheel{distance, 0}, pin_at{crank * std::cos(entry), crank * std::sin(entry)};
+  const DrawnPoint wheel{distance, 0}, pin_at{crank * std::cos(entry), crank * std::sin(entry)};
   const double wheel_angle = geneva.at(entry).angle;
   Scene scene(fmt::format("{}: crank, pin and slots, drawn to scale", design.mechanism->title));
   scene.drawn_at("wheel_angle", wheel_angle * 180 / std::numbers::pi);

@@ -21,11 +21,11 @@ using Kind = BodyMotion::Kind;
 
 /// The turret, its angles in degrees.
 struct Turret {
-  Point centre;
+  DrawnPoint centre;
   double radius, roller;
   int rollers, plates;  ///< in a ring; rings
   double step() const { return 360.0 / (rollers * plates); }
-  Point at(double psi) const {
+  DrawnPoint at(double psi) const {
     const double angle = psi * std::numbers::pi / 180;
     return {centre.x - radius * std::cos(angle), centre.y + radius * std::sin(angle)};
   }
@@ -38,9 +38,9 @@ const char* tone(int plate) { return plate == 0 ? "cam" : "cam second"; }
 /// that bears it; the first one is of the cam of this number.
 void draw_flank(Scene& scene, const SceneCurves& curves, const std::string& flank,
                 const std::string& angle, const Turret& turret, int cam) {
-  const std::vector<Point> points = curves.points(flank);
+  const std::vector<DrawnPoint> points = curves.points(flank);
   const std::vector<double>& psi = curves.values(angle);
-  std::vector<Point> sector{{0, 0}};
+  std::vector<DrawnPoint> sector{{0, 0}};
   const auto draw = [&] {
     scene.polyline(tone(cam % turret.plates), sector, true);
     sector.resize(1);
@@ -68,14 +68,14 @@ void draw_discs(Scene& scene, const ProblemStatement& design, const SceneCurves&
 
 /// A cam whose axis lies in the picture, upwards: its outline, the right-hand side given from the
 /// lower end to the upper one, without its ribs' flanks.
-void draw_across(Scene& scene, std::vector<Point> right, double bore) {
+void draw_across(Scene& scene, std::vector<DrawnPoint> right, double bore) {
   const double low = right.front().y, high = right.back().y;
   scene.body("cam, seen from the side, to the top of its ribs");
-  std::vector<Point> outline = right;
+  std::vector<DrawnPoint> outline = right;
   for (auto p = right.rbegin(); p != right.rend(); ++p) outline.push_back({-p->x, p->y});
   scene.polyline("cam", outline, true);
   for (const double x : {-bore, bore}) scene.segment("bore", {x, low}, {x, high});
-  for (const Point& p : outline) scene.include(p);
+  for (const DrawnPoint& p : outline) scene.include(p);
   scene.body("direction of rotation: the near side of the cam moves to the right");
   const double below = low - 0.1 * (high - low), side = right.front().x;
   scene.straight_arrow({-0.8 * side, below}, {-0.3 * side, below});  // beside the turret
@@ -85,8 +85,8 @@ void draw_across(Scene& scene, std::vector<Point> right, double bore) {
 double half_of_cam(const Turret& turret) { return std::min(turret.step(), 60.0); }
 
 /// Of a roller gear the outline follows the rollers' inner ends.
-std::vector<Point> globoid(const Turret& turret, double length) {
-  std::vector<Point> right;
+std::vector<DrawnPoint> globoid(const Turret& turret, double length) {
+  std::vector<DrawnPoint> right;
   constexpr int kSteps = 60;  // two degrees each: no corner is seen
   const Turret inner{turret.centre, turret.radius - 0.5 * length, 0, turret.rollers, 1};
   for (int i = 0; i <= kSteps; ++i) {
@@ -117,7 +117,7 @@ void draw_roller_path(Scene& scene, const Turret& turret, const Drum& drum, doub
                       const std::vector<double>& gained) {
   const double reach = std::asin(std::min(drum.half / turret.radius, 1.0)) * 180 / std::numbers::pi;
   const std::size_t steps = gained.size() - 1;
-  std::vector<Point> path;
+  std::vector<DrawnPoint> path;
   const auto end_part = [&] {
     if (path.size() > 1) scene.polyline("pitch", path, false);
     path.clear();
@@ -131,7 +131,7 @@ void draw_roller_path(Scene& scene, const Turret& turret, const Drum& drum, doub
       continue;
     }
     const double share = static_cast<double>(within) / static_cast<double>(steps) + turns;
-    const Point roller = turret.at(here);
+    const DrawnPoint roller = turret.at(here);
     path.push_back({roller.x - drum.turn() * share, roller.y});
   }
   end_part();
@@ -166,16 +166,16 @@ void draw_developed(Scene& scene, const SceneCurves& curves, const Turret& above
 void draw_rollers(Scene& scene, const Turret& turret, double first, double radial_length) {
   for (int k = 0; k < turret.rollers * turret.plates; ++k) {
     const double psi = first - k * turret.step();
-    const Point middle = turret.at(psi);
+    const DrawnPoint middle = turret.at(psi);
     if (radial_length == 0) {
       scene.roller(middle, turret.roller);
       continue;
     }
     const double angle = psi * std::numbers::pi / 180, half = 0.5 * radial_length;
-    const Point out{-std::cos(angle), std::sin(angle)}, side{out.y, -out.x};
+    const DrawnPoint out{-std::cos(angle), std::sin(angle)}, side{out.y, -out.x};
     const auto corner = [&](double along, double across) {
-      return Point{middle.x + along * out.x + across * side.x,
-                   middle.y + along * out.y + across * side.y};
+      return DrawnPoint{middle.x + along * out.x + across * side.x,
+                        middle.y + along * out.y + across * side.y};
     };
     const double r = turret.roller;
     scene.polyline("roller",

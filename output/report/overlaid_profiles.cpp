@@ -18,7 +18,7 @@ namespace {
 struct DrawnProfile {
   std::size_t design;
   bool closed;
-  std::vector<Point> points;
+  std::vector<DrawnPoint> points;
 };
 
 std::vector<DrawnProfile> profiles_of(const ComparedDesign& design, std::size_t number) {
@@ -38,12 +38,12 @@ std::vector<DrawnProfile> profiles_of(const ComparedDesign& design, std::size_t 
 }
 
 struct Window {
-  Point low, high;
+  DrawnPoint low, high;
 
   explicit Window(const std::vector<DrawnProfile>& profiles)
       : low(profiles.front().points.front()), high(low) {
     for (const DrawnProfile& profile : profiles) {
-      for (const Point& p : profile.points) {
+      for (const DrawnPoint& p : profile.points) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
@@ -55,7 +55,7 @@ struct Window {
 
 std::string outline(const DrawnProfile& profile) {
   std::string path;
-  for (const Point& p : profile.points) {
+  for (const DrawnPoint& p : profile.points) {
     path += fmt::format("{}{:.3f} {:.3f}", path.empty() ? "M" : "L", p.x, p.y);
   }
   return fmt::format("<path class=\"c{}\" d=\"{}{}\"/>\n", profile.design, path,

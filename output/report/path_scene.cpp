@@ -21,7 +21,7 @@ std::string unit_of_curve(const problems::ProblemStatement& design, std::string_
 }
 
 /// Where the path is left fastest: the first of the two samples.
-std::size_t fastest_step(const std::vector<Point>& path) {
+std::size_t fastest_step(const std::vector<DrawnPoint>& path) {
   std::size_t fastest = 0;
   double most = 0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -37,11 +37,13 @@ std::optional<Scene> path_scene(const problems::ProblemStatement& design, int po
   const std::string unit = unit_of_curve(design, "path_x");
   if (unit.empty() || unit_of_curve(design, "path_y") != unit) return {};
   if (!(si_unit(unit).dimension == si_unit("mm").dimension)) return {};
-  const std::vector<Point> path = SceneCurves(design, points).points("path");
-  const auto is_finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  const std::vector<DrawnPoint> path = SceneCurves(design, points).points("path");
+  const auto is_finite = [](const DrawnPoint& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+  };
   if (path.size() < 2 || !std::all_of(path.begin(), path.end(), is_finite)) return {};
-  Point low = path.front(), high = low;
-  for (const Point& p : path) {
+  DrawnPoint low = path.front(), high = low;
+  for (const DrawnPoint& p : path) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
@@ -55,7 +57,7 @@ std::optional<Scene> path_scene(const problems::ProblemStatement& design, int po
   scene.body("path through the cycle");
   scene.polyline("pitch", path, true);
   const std::size_t at = fastest_step(path);
-  const Point from = path[at], to = path[at + 1];
+  const DrawnPoint from = path[at], to = path[at + 1];
   const double way = std::hypot(to.x - from.x, to.y - from.y), arrow = 0.1 * size / way;
   scene.body("direction of motion");
   scene.straight_arrow(from, {from.x + arrow * (to.x - from.x), from.y + arrow * (to.y - from.y)});

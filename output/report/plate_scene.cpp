@@ -18,17 +18,18 @@ using problems::ProblemStatement;
 using Kind = BodyMotion::Kind;
 
 /// A curve three times over, so that it fills the window wherever the cam stands.
-std::vector<Point> thrice(const std::vector<Point>& curve, double period) {
-  std::vector<Point> whole;
+std::vector<DrawnPoint> thrice(const std::vector<DrawnPoint>& curve, double period) {
+  std::vector<DrawnPoint> whole;
   for (const int turn : {-1, 0, 1}) {
-    for (const Point& p : curve) whole.push_back({p.x + turn * period, p.y});
+    for (const DrawnPoint& p : curve) whole.push_back({p.x + turn * period, p.y});
   }
   return whole;
 }
 
 /// The profile three times over, as a body with a straight back.
-std::vector<Point> repeated(const std::vector<Point>& profile, double period, double back) {
-  std::vector<Point> outline = thrice(profile, period);
+std::vector<DrawnPoint> repeated(const std::vector<DrawnPoint>& profile, double period,
+                                 double back) {
+  std::vector<DrawnPoint> outline = thrice(profile, period);
   outline.insert(outline.begin(), {profile.front().x - period, back});
   outline.push_back({profile.back().x + period, back});
   return outline;
@@ -40,12 +41,12 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   const auto shape = problems::cam_shape(*design.mechanism);
   if (shape != problems::CamShape::Drum && shape != problems::CamShape::Plate) return {};
   const SceneCurves curves(design, points);
-  const std::vector<Point> profile = curves.points("profile"), pitch = curves.points("pitch");
+  const std::vector<DrawnPoint> profile = curves.points("profile"), pitch = curves.points("pitch");
   const double period = pitch.back().x - pitch.front().x;
   const double radius = problems::constant_of(design, "roller_radius");
   double low = profile.front().y, high = pitch.front().y;
-  for (const Point& p : profile) low = std::min(low, p.y);
-  for (const Point& p : pitch) high = std::max(high, p.y);
+  for (const DrawnPoint& p : profile) low = std::min(low, p.y);
+  for (const DrawnPoint& p : pitch) high = std::max(high, p.y);
   if (!std::isfinite(low) || !std::isfinite(high) || !(period > 0)) return {};
   const bool arm = design.mechanism->form == Form::EndArm;
   const double back = low - 1.5 * radius, centre = pitch.front().x;

@@ -47,34 +47,34 @@ std::set<std::string> Scene::follows() const {
   return curves;
 }
 
-void Scene::polyline(std::string_view kind, const std::vector<Point>& points, bool closed) {
+void Scene::polyline(std::string_view kind, const std::vector<DrawnPoint>& points, bool closed) {
   std::string path;
-  for (const Point& p : points) {
+  for (const DrawnPoint& p : points) {
     path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", p.x, p.y);
   }
   bodies_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", kind, path, closed ? "Z" : "");
 }
 
-void Scene::circle(std::string_view kind, Point centre, double radius) {
+void Scene::circle(std::string_view kind, DrawnPoint centre, double radius) {
   bodies_ += fmt::format("<circle class=\"{}\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"/>\n", kind,
                          centre.x, centre.y, radius);
 }
 
-void Scene::segment(std::string_view kind, Point from, Point to) {
+void Scene::segment(std::string_view kind, DrawnPoint from, DrawnPoint to) {
   bodies_ +=
       fmt::format("<line class=\"{}\" x1=\"{:.3f}\" y1=\"{:.3f}\" x2=\"{:.3f}\" y2=\"{:.3f}\"/>\n",
                   kind, from.x, from.y, to.x, to.y);
 }
 
-void Scene::roller(Point centre, double radius) {
+void Scene::roller(DrawnPoint centre, double radius) {
   circle("roller", centre, radius);
   circle("pin", centre, 0.15 * radius);
 }
 
-void Scene::arrow_head(Point tip, Point direction, double length) {
+void Scene::arrow_head(DrawnPoint tip, DrawnPoint direction, double length) {
   const double norm = std::hypot(direction.x, direction.y);
-  const Point along{length * direction.x / norm, length * direction.y / norm};
-  const Point across{-0.4 * along.y, 0.4 * along.x};
+  const DrawnPoint along{length * direction.x / norm, length * direction.y / norm};
+  const DrawnPoint across{-0.4 * along.y, 0.4 * along.x};
   polyline("head",
            {{tip.x + along.x, tip.y + along.y},
             {tip.x + across.x, tip.y + across.y},
@@ -82,11 +82,11 @@ void Scene::arrow_head(Point tip, Point direction, double length) {
            true);
 }
 
-void Scene::turn_arrow(Point centre, double radius, double turning, double angle) {
+void Scene::turn_arrow(DrawnPoint centre, double radius, double turning, double angle) {
   constexpr double kReach = 30, kSteps = 20;  // deg; pieces
   const double sense = turning < 0 ? -1 : 1;
-  std::vector<Point> arc;
-  Point along{};
+  std::vector<DrawnPoint> arc;
+  DrawnPoint along{};
   for (int i = 0; i <= kSteps; ++i) {
     const double at = (angle + sense * kReach * i / kSteps) * std::numbers::pi / 180;
     arc.push_back({centre.x + radius * std::cos(at), centre.y + radius * std::sin(at)});
@@ -94,24 +94,24 @@ void Scene::turn_arrow(Point centre, double radius, double turning, double angle
   }
   polyline("arrow", arc, false);
   arrow_head(arc.back(), along, 0.07 * radius);
-  for (const Point& p : arc) include(p, 0.07 * radius);
+  for (const DrawnPoint& p : arc) include(p, 0.07 * radius);
 }
 
-void Scene::straight_arrow(Point from, Point to) {
+void Scene::straight_arrow(DrawnPoint from, DrawnPoint to) {
   segment("arrow", from, to);
-  const Point along{to.x - from.x, to.y - from.y};
+  const DrawnPoint along{to.x - from.x, to.y - from.y};
   arrow_head(to, along, 0.2 * std::hypot(along.x, along.y));
   include(from), include(to, 0.1 * std::hypot(along.x, along.y));
 }
 
-void Scene::include(Point p) {
+void Scene::include(DrawnPoint p) {
   if (!window_) window_ = {p, p};
   auto& [low, high] = *window_;
   low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }
 
-void Scene::include(Point centre, double radius) {
+void Scene::include(DrawnPoint centre, double radius) {
   include({centre.x - radius, centre.y - radius});
   include({centre.x + radius, centre.y + radius});
 }
@@ -150,9 +150,9 @@ std::vector<double> SceneCurves::sampled(const std::string& name) const {
   return trace->values(optim::even_places(breaks.front(), breaks.back(), points_));
 }
 
-std::vector<Point> SceneCurves::points(const std::string& name) const {
+std::vector<DrawnPoint> SceneCurves::points(const std::string& name) const {
   const std::vector<double>&x = values(name + "_x"), &y = values(name + "_y");
-  std::vector<Point> result;
+  std::vector<DrawnPoint> result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back({x[i], y[i]});
   return result;
 }
@@ -161,13 +161,13 @@ bool has_parameter(const problems::ProblemStatement& design, std::string_view na
   return problems::parameter_called(*design.mechanism, name).has_value();
 }
 
-void draw_pushed_roller(Scene& scene, Point centre, double radius, const std::string& curve) {
+void draw_pushed_roller(Scene& scene, DrawnPoint centre, double radius, const std::string& curve) {
   scene.body("roller", {{BodyMotion::Kind::Slide, 1, {0, 1}, curve}});
   scene.roller(centre, radius);
   scene.segment("stem", centre, {centre.x, centre.y + 2.2 * radius});
 }
 
-void draw_roller_arm(Scene& scene, Point pivot, Point centre, double radius) {
+void draw_roller_arm(Scene& scene, DrawnPoint pivot, DrawnPoint centre, double radius) {
   scene.body("arm with its roller", {{BodyMotion::Kind::Turn, -1, pivot, "displacement"}});
   scene.segment("arm", pivot, centre);
   scene.roller(centre, radius);

@@ -24,7 +24,7 @@ struct BodyMotion {
   };
   Kind kind = Kind::Turn;
   double factor = 1;
-  Point about = {0, 0};
+  DrawnPoint about = {0, 0};
   std::string curve = {};  ///< empty: the angle of the cycle
   double phase = 0;        ///< of Harmonic: degrees of the sine where it is drawn
 };
@@ -38,19 +38,19 @@ class Scene {
   /// Shapes that follow belong to this body. It takes the last step first; the steps before carry
   /// it along with what it has done, as an arm carries what slides on it.
   void body(std::string_view name, const std::vector<BodyMotion>& steps = {});
-  void polyline(std::string_view kind, const std::vector<Point>& points, bool closed);
-  void circle(std::string_view kind, Point centre, double radius);
-  void segment(std::string_view kind, Point from, Point to);
+  void polyline(std::string_view kind, const std::vector<DrawnPoint>& points, bool closed);
+  void circle(std::string_view kind, DrawnPoint centre, double radius);
+  void segment(std::string_view kind, DrawnPoint from, DrawnPoint to);
   /// A roller with the mark of its pin.
-  void roller(Point centre, double radius);
+  void roller(DrawnPoint centre, double radius);
   /// An arrow about a centre, counterclockwise where `turning` is above 0, from `angle`, deg.
-  void turn_arrow(Point centre, double radius, double turning, double angle);
+  void turn_arrow(DrawnPoint centre, double radius, double turning, double angle);
   /// A straight arrow.
-  void straight_arrow(Point from, Point to);
+  void straight_arrow(DrawnPoint from, DrawnPoint to);
   /// The window shows this point.
-  void include(Point point);
+  void include(DrawnPoint point);
   /// The same with all within `radius`.
-  void include(Point centre, double radius);
+  void include(DrawnPoint centre, double radius);
 
   /// What the drawn pose has of a curve that bodies follow: they count from it.
   void drawn_at(const std::string& curve, double value) { drawn_at_[curve] = value; }
@@ -59,12 +59,12 @@ class Scene {
   std::string svg() const;
 
  private:
-  void arrow_head(Point tip, Point direction, double length);
+  void arrow_head(DrawnPoint tip, DrawnPoint direction, double length);
 
   std::string title_, bodies_;
   std::map<std::string, double> drawn_at_;
   bool open_ = false;
-  std::optional<std::pair<Point, Point>> window_;  ///< lower left, upper right
+  std::optional<std::pair<DrawnPoint, DrawnPoint>> window_;  ///< lower left, upper right
 };
 
 /// Values of a statement's curves at even angles of the cycle, looked up by name, each worked out
@@ -76,7 +76,7 @@ class SceneCurves {
   /// At `points` + 1 even places; throws std::logic_error for an unknown name.
   const std::vector<double>& values(const std::string& name) const;
   /// Those of "NAME_x" and "NAME_y".
-  std::vector<Point> points(const std::string& name) const;
+  std::vector<DrawnPoint> points(const std::string& name) const;
 
  private:
   std::vector<double> sampled(const std::string& name) const;
@@ -90,9 +90,9 @@ class SceneCurves {
 bool has_parameter(const problems::ProblemStatement& design, std::string_view name);
 
 /// A roller that the curve pushes along y, on a stem upwards.
-void draw_pushed_roller(Scene& scene, Point centre, double radius, const std::string& curve);
+void draw_pushed_roller(Scene& scene, DrawnPoint centre, double radius, const std::string& curve);
 /// A roller at the end of an arm that swings clockwise by the displacement, and the arm's pivot.
-void draw_roller_arm(Scene& scene, Point pivot, Point centre, double radius);
+void draw_roller_arm(Scene& scene, DrawnPoint pivot, DrawnPoint centre, double radius);
 
 /// The scenes that there are, each of the mechanisms that it can draw; else none.
 std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, int points);

@@ -16,7 +16,9 @@ using Kind = BodyMotion::Kind;
 /// From rpm and N m to the picture.
 struct SpeedTorque {
   double by_speed, by_torque;
-  Point at(double speed, double torque) const { return {by_speed * speed, by_torque * torque}; }
+  DrawnPoint at(double speed, double torque) const {
+    return {by_speed * speed, by_torque * torque};
+  }
 };
 
 }  // namespace
@@ -59,7 +61,7 @@ std::optional<Scene> servo_scene(const problems::ProblemStatement& design, int p
     scene.segment("way", plane.at(-fastest, level), plane.at(fastest, level));
   }
   scene.body("path of the working point through the cycle");
-  std::vector<Point> path;
+  std::vector<DrawnPoint> path;
   for (std::size_t i = 0; i < speed.size(); ++i) {
     path.push_back(plane.at(speed[i], torque[i]));
     scene.include(path.back());

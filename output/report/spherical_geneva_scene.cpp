@@ -46,8 +46,8 @@ void draw_driver_edge(Scene& scene, const Sphere& sphere) {
   scene.circle("pin", {sphere.reach, -sphere.crank}, Sphere::kMark);
 }
 
-void draw_driver(Scene& scene, const Sphere& sphere, Point centre) {
-  const Point pin{centre.x, centre.y - sphere.crank};
+void draw_driver(Scene& scene, const Sphere& sphere, DrawnPoint centre) {
+  const DrawnPoint pin{centre.x, centre.y - sphere.crank};
   scene.body("sphere and rim of the wheel, seen along the driver's axis");
   scene.circle("pitch", centre, Sphere::kRadius);
   scene.segment("way", {centre.x, centre.y - Sphere::kRadius},
@@ -67,7 +67,7 @@ void draw_driver(Scene& scene, const Sphere& sphere, Point centre) {
 std::optional<Scene> spherical_geneva_scene(const problems::ProblemStatement& design, int points) {
   if (design.mechanism->form != problems::Form::SphericalGeneva) return {};
   const Sphere sphere{static_cast<int>(problems::constant_of(design, "slots"))};
-  const Point centre{2.3 * Sphere::kRadius, 0};
+  const DrawnPoint centre{2.3 * Sphere::kRadius, 0};
   Scene scene(fmt::format("{}: slots and pin on a sphere, along the wheel's axis and the driver's",
                           design.mechanism->title));
   scene.drawn_at("wheel_angle", SceneCurves(design, points).values("wheel_angle").front());

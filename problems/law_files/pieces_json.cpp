@@ -93,7 +93,7 @@ void each(const Json& list, const std::string& what, const One& one) {
   for (std::size_t i = 0; i < list.size(); ++i) one(list[i], fmt::format("{}[{}]", what, i + 1));
 }
 
-Curve<double> curve_of(const Json& term, const std::string& what) {
+PieceCurve<double> curve_of(const Json& term, const std::string& what) {
   const Json& name = value(term, "curve", what);
   if (name == "half-ellipse") {
     const Json& count = value(term, "integrations", what);

@@ -15,6 +15,7 @@
 #include "optim/search/told.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 

@@ -3,12 +3,16 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "optim/problem/problem.h"
 #include "optim/verdict/assessment.h"
-#include "problems/results/recorded_design.h"
 
 /// A stored design, judged again: nothing that was recorded of it is believed.
 namespace camlaw::problems {
+
+struct ReadDesign;  // recorded_design.h
 
 /// The problem of a design with its choices and integer variables held at what was found: what its
 /// verdict can be judged by without a search.

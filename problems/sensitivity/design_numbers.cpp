@@ -10,6 +10,7 @@
 #include "machines/model/given_law.h"
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/peak_function.h"
+#include "optim/cycle/peak_slopes.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/program_timing.h"
 #include "problems/statement/ranges.h"
@@ -255,7 +256,7 @@ std::vector<std::pair<double, double>> DesignNumber::slopes(optim::Design x) con
   const auto trace = response.curve().trace(x);
   for (const auto& [place, sign] : equal_peaks(*trace, part)) {
     const double turned = part == Part::Magnitude ? sign : 1;
-    const auto there = gradient_of(response.curve().at(response.curve().tied(place, x)), x);
+    const auto there = optim::peak_slopes(response.curve(), *trace, place, x).by;
     for (std::size_t i = 0; i < x.size(); ++i) {
       result[i].first = std::min(result[i].first, turned * there[i]);
       result[i].second = std::max(result[i].second, turned * there[i]);

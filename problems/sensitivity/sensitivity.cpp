@@ -103,14 +103,16 @@ SensitivityRange read_range(const ProblemStatement& design, const std::vector<De
 
 /// The slope of a number to one side, by two steps and Richardson's extrapolation; none where the
 /// parameter cannot be changed, or the number has no value there.
+/// What is no more than `noise` is rounding.
 std::optional<double> slope_to(const DesignNumber& number, std::vector<double> x, std::size_t i,
-                               double value, double step) {
+                               double value, double step, double noise) {
   const double at = x[i];
   const auto slope = [&](double h) {
     x[i] = at + h;
     return (number.function.value(x) - value) / (x[i] - at);
   };
   const double far = slope(step), near = slope(step / 2);
+  if (std::max(std::abs(far), std::abs(near)) <= noise) return 0;
   const double result = 2 * near - far;
   // What bends or scatters over the step tells nothing.
   const bool agrees = std::abs(far - near) <= 0.05 * std::max(std::abs(far), std::abs(near));
@@ -129,15 +131,19 @@ Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter
       std::max(std::abs(x[i]), 1e-3 * std::min(parameter.high - parameter.low, 1.0));
   const double step = kStep * size;
   if (!(x[i] - step >= parameter.low && x[i] + step <= parameter.high)) return exact;
-  auto up = slope_to(number, x, i, value, step), down = slope_to(number, x, i, value, -step);
+  const double noise = 1e-8 * std::abs(value) / size;
+  const auto up = slope_to(number, x, i, value, step, noise);
+  const auto down = slope_to(number, x, i, value, -step, noise);
   if (!up || !down) return exact;
-  for (auto* slope : {&up, &down}) {
-    if (std::abs(**slope) <= 1e-8 * std::abs(value) / size) *slope = 0;  // rounding
-  }
   const double scale = std::max({std::abs(*up), std::abs(*down), 1e-6 * std::abs(value) / size});
   const double low = std::min(*up, *down), high = std::max(*up, *down);
   const double off = std::max(std::abs(low - exact.low), std::abs(high - exact.high));
   if (off <= kAgrees * scale) return exact;
+  // A peak's place is found to the root of rounding, and with it the terms that cancel there.
+  constexpr double kCancelled = 1e-6;
+  if (low == 0 && high == 0 && off <= kCancelled * std::abs(value) / size) {
+    return sensitivity_of(value, x[i], {0, 0});
+  }
   const bool is_smooth = high - low <= kAgrees * scale;
   const double middle = (low + high) / 2;
   Sensitivity result =

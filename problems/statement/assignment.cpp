@@ -9,7 +9,7 @@
 
 namespace camlaw::problems {
 
-Assignment parse_assignment(std::string_view written, std::string_view example) {
+SettingText parse_assignment(std::string_view written, std::string_view example) {
   const std::size_t equals = written.find('=');
   const std::string_view name = trimmed(written.substr(0, equals));
   if (equals == std::string_view::npos || name.empty()) {

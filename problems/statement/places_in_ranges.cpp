@@ -8,6 +8,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
+#include "problems/statement/why_undefined.h"
 
 namespace camlaw::problems {
 
@@ -42,6 +43,24 @@ std::vector<PlaceInRange> worst_in_ranges(const ProblemStatement& design, const 
   return places;
 }
 
+namespace {
+
+/// Why a response of the mechanism has no value at a design; empty where that is not known, and
+/// where it has one.
+std::string why_undefined_there(const ProblemStatement& design, const MechanismResponse& of) {
+  const ResponseName own = find_response(*design.mechanism, of.name);
+  if (own.response == nullptr) return {};
+  const EvaluatedResponse value = evaluate_response(design, *own.response);
+  if (!std::isnan(value.is_curve ? value.highest : value.value)) return {};
+  if (std::string why = why_undefined(design, value); !why.empty()) return why;
+  // That a part is left out goes without saying only where nobody asks for what it does.
+  return value.is_curve
+             ? response_of(design, own, whole_binding(design)).curve().trace({})->why_unbounded()
+             : std::string();
+}
+
+}  // namespace
+
 std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
                          const std::optional<double>& place) {
   if (of.response == nullptr) return {};
@@ -51,6 +70,7 @@ std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
     return why_no_value(design, of.response->over_cases.at(in->part), in->place);
   }
   const std::vector<PlaceInRange> worst = worst_in_ranges(design, of, place);
+  if (!of.response->over_ranges) return why_undefined_there(design, *of.response);
   if (worst.empty()) return {};
   const MechanismResponse& own = *of.response->over_ranges->of;
   if (find_response(*design.mechanism, own.name).response == nullptr) return {};
@@ -61,7 +81,8 @@ std::string why_no_value(const ProblemStatement& design, const ResponseName& of,
   const EvaluatedResponse value = evaluate_response(there, own);
   if (std::isfinite(value.is_curve ? value.highest : value.value))
     return fmt::format("it grows without bound about {}", words_of(worst));
-  return fmt::format("it does not exist at {}", words_of(worst));
+  const std::string why = why_undefined_there(there, own);
+  return fmt::format("it does not exist at {}{}{}", words_of(worst), why.empty() ? "" : ": ", why);
 }
 
 std::string words_of(const std::vector<PlaceInRange>& places) {

@@ -26,6 +26,10 @@ void read_motion(const Entry& file, ProblemStatement& problem, FixedNames& fixed
   located(file, [&] { check_advancing_cycle(problem); });
 }
 
+ProblemStatement read_problem(std::string_view toml, const std::string& source) {
+  return read_problem(toml, source, HeldFiles());
+}
+
 ProblemStatement read_problem(std::string_view toml, const std::string& source, HeldFiles known) {
   return read_entries(parse_toml(toml, source), toml, source, std::move(known));
 }

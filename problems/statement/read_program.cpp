@@ -88,7 +88,7 @@ std::optional<double> read_rate(const Entry& table, const char* key, const Progr
   return entry == nullptr ? std::nullopt : std::optional(units.rate(*entry, rate));
 }
 
-ProgramPoint read_point(const Entry& entry, const ProgramUnits& units, double from) {
+PassedPoint read_point(const Entry& entry, const ProgramUnits& units, double from) {
   check_keys(entry, {"angle", "time", "to", "by", "velocity", "acceleration", "tolerance"});
   const std::optional<double> angle = units.angle(entry);
   if (!angle) refuse(entry, "a point needs an angle or a time, since its segment began");

@@ -211,8 +211,8 @@ struct ProblemStatement {
 /// Throws std::invalid_argument with the line, the key and what is accepted:
 /// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20". Files that are known already are
 /// not looked for on the disk.
-ProblemStatement read_problem(std::string_view toml, const std::string& source,
-                              HeldFiles known = {});
+ProblemStatement read_problem(std::string_view toml, const std::string& source);
+ProblemStatement read_problem(std::string_view toml, const std::string& source, HeldFiles known);
 /// Reads a file of at most 16 MiB. Throws std::invalid_argument too where it cannot be read.
 ProblemStatement read_problem_file(const std::string& path);
 /// The text of such a file.

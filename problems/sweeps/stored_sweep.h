@@ -12,7 +12,7 @@ namespace camlaw::problems {
 /// The sweep that a record holds, as far as it is believed (docs/problem-files.md, "What a record
 /// is worth").
 struct StoredSweep {
-  Sweep sweep;
+  SweptCombinations sweep;
   std::vector<optim::RecordFault> faults = {};  ///< tasks that do not count
   std::vector<std::string> notes = {};          ///< what is to be said of the record, in sentences
 };

@@ -92,7 +92,7 @@ std::string refusal(const std::string& name, const std::string& value, const std
 
 }  // namespace
 
-std::size_t Sweep::done() const {
+std::size_t SweptCombinations::done() const {
   return static_cast<std::size_t>(
       std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.has_value(); }));
 }
@@ -345,10 +345,10 @@ struct Chain {
 
 }  // namespace
 
-Sweep SweepStudy::run(optim::Executor& executor,
-                      const std::function<void(const SweepProgress&)>& progress) const {
-  Sweep sweep{.outcomes = std::vector<std::optional<optim::Outcome>>(plan_.size()),
-              .is_warm = std::vector<bool>(plan_.size(), false)};
+SweptCombinations SweepStudy::run(optim::Executor& executor,
+                                  const std::function<void(const SweepProgress&)>& progress) const {
+  SweptCombinations sweep{.outcomes = std::vector<std::optional<optim::Outcome>>(plan_.size()),
+                          .is_warm = std::vector<bool>(plan_.size(), false)};
   SweepProgress told{.all = plan_.size()};
   const optim::Sense sense = statement_.objectives.front().sense;
   const auto take = [&](const optim::Task& task, const optim::Outcome& outcome) {

@@ -23,7 +23,7 @@ struct SweepProgress {
 };
 
 /// What came of each combination.
-struct Sweep {
+struct SweptCombinations {
   std::vector<std::optional<optim::Outcome>> outcomes;  ///< none: it was not come to
   /// Whether the search began at the design of a neighbour.
   std::vector<bool> is_warm;
@@ -80,8 +80,8 @@ class SweepStudy {
   ProblemStatement design(std::size_t combination, optim::Design recorded) const;
 
   /// Works out all combinations, or until the options' stop flag is set.
-  Sweep run(optim::Executor& executor,
-            const std::function<void(const SweepProgress&)>& progress = {}) const;
+  SweptCombinations run(optim::Executor& executor,
+                        const std::function<void(const SweepProgress&)>& progress = {}) const;
 
  private:
   void check_values();

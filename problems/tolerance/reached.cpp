@@ -104,7 +104,7 @@ optim::Yield yield_of_limits(const VariedDesign& varied, const std::vector<Reach
 }
 
 void judge_limits(const ProblemStatement& design, const optim::Deadline& deadline,
-                  std::uint64_t seed, Reached& reached) {
+                  std::uint64_t seed, ReachedReliability& reached) {
   std::map<std::string, int> seen;
   for (const std::size_t i : with_a_reliability(design)) {
     const ConstraintStatement& limit = design.constraints[i];
@@ -210,7 +210,7 @@ bool has_robust_objective(const ProblemStatement& problem) {
 }
 
 void judge_objective(const ProblemStatement& design, const optim::Deadline& deadline,
-                     std::uint64_t seed, Reached& reached) {
+                     std::uint64_t seed, ReachedReliability& reached) {
   if (!has_robust_objective(design)) return;
   const Robust& robust = *design.objectives.front().robust;
   ProblemStatement only = design;
@@ -263,13 +263,13 @@ std::string_view to_string(IsReached reach) {
   return "not decided";
 }
 
-bool Reached::all() const {
+bool ReachedReliability::all() const {
   return cut_short.empty() && std::all_of(limits.begin(), limits.end(), [](const auto& limit) {
            return limit.reach == IsReached::Yes;
          });
 }
 
-std::string Reached::fault() const {
+std::string ReachedReliability::fault() const {
   if (!cut_short.empty()) {
     return "the share of parts that hold the limits with a reliability was not calculated: " +
            cut_short;
@@ -285,9 +285,9 @@ std::string Reached::fault() const {
   return {};
 }
 
-Reached reached_by(const ProblemStatement& design, const optim::Deadline& deadline,
-                   std::uint64_t seed) {
-  Reached result;
+ReachedReliability reached_by(const ProblemStatement& design, const optim::Deadline& deadline,
+                              std::uint64_t seed) {
+  ReachedReliability result;
   try {
     judge_limits(design, deadline, seed, result);
     judge_objective(design, deadline, seed, result);
@@ -309,7 +309,7 @@ std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& de
   };
 }
 
-void hold_to(const Reached& reached, optim::Assessment& assessment) {
+void hold_to(const ReachedReliability& reached, optim::Assessment& assessment) {
   if (reached.all() || !optim::is_feasible(assessment)) return;
   assessment.verdict = optim::Verdict::Failed;
   assessment.reason = reached.fault();

@@ -43,7 +43,7 @@ struct ReachedObjective {
   std::string cut_short = {};  ///< why it was not worked out; empty: it was
 };
 
-struct Reached {
+struct ReachedReliability {
   std::vector<ReachedShare> limits = {};
   std::optional<ReachedObjective> objective = {};
   std::size_t samples = 0;     ///< of each limit, no fewer
@@ -65,15 +65,15 @@ bool is_judged(const ProblemStatement& problem);
 
 /// Of the design that a statement begins with; empty where it has neither. A variation of the law's
 /// own parameters does not count, as in the search.
-Reached reached_by(const ProblemStatement& design,
-                   const optim::Deadline& deadline = optim::Deadline({}, nullptr),
-                   std::uint64_t seed = kJudgesSeed);
+ReachedReliability reached_by(const ProblemStatement& design,
+                              const optim::Deadline& deadline = optim::Deadline({}, nullptr),
+                              std::uint64_t seed = kJudgesSeed);
 
 /// The same of a design that is verified, by what it reaches.
 std::function<void(optim::Assessment&)> held_to_parts(const ProblemStatement& design);
 
 /// A verdict that says no more than is reached: of a design that meets its limits, but is not known
 /// to reach every reliability, Failed with the fault as its reason.
-void hold_to(const Reached& reached, optim::Assessment& assessment);
+void hold_to(const ReachedReliability& reached, optim::Assessment& assessment);
 
 }  // namespace camlaw::problems

@@ -17,7 +17,8 @@ namespace {
 
 /// The problem with shares that ask for more where a limit is not reached (TV11); with more to
 /// spare in each round, as between few parts the share that is reached may not follow.
-ProblemStatement asking_for_more(ProblemStatement statement, const Reached& reached, int round) {
+ProblemStatement asking_for_more(ProblemStatement statement, const ReachedReliability& reached,
+                                 int round) {
   // A round asks for at least 2 % fewer failures than follow from the last one (TV11), but not for
   // less than an eighth of those allowed, which few parts cannot show.
   constexpr double kSpare = 0.98, kLeast = 0.125;
@@ -62,19 +63,19 @@ optim::Deadline clock_of(const optim::OptimiseOptions& options, const optim::Opt
 
 }  // namespace
 
-Reached judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
-                      optim::Optimum& optimum) {
+ReachedReliability judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
+                                 optim::Optimum& optimum) {
   say_impossible(bound, optimum);
   if (!optim::is_feasible(optimum.found.assessment)) return {};
-  const Reached reached =
+  const ReachedReliability reached =
       reached_by(bound.at(optimum.options, optimum.found.x), clock_of(options, optimum));
   hold_to(reached, optimum.found.assessment);
   return reached;
 }
 
-Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOptions& options,
-                             optim::Optimum& optimum,
-                             const std::function<void(const std::string& stage)>& begins) {
+ReachedReliability search_until_reached(
+    const BoundProblem& bound, const optim::OptimiseOptions& options, optim::Optimum& optimum,
+    const std::function<void(const std::string& stage)>& begins) {
   // Of 240 random linear problems all reached what was asked for with these.
   constexpr int kMost = 6;
   say_impossible(bound, optimum);
@@ -87,7 +88,7 @@ Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOpt
     return reached_by(bound.at(one.options, one.found.x), clock);
   };
   if (is_judged(bound.statement())) says("parts of other draws are judged");
-  Reached reached = judged(optimum);
+  ReachedReliability reached = judged(optimum);
   ProblemStatement statement = bound.statement();
   for (int k = 0; k < kMost && reached.cut_short.empty() && !reached.all(); ++k) {
     statement = asking_for_more(std::move(statement), reached, k);
@@ -100,7 +101,7 @@ Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOpt
     found.found.add_work(optimum.found);
     found.wall_s += optimum.wall_s;
     says(fmt::format("reliability, round {}: parts of other draws are judged", k + 1));
-    Reached next = judged(found);
+    ReachedReliability next = judged(found);
     if (!next.cut_short.empty()) break;
     optimum = std::move(found);
     reached = std::move(next);

@@ -18,12 +18,12 @@ namespace camlaw::problems {
 /// further searches tell; its `spent` are the seconds that had passed before the optimum's own.
 /// What is done ends by their time limit and stop. `begins` is told what is done next:
 /// "reliability, round 2".
-Reached search_until_reached(const BoundProblem& bound, const optim::OptimiseOptions& options,
-                             optim::Optimum& optimum,
-                             const std::function<void(const std::string& stage)>& begins = {});
+ReachedReliability search_until_reached(
+    const BoundProblem& bound, const optim::OptimiseOptions& options, optim::Optimum& optimum,
+    const std::function<void(const std::string& stage)>& begins = {});
 
 /// The design that a search found, judged and held to it without a further search.
-Reached judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
-                      optim::Optimum& optimum);
+ReachedReliability judge_optimum(const BoundProblem& bound, const optim::OptimiseOptions& options,
+                                 optim::Optimum& optimum);
 
 }  // namespace camlaw::problems

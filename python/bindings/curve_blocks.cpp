@@ -83,14 +83,14 @@ CurveBlocks::CurveBlocks(const Binding& binding, Law<double> law,
   const std::vector<double> anything(binding.parameters.size(), 1.0);
   for (const problems::Recorded& record : records_) {
     jumps_.emplace_back(record);
-    const problems::Jumps& own = jumps_.back();
+    const problems::FormulaJumps& own = jumps_.back();
     always_jumps_.push_back(own.possible() && own.moved_by().empty() &&
                             !own.places(cycle_, law_, anything).empty());
   }
 }
 
 bool CurveBlocks::jumps(std::size_t curve, std::span<const double> arguments) const {
-  const problems::Jumps& own = jumps_[curve];
+  const problems::FormulaJumps& own = jumps_[curve];
   if (own.moved_by().empty()) return always_jumps_[curve];
   return !own.places(cycle_, law_, arguments).empty();
 }

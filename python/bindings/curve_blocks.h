@@ -64,7 +64,7 @@ class CurveBlocks {
   SampledPlaces places_;
   problems::PlaceRows rows_;
   std::vector<problems::Recorded> records_;
-  std::vector<problems::Jumps> jumps_;
+  std::vector<problems::FormulaJumps> jumps_;
   std::vector<bool> always_jumps_;  ///< of curves whose jumps no design moves
   std::vector<problems::IsPossible> possible_;
   FormulaBlocks blocks_;

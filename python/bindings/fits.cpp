@@ -294,22 +294,22 @@ FoundFit fit_constants(const std::string& constants, const StatedProblem* machin
 
 /// The law of the largest motion; of a recorded curve the machine's own; of printed constants that
 /// which explains them best, with the simplest coefficients.
-std::optional<NamedLaw> law_of(const FoundFit& fit) {
+std::optional<MemberLaw> law_of(const FoundFit& fit) {
   if (const auto* printed = std::get_if<std::vector<problems::ConstantsFit>>(&fit.answer)) {
-    return NamedLaw(printed->front().law);
+    return MemberLaw(printed->front().law);
   }
   if (const auto* samples = fit.samples()) {
-    return NamedLaw(problems::read_law_text(cli::samples_law(*samples).dump(), "fitted law"));
+    return MemberLaw(problems::read_law_text(cli::samples_law(*samples).dump(), "fitted law"));
   }
   if (const auto* record = fit.record()) {
     if (record->fit.machine.laws.empty()) return std::nullopt;
-    return NamedLaw(record->fit.machine.laws.front());
+    return MemberLaw(record->fit.machine.laws.front());
   }
   return std::nullopt;
 }
 
 /// The named law with its fitted coefficients, where a law was named.
-std::optional<NamedLaw> named_law_of(const FoundFit& fit) {
+std::optional<MemberLaw> named_law_of(const FoundFit& fit) {
   const auto* samples = fit.samples();
   if (samples == nullptr) return law_of(fit);
   const auto& fits = samples->cycle().fits;
@@ -317,7 +317,7 @@ std::optional<NamedLaw> named_law_of(const FoundFit& fit) {
     return std::abs(a.best().to - a.best().from) < std::abs(b.best().to - b.best().from);
   });
   if (largest->smooth) return law_of(fit);
-  return NamedLaw(largest->best().law);
+  return MemberLaw(largest->best().law);
 }
 
 std::optional<StatedProblem> machine_of(const FoundFit& fit) {

@@ -72,7 +72,7 @@ Array array_in(nb::handle self, std::size_t i) {
 constexpr std::size_t kFew = std::size_t{1} << 15U;
 
 /// s, v, a, j at many places, piece by piece. Kept out of what few places run through.
-[[gnu::noinline]] void evaluate_beside(const NamedLaw& law, std::span<const double> x,
+[[gnu::noinline]] void evaluate_beside(const MemberLaw& law, std::span<const double> x,
                                        const MotionSpans& out) {
   constexpr std::size_t kEach = std::size_t{1} << 20U;  // some milliseconds
   run_whole([&](const Work& work) {
@@ -96,7 +96,7 @@ void check_aligned(const Numbers& numbers) {
   throw std::invalid_argument("an array of numbers is not aligned to 8 bytes; give a copy of it");
 }
 
-MotionArrays motion_at(const NamedLaw& law, const Places& x) {
+MotionArrays motion_at(const MemberLaw& law, const Places& x) {
   check_aligned(x);
   MotionArrays result(x.shape(0));
   const std::span<const double> places{x.data(), x.shape(0)};
@@ -125,7 +125,7 @@ void check_apart(const MotionSpans& out, std::span<const double> x) {
   }
 }
 
-void motion_into(const NamedLaw& law, const Places& x, const std::array<Out, 4>& out) {
+void motion_into(const MemberLaw& law, const Places& x, const std::array<Out, 4>& out) {
   check_aligned(x);
   for (const Out& row : out) {
     check_aligned(row);
@@ -148,15 +148,15 @@ double read_value(std::string_view text, const Parameter& parameter, const std::
   return parse_quantity(text, parameter.unit, parameter.unit, what);
 }
 
-NamedLaw law_by_name(const std::string& text, const std::vector<std::string>& settings,
-                     const std::string& folder) {
+MemberLaw law_by_name(const std::string& text, const std::vector<std::string>& settings,
+                      const std::string& folder) {
   const nb::gil_scoped_release released;
   Member member = problems::find_any_law(text, folder, read_value);
   for (const std::string& setting : settings) set_argument(member, setting, read_value);
-  return NamedLaw(std::move(member));
+  return MemberLaw(std::move(member));
 }
 
-nb::dict parameters_of(const NamedLaw& law) {
+nb::dict parameters_of(const MemberLaw& law) {
   nb::dict result;
   const auto& parameters = law.member.family->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -169,7 +169,7 @@ nb::dict parameters_of(const NamedLaw& law) {
 
 /// Value and place of the highest and the lowest of each quantity; of the smooth pieces alone where
 /// `inside`.
-nb::dict peaks_of(const NamedLaw& law) {
+nb::dict peaks_of(const MemberLaw& law) {
   const Peaks<double> found = without_lock([&] { return peaks(law.law); });
   nb::dict result;
   for (const auto& [name, quantity] :
@@ -182,7 +182,7 @@ nb::dict peaks_of(const NamedLaw& law) {
   return result;
 }
 
-nb::dict enclosures_of(const NamedLaw& law) {
+nb::dict enclosures_of(const MemberLaw& law) {
   const Peaks<Interval> found = without_lock([&] { return peaks(law.member.law<Interval>()); });
   nb::dict result;
   const auto both = [](const Interval& x) { return nb::make_tuple(x.lower(), x.upper()); };
@@ -196,7 +196,7 @@ nb::dict enclosures_of(const NamedLaw& law) {
 }
 
 /// Seconds that the library's own loop takes for one evaluation, the least of several rounds.
-double loop_seconds(const NamedLaw& law, std::size_t count, int rounds) {
+double loop_seconds(const MemberLaw& law, std::size_t count, int rounds) {
   std::vector<double> x(count);
   for (std::size_t i = 0; i < count; ++i) {
     x[i] = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -213,7 +213,7 @@ double loop_seconds(const NamedLaw& law, std::size_t count, int rounds) {
   return best;
 }
 
-cli::Figure figure_of(const NamedLaw& law, int points) {
+cli::Figure figure_of(const MemberLaw& law, int points) {
   return cli::motion_figure(law.member.label(), {{.name = "", .law = law.law}}, points);
 }
 
@@ -222,7 +222,7 @@ cli::Figure figure_of(const NamedLaw& law, int points) {
 using LawState = std::tuple<std::string, std::optional<std::string>, std::string, std::string,
                             std::vector<std::string>>;
 
-LawState law_state_of(const NamedLaw& law) {
+LawState law_state_of(const MemberLaw& law) {
   const Family& family = *law.member.family;
   if (problems::is_of_catalogue(law.member)) return {law.member.name(), {}, "", "", {}};
   return {law.member.name(), problems::law_file(law.law, family.formula, nullptr).dump(),
@@ -255,16 +255,16 @@ void add_laws(nb::module_& module) {
       .def_prop_ro("v", [](nb::handle self) { return array_in(self, 1); })
       .def_prop_ro("a", [](nb::handle self) { return array_in(self, 2); })
       .def_prop_ro("j", [](nb::handle self) { return array_in(self, 3); });
-  nb::class_<NamedLaw>(module, "Law")
-      .def_prop_ro("name", [](const NamedLaw& law) { return law.member.name(); })
-      .def_prop_ro("label", [](const NamedLaw& law) { return law.member.label(); })
-      .def_prop_ro("family", [](const NamedLaw& law) { return law.member.family->name; })
-      .def_prop_ro("formula", [](const NamedLaw& law) { return law.member.family->formula; })
-      .def_prop_ro("ends", [](const NamedLaw& law) { return to_string(law.law.ends()); })
+  nb::class_<MemberLaw>(module, "Law")
+      .def_prop_ro("name", [](const MemberLaw& law) { return law.member.name(); })
+      .def_prop_ro("label", [](const MemberLaw& law) { return law.member.label(); })
+      .def_prop_ro("family", [](const MemberLaw& law) { return law.member.family->name; })
+      .def_prop_ro("formula", [](const MemberLaw& law) { return law.member.family->formula; })
+      .def_prop_ro("ends", [](const MemberLaw& law) { return to_string(law.law.ends()); })
       .def_prop_ro("is_of_catalogue",
-                   [](const NamedLaw& law) { return problems::is_of_catalogue(law.member); })
+                   [](const MemberLaw& law) { return problems::is_of_catalogue(law.member); })
       .def_prop_ro("file",
-                   [](const NamedLaw& law) {
+                   [](const MemberLaw& law) {
                      return problems::law_file_of(problems::called_by_path(law.member).name());
                    })
       .def("at", &motion_at, nb::arg("x").noconvert())
@@ -273,29 +273,29 @@ void add_laws(nb::module_& module) {
       .def("peaks", &peaks_of)
       .def("enclosures", &enclosures_of)
       .def("limit_index",
-           [](const NamedLaw& law) {
+           [](const MemberLaw& law) {
              return without_lock([&] { return limit_index(peaks(law.law)); });
            })
       .def("facts",
-           [](const NamedLaw& law) {
+           [](const MemberLaw& law) {
              return python_of(
                  without_lock([&] { return cli::json_of(cli::law_document(law.member)); }));
            })
       .def("figure",
-           [](const NamedLaw& law, int points) {
+           [](const MemberLaw& law, int points) {
              return dict_of(without_lock([&] { return figure_of(law, points); }));
            })
       .def("svg",
-           [](const NamedLaw& law) {
+           [](const MemberLaw& law) {
              return without_lock([&] { return cli::to_svg(figure_of(law, cli::kMotionPoints)); });
            })
       .def("file_text",
-           [](const NamedLaw& law, const std::string& title) {
+           [](const MemberLaw& law, const std::string& title) {
              return without_lock([&] { return problems::law_text(law.law, title); });
            })
       .def("__getstate__", &law_state_of)
       .def("__setstate__",
-           [](NamedLaw& law, const LawState& state) { new (&law) NamedLaw(member_of(state)); })
+           [](MemberLaw& law, const LawState& state) { new (&law) MemberLaw(member_of(state)); })
       .def("loop_seconds", &loop_seconds, nb::arg("count"), nb::arg("rounds"));
   module.def("law", &law_by_name, nb::arg("text"), nb::arg("settings"), nb::arg("folder") = "");
   module.def("law_names", &law_names);

@@ -6,11 +6,11 @@
 namespace camlaw::python {
 
 /// A law with the member of the catalogue that it is.
-struct NamedLaw {
+struct MemberLaw {
   Member member;
   Law<double> law;
 
-  explicit NamedLaw(Member of) : member(std::move(of)), law(member.law()) {}
+  explicit MemberLaw(Member of) : member(std::move(of)), law(member.law()) {}
 };
 
 }  // namespace camlaw::python

@@ -40,7 +40,7 @@ using problems::ProblemStatement;
 
 /// `laws`: those that the text names as files without there being any.
 StatedProblem problem_of_text(const std::string& text, const std::string& source,
-                              const std::map<std::string, const NamedLaw*>& laws) {
+                              const std::map<std::string, const MemberLaw*>& laws) {
   const nb::gil_scoped_release released;
   problems::HeldFiles files;
   for (const auto& [name, law] : laws) {
@@ -295,12 +295,12 @@ void add_problems(nb::module_& module) {
              return names;
            })
       .def("law",
-           [](const StatedProblem& p) -> std::optional<NamedLaw> {
+           [](const StatedProblem& p) -> std::optional<MemberLaw> {
              if (p.statement.laws.empty() || !p.statement.mechanism->cams.empty() ||
                  p.statement.mechanism->moved_by == problems::MovedBy::Nothing) {
                return std::nullopt;
              }
-             return NamedLaw(p.statement.laws.front().listed());
+             return MemberLaw(p.statement.laws.front().listed());
            })
       .def("held_files", &held_files)
       .def("found_settings",
@@ -355,7 +355,7 @@ void add_problems(nb::module_& module) {
       });
   module.attr("problem_format") = problems::kProblemFormat.text();
   module.def("problem", &problem_of_text, nb::arg("text"), nb::arg("source"),
-             nb::arg("laws") = std::map<std::string, const NamedLaw*>{});
+             nb::arg("laws") = std::map<std::string, const MemberLaw*>{});
   module.def("problem_file", &problem_file, nb::arg("path"));
   module.def(
       "example",

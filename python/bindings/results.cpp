@@ -30,6 +30,7 @@
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/input_files.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/start_settings.h"
 #include "problems/results/stated_numbers.h"
@@ -112,9 +113,11 @@ void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, int 
 cli::Document combinations_of(const cli::Answer& answer, const SearchSettings& told,
                               optim::OptimiseOptions rest) {
   if (!told.table || answer.space.choices.empty()) return cli::combinations_document(answer);
-  if (rest.time_limit) rest.time_limit = *rest.time_limit - answer.optimum.wall_s;
+  const optim::Deadline deadline(rest.time_limit, rest.stop, rest.spent);
+  if (rest.time_limit) rest.time_limit = std::max(0.0, *rest.time_limit - rest.spent) / 2;
+  rest.spent = 0;
   const cli::FreeLimit free = cli::free_limit(answer, rest, told.workers);
-  return cli::combinations_document(answer, &free);
+  return cli::combinations_document(answer, &free, deadline);
 }
 
 /// The design of an answer, as a result would give it back.
@@ -180,26 +183,29 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
       {.workers = workers, .program = problems::worker_program(found->bound.statement())});
   found->optimum = knots ? knots->optimum : optim::optimise(space, search, crew);
   search.spent = seconds_since_start() - found->optimum.wall_s;
-  problems::Reached reached =
+  problems::ReachedReliability reached =
       problems::search_until_reached(found->bound, search, found->optimum, begins);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.reached = std::move(reached);
   answer.knots = knots;
   answer.warnings = cli::warnings_of(answer);
-  answer.easings = optim::easings(found->optimum.problem, found->optimum.found, search);
+  optim::OptimiseOptions rest = search;
+  rest.spent = seconds_since_start();
+  answer.easings = optim::easings(found->optimum.problem, found->optimum.found, rest);
   answer.built = cli::buildability_of(answer);
   cli::Document document = cli::answer_document(answer);
   Json facts = cli::json_of(document);
   if (told.table) begins("free law");
-  cli::Document combinations = combinations_of(answer, told, search);
+  rest.spent = seconds_since_start();
+  cli::Document combinations = combinations_of(answer, told, rest);
   const Json table = cli::json_of(combinations);
   if (told.table) {
     facts.update(table);
     document.add(std::move(combinations));
   }
   if (synthesize) {
-    optim::OptimiseOptions rest = search;
     if (rest.time_limit) rest.time_limit = *rest.time_limit - seconds_since_start();
+    rest.spent = 0;
     measure(answer, rest, workers, facts, document);
   }
   problems::seal(facts);

@@ -35,12 +35,12 @@ namespace {
 using problems::SweepStudy;
 
 struct FoundSweep {
-  explicit FoundSweep(SweepStudy of, problems::Sweep found = {},
+  explicit FoundSweep(SweepStudy of, problems::SweptCombinations found = {},
                       std::vector<std::string> remarks = {})
       : study(std::move(of)), sweep(std::move(found)), notes(std::move(remarks)) {}
 
   SweepStudy study;
-  problems::Sweep sweep;
+  problems::SweptCombinations sweep;
   std::vector<std::string> notes;
 
   /// Worked out once, which takes a second where there are some thousand combinations.

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/results/seal.h"
 #include "tests/cli/program_runner.h"
 #include "tests/flipped.h"

@@ -62,6 +62,13 @@ TEST_CASE("the help of options shows what they take and do, nothing of the parse
   CHECK(std::regex_search(done({"laws", "--help"}), std::regex("\n  --json +print JSON\n")));
 }
 
+TEST_CASE("the README names every command", "[documents]") {
+  const std::string page = read(testing::source("README.md"));
+  for (const std::string& command : commands()) {
+    CHECK_THAT(page, Contains("camlaw " + command));
+  }
+}
+
 TEST_CASE("what the README says to try has commands, options and files that exist", "[documents]") {
   const Folder folder;
   const auto lines = lines_after(read(testing::source("README.md")), "    ./run ");

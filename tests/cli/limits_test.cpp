@@ -362,7 +362,7 @@ TEST_CASE("work that ends in time by itself is asked to end only behind its grac
           "[cli][limits]") {
   if (!optim::has_one_thread()) return;  // then there is no child to be asked
   const auto ended = [](double grace) {
-    return watched({.limit = 0.05, .grace = grace}, [](const Teller&) {
+    return watched({.limit = 0.05, .grace = grace}, [](const ChildTeller&) {
       std::signal(SIGTERM, [](int) { _exit(3); });
       std::this_thread::sleep_for(std::chrono::milliseconds(400));
       return 7;

@@ -12,6 +12,7 @@
 #include "problems/law_files/law_file.h"
 #include "problems/published/table/stated_model.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "tests/cutter_study.h"
 #include "tests/paths.h"

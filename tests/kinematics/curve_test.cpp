@@ -41,8 +41,8 @@ Auto inclined_sine(long double e, const Auto& y) {
   return t - sin(turn * t) / turn;
 }
 
-template <class Curve, class Formula>
-void check_derivatives(const Curve& curve, const Formula& formula, double low, double high) {
+template <class PieceCurve, class Formula>
+void check_derivatives(const PieceCurve& curve, const Formula& formula, double low, double high) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(low, high);
   for (int i = 0; i < 50; ++i) {

@@ -16,7 +16,7 @@
 namespace camlaw::joined_program_test {
 namespace {
 
-using Points = std::vector<ProgramPoint>;
+using Points = std::vector<PassedPoint>;
 
 ProgramSegment rest(const std::string& name, double angle, double at) {
   return {name, angle, at, true};

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+
+#include "machines/model/highest_along_ranges.h"
 
 namespace camlaw::problems::highest_in_box_test {
 namespace {
@@ -43,6 +46,48 @@ TEST_CASE("a climb along a ridge ends at the side of the box that is highest", "
   CHECK(top[0] == 1);
   CHECK(top[1] == Approx(0.6 + 0.9 * (1 - 1.3)).epsilon(1e-12));
   CHECK(ridge.looks <= 20);
+}
+
+TEST_CASE("functions over a box are looked at together, and are each as if it were alone",
+          "[ranges]") {
+  // Narrow tops along the second parameter, which lie between the places; the last but one function
+  // has no value beyond x = 0.9, the last one nowhere.
+  const Box box{{0, 1}, {0, 2}};
+  const std::vector<Point> places = places_of(box);
+  const auto height = [](std::size_t function, const Point& p) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    if (function == 5 || (function == 4 && p[0] > 0.9)) return kNone;
+    const double away = p[1] - (0.1875 + 0.25 * static_cast<double>(function));
+    return p[0] + 1 / (1 + 1e4 * away * away);
+  };
+  std::size_t asked = 0, asked_alone = 0;
+  const auto together = heights_along_ranges(
+      box, places, 6, [&](const Point& p, const std::vector<std::size_t>& functions) {
+        ++asked;
+        std::vector<double> values;
+        for (const std::size_t i : functions) values.push_back(height(i, p));
+        return values;
+      });
+  REQUIRE(together.size() == 6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto alone = heights_along_ranges(box, places, 1, [&](const Point& p, const auto&) {
+      ++asked_alone;
+      return std::vector{height(i, p)};
+    });
+    CHECK(together[i].places == alone.front().places);
+    const Heights& found = together[i];
+    REQUIRE(found.places.size() == found.values.size());
+    CHECK(found.is_undefined() == (i >= 4));
+    if (i < 4) {
+      CHECK(found.places.back() == Point{1, 0.1875 + 0.25 * static_cast<double>(i)});
+      CHECK(found.at(found.places.back()) == 2);
+      CHECK(tops_of(box, found.places, [&](const Point& p) { return found.at(p); }).front() ==
+            found.places.back());
+    }
+  }
+  CHECK(asked + 3 * places.size() <= asked_alone);
+  CHECK(together[4].places.back()[0] > 0.9);
+  CHECK(together[5].places.size() == 1);
 }
 
 }  // namespace camlaw::problems::highest_in_box_test

@@ -14,6 +14,7 @@
 
 #include "machines/model/possible_by.h"
 #include "machines/registry.h"
+#include "numerics/formula/expression.h"
 #include "tests/machines/mechanism_fixture.h"
 #include "tests/paths.h"
 
@@ -253,6 +254,28 @@ TEST_CASE("the middle of two possible machines is possible where rules find so",
   CHECK(open > 0);
   // Which those of a pair of cams are not: docs/theory.md, "Which machines there are".
   CHECK(refutes_possible(find_mechanism("disc-cam-conjugate"), {"offset"}, random, 20000));
+}
+
+TEST_CASE("an impossible machine is met in however narrow a part of a box", "[shapes]") {
+  using Numbers = std::span<const Expression>;
+  for (const double half_width : {1e-3, 1e-6, 1e-9}) {
+    for (const double middle : {0.1234567, 0.5, 0.98765432}) {
+      Margin margin;
+      margin.write = [=](Numbers p, Numbers) {
+        const Expression off = p[0] - middle;
+        return off * off - half_width * half_width;
+      };
+      margin.accepted = [](std::size_t) { return Interval(0, 1); };
+      const PossibleBy by = possible_by({margin}, 1);
+      const Binding binding{{0.3}, {0}, {0}, nullptr};
+      const optim::Bounds whole{0, 1};
+      const MachinesOfBox machines = RecordedMargins(by, binding).over(std::span(&whole, 1));
+      INFO(half_width << " about " << middle);
+      CHECK_FALSE(machines.all_possible);
+      REQUIRE(machines.impossible.size() == 1);
+      CHECK(std::abs(machines.impossible[0] - middle) <= half_width * (1 + 1e-6));
+    }
+  }
 }
 
 TEST_CASE(

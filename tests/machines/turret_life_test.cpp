@@ -22,7 +22,8 @@ struct Drive {
   int stations, rollers, plates, advance;
 };
 
-ProblemStatement stated(const Drive& drive, const std::string& more) {
+/// `more` lines of constants, and what follows the program.
+ProblemStatement stated(const Drive& drive, const std::string& more, const std::string& then = "") {
   const std::string text = fmt::format(
       "mechanism = '{}'\n[constants]\nstations = {}\nrollers = {}\nspeed = '150 rpm'\n"
       "inertia = 0.5\ndynamic_rating = '{} N'\n{}{}[program]\nadvance = {}\nsegments = [{{name = "
@@ -31,7 +32,7 @@ ProblemStatement stated(const Drive& drive, const std::string& more) {
       "90}}, {{name = 'index', angle = 170, law = 'modified-sine'}}, {{name = 'rest'}}]\n",
       drive.mechanism, drive.stations, drive.rollers, kRating,
       drive.plates > 1 ? fmt::format("plates = {}\n", drive.plates) : "", more, drive.advance);
-  return read_problem(text, "drive.toml");
+  return read_problem(text + then, "drive.toml");
 }
 
 double number_of(const ProblemStatement& statement, const std::string& name) {
@@ -108,6 +109,25 @@ TEST_CASE("the life of a turret's rollers is that of the one that bears most", "
     CHECK(number_of(statement, "life") == Approx(seconds / 3600).epsilon(2e-3));
     CHECK(number_of(statement, "equivalent_load") ==
           Approx(std::pow(size * most / borne.turns, 1 / kExponent)).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("intervals know the life of a turret's rollers better than a limit's tolerance",
+          "[index-drives]") {
+  for (const Drive& drive :
+       {Drive{"globoidal-cam", 8, 16, 1, 1}, {"parallel-index-cam", 4, 4, 2, 1}}) {
+    CAPTURE(drive.mechanism);
+    const std::string text = "axis_distance = 150\nturret_radius = 85\nload_torque = 40\n";
+    ProblemStatement statement = stated(
+        drive, text,
+        "[variables.face_width]\nlower = 12\nupper = 20\n[objective]\nmaximize = \"life\"\n");
+    const optim::Problem problem = BoundProblem(statement).space().problem({});
+    const optim::Function life = problem.objective().response.function();
+    const std::vector<double> x = problem.start();
+    const auto bounds = life.enclose(x);
+    const double value = life.value(x);
+    CHECK((bounds.lower <= value && value <= bounds.upper));
+    CHECK(bounds.upper - bounds.lower < 1e-7 * value);
   }
 }
 

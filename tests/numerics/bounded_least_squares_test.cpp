@@ -401,6 +401,19 @@ TEST_CASE("the largest eigenvalue of diagonal matrices", "[least-squares]") {
   CHECK(std::isnan(largest(VectorXd{{std::numeric_limits<double>::quiet_NaN(), 1}})));
 }
 
+TEST_CASE("the largest eigenvalue takes a few dozen products where many lie close to it",
+          "[least-squares]") {
+  const VectorXd diagonal = VectorXd::LinSpaced(1000, 1, 1000);
+  int products = 0;
+  const double largest = largest_eigenvalue(1000, [&](const VectorXd& x) {
+    ++products;
+    return VectorXd(diagonal.cwiseProduct(x));
+  });
+  CHECK(largest == Approx(1000).epsilon(1e-6));
+  CHECK(largest <= 1000 * (1 + 1e-14));
+  CHECK(products <= 100);
+}
+
 TEST_CASE("a condition that rounding hides is infinite", "[least-squares]") {
   CHECK(condition_of(6, 2) == 3);
   CHECK(condition_of(1, 1e-15) == Approx(1e15));

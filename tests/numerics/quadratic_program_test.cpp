@@ -134,6 +134,58 @@ TEST_CASE("variables and rows together give the step of the normal equations",
   CHECK((sides.equations * other.y - demand).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("a linear program that begins near another one's answer ends there in fewer steps",
+          "[quadratic-program]") {
+  // The steepest even rise from 0 to 1 of n steps that are no larger than 1.5 / n, whose second
+  // differences are bounded by t: least t. Then one row more, which the answer breaks by a little.
+  constexpr Eigen::Index kCount = 80;
+  const auto with_rows = [&](bool has_more) {
+    QuadraticProgram program;
+    program.cost = Eigen::VectorXd::Zero(kCount + 1);
+    program.cost[kCount] = 1;
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<double> upper;
+    const auto at = [&](Eigen::Index i, double factor) {
+      if (i < 0) return;
+      if (i >= kCount) upper.back() -= factor;
+      if (i < kCount) entries.emplace_back(static_cast<int>(upper.size()) - 1, i, factor);
+    };
+    for (Eigen::Index i = -1; i <= kCount; ++i) {
+      for (const double sign : {1.0, -1.0}) {
+        upper.push_back(0);
+        const double factor = sign * kCount * kCount / 4;
+        at(i - 1, factor), at(i, -2 * factor), at(i + 1, factor);
+        entries.emplace_back(static_cast<int>(upper.size()) - 1, kCount, -1);
+      }
+      upper.push_back(1.5);
+      at(i + 1, kCount), at(i, -kCount);
+    }
+    if (has_more) {
+      upper.push_back(0.999 * 0.75);
+      at(kCount / 2 + 9, kCount / 2.0), at(kCount / 2 + 8, -kCount / 2.0);
+    }
+    const auto rows = static_cast<Eigen::Index>(upper.size());
+    program.rows.resize(rows, kCount + 1);
+    program.rows.setFromTriplets(entries.begin(), entries.end());
+    program.row_lower = Eigen::VectorXd::Constant(rows, -kInfinite);
+    program.row_upper = Eigen::Map<const Eigen::VectorXd>(upper.data(), rows);
+    program.lower = Eigen::VectorXd::Constant(kCount + 1, -10);
+    program.upper = Eigen::VectorXd::Constant(kCount + 1, 10);
+    return program;
+  };
+  const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(kCount + 1, 0, 1);
+  InteriorSolution first = solve_by_interior_point(with_rows(false), start);
+  REQUIRE(first.end == InteriorEnd::Optimal);
+  const QuadraticProgram more = with_rows(true);
+  const InteriorSolution cold = solve_by_interior_point(more, start);
+  first.row_multipliers.conservativeResizeLike(Eigen::VectorXd::Zero(more.rows.rows()));
+  const InteriorSolution warm = solve_by_interior_point(more, first.y, {.near = &first});
+  REQUIRE(cold.end == InteriorEnd::Optimal);
+  REQUIRE(warm.end == InteriorEnd::Optimal);
+  CHECK(warm.y[kCount] == Approx(cold.y[kCount]).epsilon(1e-9));
+  CHECK(warm.iterations < cold.iterations);
+}
+
 TEST_CASE("rows that are not local have no augmented system", "[quadratic-program]") {
   constexpr Eigen::Index kCount = 200;
   QuadraticProgram program;

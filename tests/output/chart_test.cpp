@@ -78,11 +78,11 @@ Rect rect_of(const Element& e) {
           e.number("y") + e.number("height")};
 }
 
-std::vector<Point> points_of(const Element& polyline) {
+std::vector<DrawnPoint> points_of(const Element& polyline) {
   std::istringstream in(polyline.attributes.at("points"));
-  std::vector<Point> points;
+  std::vector<DrawnPoint> points;
   char comma = 0;
-  for (Point p; in >> p.x >> comma >> p.y;) points.push_back(p);
+  for (DrawnPoint p; in >> p.x >> comma >> p.y;) points.push_back(p);
   return points;
 }
 
@@ -281,13 +281,13 @@ TEST_CASE("chart: every point of a curve is inside its frame when bounds are giv
   std::optional<Rect> frame;
   int frames = 0, points = 0;
   // A panel's curves stand before its frame in the document.
-  std::vector<Point> pending;
+  std::vector<DrawnPoint> pending;
   for (const Element& e : parse(figure)) {
     if (e.tag == "polyline")
-      for (const Point p : points_of(e)) pending.push_back(p);
+      for (const DrawnPoint p : points_of(e)) pending.push_back(p);
     if (!e.is("frame")) continue;
     ++frames;
-    for (const Point p : pending) {
+    for (const DrawnPoint p : pending) {
       ++points;
       CHECK(is_within({p.x, p.y, p.x, p.y}, rect_of(e)));
     }
@@ -343,8 +343,8 @@ TEST_CASE("chart: labels of 30 crowded points overlap neither each other, marker
       CHECK_FALSE(overlap(box, Rect{x - r, y - r, x + r, y + r}));
     }
     for (const Element& leader : of_kind(elements, "leader")) {
-      const Segment segment{{leader.number("x1"), leader.number("y1")},
-                            {leader.number("x2"), leader.number("y2")}};
+      const LineSegment segment{{leader.number("x1"), leader.number("y1")},
+                                {leader.number("x2"), leader.number("y2")}};
       const double inset = 1;  // A label's own leader ends at its box.
       const Rect core{box.left + inset, box.top + inset, box.right - inset, box.bottom - inset};
       CHECK_FALSE(overlap(core, segment));
@@ -369,7 +369,7 @@ TEST_CASE("chart: a label moved away has a leader, and one without room is a too
     for (const Rect& marker : wall) CHECK_FALSE(overlap(marker, *place->leader));
   }
   SECTION("it goes over a line only if it must") {
-    const std::vector<Segment> line{{{60, 0}, {60, 200}}};
+    const std::vector<LineSegment> line{{{60, 0}, {60, 200}}};
     CHECK(place_labels(std::vector{label}, {{0, 0, 200, 200}, {}, line}).at(0)->box.right == 44);
     CHECK(place_labels(std::vector{label}, {{46, 30, 95, 62}, {}, line}).at(0)->box.left == 56);
   }

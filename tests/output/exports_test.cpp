@@ -11,6 +11,7 @@
 #include "output/export/cubics.h"
 #include "output/export/motion_table.h"
 #include "output/export/tool_path.h"
+#include "problems/statement/statement.h"
 #include "tests/paths.h"
 
 namespace camlaw::problems::exports_test {

@@ -15,7 +15,7 @@ double edge_of_barrel(const Picture& picture, int place) {
   return picture.shape("cam, developed", "cam", place).points[0].x;
 }
 
-Point barrel_roller(const Picture& picture, int place) {
+DrawnPoint barrel_roller(const Picture& picture, int place) {
   return picture.shape("roller that drives", "roller", place).points[0];
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a drawn barrel moves as its pressure angle and its arrows say", "[cli
   const double place_turn = 2 * std::numbers::pi * radius / kSamples;
   for (int place = 125; place < 175; place += 7) {  // the first half of the index period
     INFO(place);
-    const Point here = barrel_roller(picture, place), next = barrel_roller(picture, place + 2);
+    const DrawnPoint here = barrel_roller(picture, place), next = barrel_roller(picture, place + 2);
     const double cam = edge_of_barrel(picture, place + 2) - edge_of_barrel(picture, place);
     CHECK(cam == Approx(2 * place_turn));
     // The roller's way over the cam, along its path about the turret's axis and across that: the
@@ -53,18 +53,18 @@ TEST_CASE("a drawn barrel moves as its pressure angle and its arrows say", "[cli
           Approx(picture.value("pressure_angle", place + 1)).margin(0.1));
   }
   for (const char* arrow : {"direction of rotation", "direction in which"}) {
-    const std::vector<Point> line = picture.shape(arrow, "arrow", 0).points;
+    const std::vector<DrawnPoint> line = picture.shape(arrow, "arrow", 0).points;
     CHECK(line[1].x > line[0].x);
   }
 }
 
 TEST_CASE("a spherical Geneva's arrow turns as its driver does", "[cli][report]") {
   const Picture picture(shipped("geneva/fastest_spherical"));
-  const Point centre = picture.shape("axis of the driver", "pivot", 0).points[0];
-  const auto turned = [&](Point from, Point to) {
+  const DrawnPoint centre = picture.shape("axis of the driver", "pivot", 0).points[0];
+  const auto turned = [&](DrawnPoint from, DrawnPoint to) {
     return (from.x - centre.x) * (to.y - centre.y) - (from.y - centre.y) * (to.x - centre.x);
   };
-  const std::vector<Point> arrow = picture.shape("direction of rotation", "arrow", 0).points;
+  const std::vector<DrawnPoint> arrow = picture.shape("direction of rotation", "arrow", 0).points;
   const auto pin = [&](int place) {
     return picture.shape("driver, seen along its axis", "pin", place).points[0];
   };
@@ -84,7 +84,7 @@ TEST_CASE("every drawn machine that turns has an arrow", "[cli][report]") {
   }
   // The near side of a globoidal cam moves as that of a barrel: about the y axis, upwards.
   const Picture globoid(shipped("index_drives/globoidal_eight"));
-  const std::vector<Point> line = globoid.shape("direction of rotation", "arrow", 0).points;
+  const std::vector<DrawnPoint> line = globoid.shape("direction of rotation", "arrow", 0).points;
   CHECK(line[1].x > line[0].x);
 }
 

@@ -21,7 +21,7 @@ struct Gripper {
   double gone(double angle, double from, double length) const {
     return law(std::clamp((angle - from) / length, 0.0, 1.0)).s;
   }
-  Point at(double angle) const {
+  DrawnPoint at(double angle) const {
     const double lift =
         gone(angle, 0, 55) - gone(angle, 85, 55) + gone(angle, 180, 55) - gone(angle, 265, 55);
     double across = 0;  // the motion back may go on into the next turn
@@ -36,13 +36,13 @@ struct Gripper {
 
 TEST_CASE("a stated path is drawn, and its point runs along it", "[cli][report]") {
   const Picture picture(shipped("shaft/gripper_path"));
-  const std::vector<Point> path = picture.shape("path", "pitch", 0).points;
+  const std::vector<DrawnPoint> path = picture.shape("path", "pitch", 0).points;
   const Gripper gripper{25, 80, 100, 80};
   for (int place = 0; place <= kSamples; place += 7) {
     INFO(place);
-    const Point here = picture.shape("point", "roller", place).points[0];
+    const DrawnPoint here = picture.shape("point", "roller", place).points[0];
     CHECK(distance_to_path(here, path) < 0.02);
-    const Point there = gripper.at(360.0 * place / kSamples);
+    const DrawnPoint there = gripper.at(360.0 * place / kSamples);
     CHECK(distance(here, there) < 0.01);
   }
   CHECK_NOTHROW(picture.shape("direction", "arrow", 0));
@@ -71,7 +71,7 @@ TEST_CASE("the shipped path keeps clear of wall and nests, and its cam needs les
                         at.at("across.right_angle"), at.at("across.back_angle")};
   double wall = 1e9, nests = 1e9;
   for (int i = 0; i < 36000; ++i) {
-    const Point p = gripper.at(0.01 * i);
+    const DrawnPoint p = gripper.at(0.01 * i);
     wall = std::min(wall, std::max({12 - p.x, p.x - 48, p.y - 20}));
     nests = std::min(nests, std::max({1 - p.x, p.x - 59, p.y - 8}));
   }

@@ -23,16 +23,16 @@ inline constexpr int kSamples = 360;
 inline constexpr int kPlaces[] = {0, 17, 90, 123, 180, 251, 270, 333, 360};
 inline constexpr double kDegree = std::numbers::pi / 180;
 
-inline double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
+inline double distance(DrawnPoint p, DrawnPoint q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-inline double distance_to_segment(Point p, Point from, Point to) {
+inline double distance_to_segment(DrawnPoint p, DrawnPoint from, DrawnPoint to) {
   const double x = to.x - from.x, y = to.y - from.y, square = x * x + y * y;
   if (square == 0) return distance(p, from);
   const double t = std::clamp(((p.x - from.x) * x + (p.y - from.y) * y) / square, 0.0, 1.0);
   return distance(p, {from.x + t * x, from.y + t * y});
 }
 
-inline double distance_to_path(Point p, const std::vector<Point>& path) {
+inline double distance_to_path(DrawnPoint p, const std::vector<DrawnPoint>& path) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < path.size(); ++i) {
     least = std::min(least, distance_to_segment(p, path[i - 1], path[i]));
@@ -55,7 +55,7 @@ inline std::vector<std::string> parts(const std::string& text, const std::string
 /// A shape of a scene: the points of a line or path, the middle of a circle.
 struct Shape {
   std::string kind;  ///< its class
-  std::vector<Point> points;
+  std::vector<DrawnPoint> points;
   double radius = 0;
 };
 
@@ -80,7 +80,7 @@ inline Shape shape_of(const std::string& tag, const ptree& tree) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == 'M' || c == 'L' || c == 'Z'; }, ' ');
     std::istringstream numbers(text);
-    for (Point p; numbers >> p.x >> p.y;) shape.points.push_back(p);
+    for (DrawnPoint p; numbers >> p.x >> p.y;) shape.points.push_back(p);
     if (closed) shape.points.push_back(shape.points.front());
   }
   return shape;
@@ -116,7 +116,7 @@ class Picture {
     std::vector<Shape> result;
     for (Shape shape : of.shapes) {
       if (shape.kind != kind) continue;
-      for (Point& p : shape.points) p = moved(of, p, place);
+      for (DrawnPoint& p : shape.points) p = moved(of, p, place);
       result.push_back(std::move(shape));
     }
     if (result.empty()) throw std::runtime_error("no " + kind + " in " + body_name);
@@ -137,7 +137,7 @@ class Picture {
     bodies_.push_back(std::move(body));
   }
   /// As stepAt of motion.js.
-  Point stepped(const std::string& step, Point p, int place) const {
+  DrawnPoint stepped(const std::string& step, DrawnPoint p, int place) const {
     std::istringstream words(step);
     std::string kind, curve;
     double drawn = 0, factor = 0, x = 0, y = 0, phase = 0;
@@ -154,7 +154,7 @@ class Picture {
     const double c = std::cos(by * kDegree), s = std::sin(by * kDegree);
     return {x + c * (p.x - x) - s * (p.y - y), y + s * (p.x - x) + c * (p.y - y)};
   }
-  Point moved(const Body& body, Point p, int place) const {
+  DrawnPoint moved(const Body& body, DrawnPoint p, int place) const {
     if (body.motion.empty()) return p;
     const std::vector<std::string> steps = parts(body.motion, "; ");
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) p = stepped(*step, p, place);

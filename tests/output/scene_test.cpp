@@ -70,7 +70,7 @@ TEST_CASE("the second roller of a drawn conjugate cam stays on the second cam", 
 TEST_CASE("drawn edges and faces touch their cams and no more", "[cli][report]") {
   const auto least = [](const Shape& face, const Shape& cam) {
     double gap = std::numeric_limits<double>::infinity();
-    for (const Point& p : cam.points) gap = std::min(gap, distance_to_path(p, face.points));
+    for (const DrawnPoint& p : cam.points) gap = std::min(gap, distance_to_path(p, face.points));
     return gap;
   };
   const Picture knife(shipped("cams/knife_edge_convex_base"));
@@ -84,7 +84,7 @@ TEST_CASE("drawn edges and faces touch their cams and no more", "[cli][report]")
     const Shape face = flat.shape("flat face", "face", place);
     const Shape cam = flat.shape("cam", "cam", place);
     CHECK(least(face, cam) < kSampled);
-    for (const Point& p : cam.points) CHECK(p.y < face.points[0].y + kRounding);
+    for (const DrawnPoint& p : cam.points) CHECK(p.y < face.points[0].y + kRounding);
     CHECK(least(arm.shape("arm", "face", place), arm.shape("cam", "cam", place)) < kSampled);
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE("drawn edges and faces touch their cams and no more", "[cli][report]")
 TEST_CASE("a mark on its way is where the displacement says", "[cli][report]") {
   const Picture picture(shipped("spine_cutter/least_radius"));
   for (const int place : kPlaces) {
-    const std::vector<Point> mark = picture.shape("follower", "roller", place).points;
+    const std::vector<DrawnPoint> mark = picture.shape("follower", "roller", place).points;
     CHECK((mark[0].x + mark[1].x) / 2 == Approx(picture.value("displacement", place)).margin(0.02));
   }
 }
@@ -105,12 +105,12 @@ TEST_CASE("a servo motor's working point runs along its way, below what the moto
   const double high = 60 / problems::constant_of(design, "maximum_torque");
   for (const int place : kPlaces) {
     INFO(place);
-    const Point point = picture.shape("working point", "roller", place).points[0];
+    const DrawnPoint point = picture.shape("working point", "roller", place).points[0];
     CHECK(point.x == Approx(wide * picture.value("motor_speed", place)).margin(1e-3));
     CHECK(point.y == Approx(high * picture.value("motor_torque", place)).margin(1e-3));
     CHECK(distance_to_path(point, picture.shape("path of", "pitch", place).points) < 0.02);
     // The motor's curve, at this speed, is what the machine says.
-    const Point most{point.x, high * picture.value("available_torque", place)};
+    const DrawnPoint most{point.x, high * picture.value("available_torque", place)};
     const Shape curve = picture.shape("greatest torque", "cam", place);
     CHECK(distance_to_path(most, curve.points) < 0.02);
   }
@@ -123,7 +123,7 @@ TEST_CASE("a drawn balancing cam lifts its roller as the model says", "[cli][rep
         "mechanism = '" + std::string(name) + "'\n[constants]\nbase_radius = '50 mm'\n", "test"));
     check_touches(picture, "roller", "cam");
     for (const int place : kPlaces) {
-      const Point centre = picture.shape("roller", "roller", place).points[0];
+      const DrawnPoint centre = picture.shape("roller", "roller", place).points[0];
       CHECK(centre.x == 0);
       CHECK(centre.y == Approx(75 + picture.value("roller_displacement", place)).margin(1e-3));
     }
@@ -157,8 +157,8 @@ TEST_CASE("both views of a drawn spherical Geneva have the pin in one place on i
         "test"));
     for (int place = 0; place <= kSamples; place += 5) {
       INFO(place);
-      const Point above = picture.shape("pin, seen", "pin", place).points[0];
-      const Point beside = picture.shape("driver, seen", "pin", place).points[0];
+      const DrawnPoint above = picture.shape("pin, seen", "pin", place).points[0];
+      const DrawnPoint beside = picture.shape("driver, seen", "pin", place).points[0];
       CHECK(above.y == Approx(beside.y).margin(2e-3));
       CHECK(std::hypot(above.x, above.y, beside.x - kMiddle) == Approx(kRadius).margin(2e-3));
       if (picture.value("wheel_velocity", place) == 0) continue;
@@ -180,14 +180,14 @@ TEST_CASE("a drawn feeder's crank, rack and guide meet as the model has them", "
   for (const char* offset : {"0 mm", "45 mm", "52 mm"}) {
     INFO(offset);
     const Picture picture(feeder(offset));
-    const Point centre = picture.shape("centres", "pivot", 0).points[0], o2{702, 0};
+    const DrawnPoint centre = picture.shape("centres", "pivot", 0).points[0], o2{702, 0};
     CHECK(distance(centre, {0, 0}) == 0);
     for (const int place : kPlaces) {
       INFO(place);
       const double phi = place * kDegree;
       const Shape rack = picture.shape("rack", "face", place);
       const Shape guide = picture.shape("guide", "arm", place);
-      const Point pin{92 * std::cos(phi), 92 * std::sin(phi)}, foot = guide.points[1];
+      const DrawnPoint pin{92 * std::cos(phi), 92 * std::sin(phi)}, foot = guide.points[1];
       CHECK(distance(picture.shape("crank", "joint", place).points[0], pin) < 2e-3);
       CHECK(distance(picture.shape("rack", "joint", place).points[0], pin) < 2e-3);
       CHECK(distance(rack.points[0], pin) < 2e-3);
@@ -201,12 +201,12 @@ TEST_CASE("a drawn feeder's crank, rack and guide meet as the model has them", "
 
 TEST_CASE("a drawn feeder's rack rolls on its pinion where they mesh", "[cli][report]") {
   const Picture picture(feeder("45 mm"));
-  const Point o2{702, 0};
-  const auto direction = [&](Point to) { return std::atan2(to.y - o2.y, to.x - o2.x); };
+  const DrawnPoint o2{702, 0};
+  const auto direction = [&](DrawnPoint to) { return std::atan2(to.y - o2.y, to.x - o2.x); };
   // Where they touch: so far from the rack's pin, and at this angle of the pinion.
   const auto rolled = [&](int place) {
-    const Point touching = picture.shape("guide", "arm", place).points[1];
-    const Point mark = picture.shape("pinion", "mark", place).points[1];
+    const DrawnPoint touching = picture.shape("guide", "arm", place).points[1];
+    const DrawnPoint mark = picture.shape("pinion", "mark", place).points[1];
     const double angle = std::remainder(direction(touching) - direction(mark) +
                                             picture.value("drum_angle", place) * kDegree,
                                         2 * std::numbers::pi) -

@@ -227,6 +227,16 @@ TEST_CASE("The true optimum is found, and the verdict certifies it", "[cam-shape
   CHECK(*solve_cam_shape(100).printed == 4.2841);
 }
 
+TEST_CASE("A cam of a hundred thousand radii is found to twelve digits and certified",
+          "[cam-shape][heavy]") {
+  const CamShapeCase found = solve_cam_shape(kMostCamShape);
+  INFO(found.reason);
+  CHECK(found.verdict == "certified optimum");
+  CHECK(found.objective == Approx(found.true_optimum).epsilon(1e-12));
+  CHECK(found.max_violation <= 1e-14);
+  CHECK(found.iterations < 10);
+}
+
 TEST_CASE("Ipopt's default answer to the published rows is too good, and is refused",
           "[cam-shape]") {
   const Point& r = default_answer();

@@ -219,7 +219,7 @@ namespace {
 SystemReproduction reproduce_blades(const std::string& csv) {
   std::vector<PrintedValue> printed = read_printed_values(csv, "test");
   std::erase_if(printed, [](const auto& row) { return row.quantity != "blades_in_contact"; });
-  optim::Table table;
+  optim::PrintedTable table;
   table.name = "blades";
   table.hypotheses = {{"z", "17", {"18", "19", "20", "21", "22", "23"}}};
   for (const PrintedValue& row : printed) {

@@ -120,7 +120,7 @@ TEST_CASE("What is reached in two cases is the bivariate normal share", "[variat
   for (const double index : {0.0, 1.0, 2.0, 3.0}) {
     const ProblemStatement design = with(text, 6 - index * kDeviation);
     const double exact = both_below(index, 0.6);
-    const Reached found = reached_by(design);
+    const ReachedReliability found = reached_by(design);
     REQUIRE(found.limits.size() == 1);
     const ReachedShare& share = found.limits.front();
     INFO(index << ": exactly " << exact << ", found " << share.share);
@@ -147,7 +147,7 @@ TEST_CASE("Limits of one response and of several cases are each judged by what t
                                "response = 'g'\nupper = 6\nreliability = 0.6\n" +
                                limit(0.9) +
                                "[[constraints]]\nresponse = 'f'\nlower = 0\nreliability = 0.99\n");
-  const Reached found = reached_by(with(text, 6 - 1.5 * kDeviation));
+  const ReachedReliability found = reached_by(with(text, 6 - 1.5 * kDeviation));
   REQUIRE(found.limits.size() == 3);
   CHECK(found.limits[0].name == "g");
   CHECK(found.limits[0].share == Approx(normal_share(1.5)).margin(0.003));
@@ -184,7 +184,7 @@ TEST_CASE("A robust objective over cases is of the worst, the mean or the one ca
     CHECK(f.hessian(std::vector<double>{1}, g, h) == Approx(exact).margin(0.03));
     CHECK(g[0] == Approx(1).epsilon(1e-9));
     CHECK(h[0] == Approx(0).margin(1e-9));
-    const Reached found = reached_by(design);
+    const ReachedReliability found = reached_by(design);
     REQUIRE(found.objective);
     CHECK(found.objective->value == Approx(exact).margin(0.01));
     CHECK(found.objective->between.lower <= exact);

@@ -171,7 +171,7 @@ TEST_CASE("What a design reaches of its reliability is the closed form", "[varia
       const ProblemStatement design = with_room(6 - index * kDeviation, reliability);
       int missed = 0;
       for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        const Reached found = reached_by(design, optim::Deadline({}, nullptr), seed);
+        const ReachedReliability found = reached_by(design, optim::Deadline({}, nullptr), seed);
         REQUIRE(found.limits.size() == 1);
         const ReachedShare& share = found.limits.front();
         INFO("asked for " << share.wanted << ", exactly " << exact << ", found " << share.share
@@ -192,7 +192,7 @@ TEST_CASE("A design that stands exactly at its reliability is not called safe", 
         with_room(6 - kDeviation * normal_quantile(reliability), reliability);
     int safe = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      const Reached found = reached_by(design, optim::Deadline({}, nullptr), seed);
+      const ReachedReliability found = reached_by(design, optim::Deadline({}, nullptr), seed);
       safe += found.limits.front().reach == IsReached::Yes;
       CHECK(found.all() == (found.limits.front().reach == IsReached::Yes));
     }
@@ -204,7 +204,7 @@ TEST_CASE("A design that stands exactly at its reliability is not called safe", 
 TEST_CASE("A verdict does not say that a reliability is met which is not reached", "[variation]") {
   // 99.87 % where 99.9 % are asked for.
   const ProblemStatement design = with_room(6 - 3.0 * kDeviation, 0.999);
-  const Reached found = reached_by(design);
+  const ReachedReliability found = reached_by(design);
   CHECK(found.limits.front().reach == IsReached::No);
   optim::Assessment assessment;
   assessment.verdict = optim::Verdict::Feasible;
@@ -219,7 +219,7 @@ TEST_CASE("A verdict does not say that a reliability is met which is not reached
 }
 
 TEST_CASE("A robust objective is told over parts that the search did not have", "[variation]") {
-  const Reached found = reached_by(with_room(1, 0.9));
+  const ReachedReliability found = reached_by(with_room(1, 0.9));
   REQUIRE(found.objective);
   const double exact = 1 + 3 * kDeviation;
   CHECK(found.objective->value == Approx(exact).margin(0.02));
@@ -234,7 +234,7 @@ TEST_CASE("A robust objective is told where the second variation alone changes i
                    "[variation.c]\nstandard_deviation = 0.1\n"
                    "[responses.g]\nformula = 'c'\n"
                    "[objective]\nminimize = 'g'\nrobust = 'mean + sigma'\n"));
-  const Reached found = reached_by(design);
+  const ReachedReliability found = reached_by(design);
   REQUIRE(found.objective);
   CHECK(found.objective->value == Approx(2.1).margin(0.005));
 }
@@ -300,9 +300,9 @@ TEST_CASE("Further searches for a reliability are told, and end on a stop", "[va
   std::atomic<bool> stop = false;
   options.stop = &stop;
   optimum = first;
-  const Reached found = search_until_reached(bound, options, optimum, [&](const auto& stage) {
-    stop = stop || stage == "reliability, round 1";
-  });
+  const ReachedReliability found = search_until_reached(
+      bound, options, optimum,
+      [&](const auto& stage) { stop = stop || stage == "reliability, round 1"; });
   CHECK(found.cut_short.empty());
   CHECK_FALSE(found.all());
   CHECK(found.limits.front().reach != IsReached::Yes);
@@ -313,7 +313,7 @@ TEST_CASE("Further searches for a reliability are told, and end on a stop", "[va
                  Contains("of all parts hold it"));
   // Stopped before anything is judged: that is said, of the objective too.
   optimum = first;
-  const Reached none = search_until_reached(bound, options, optimum);
+  const ReachedReliability none = search_until_reached(bound, options, optimum);
   CHECK(none.cut_short == "stopped");
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Failed);
   CHECK_THAT(optimum.found.assessment.reason, Contains("was not calculated: stopped"));
@@ -323,7 +323,7 @@ TEST_CASE("A robust objective that was not worked out says why", "[variation]") 
   const ProblemStatement design =
       read(machine("3 * b + c", "[objective]\nminimize = 'f'\nrobust = 'mean'\n"));
   const std::atomic<bool> stop = true;
-  const Reached found = reached_by(design, optim::Deadline({}, &stop));
+  const ReachedReliability found = reached_by(design, optim::Deadline({}, &stop));
   REQUIRE(found.objective);
   CHECK(found.objective->cut_short == "stopped");
   CHECK(found.objective->name.starts_with("f"));
@@ -358,7 +358,7 @@ TEST_CASE("Where few parts promise too much a search goes on until the reliabili
              fmt::format("[[constraints]]\nresponse = 'f'\nupper = 20\nreliability = {}\n",
                          many.reliability)));
     optim::Optimum optimum = optim::optimise(bound.space(), {});
-    const Reached found = search_until_reached(bound, {}, optimum);
+    const ReachedReliability found = search_until_reached(bound, {}, optimum);
     const double exact = normal_share((20 - sum - optimum.found.x[0]) / (0.2 * std::sqrt(squares)));
     INFO(many.reliability << " asked for, " << exact << " exactly, at least "
                           << found.limits.front().between.lower);
@@ -376,7 +376,7 @@ TEST_CASE("A search goes on until its reliabilities are reached by other parts",
       return normal_share((6 - 3 * o.found.x[0] - o.found.x[1]) / kDeviation);
     };
     const double at_first = reached_at(optimum);
-    const Reached found = search_until_reached(bound, {}, optimum);
+    const ReachedReliability found = search_until_reached(bound, {}, optimum);
     INFO(reliability << ": " << at_first << ", then " << reached_at(optimum));
     CHECK(found.all());
     CHECK(optimum.found.assessment.verdict == optim::Verdict::Feasible);

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "problems/sensitivity/sensitivity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "machines/registry.h"
+#include "problems/sensitivity/design_numbers.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/first_file.h"
 #include "problems/statement/parameters.h"
 #include "tests/paths.h"
 #include "tests/shipped_problems.h"
@@ -227,6 +234,163 @@ start = 1
   CHECK(s.is_kink());
   CHECK(s.low == Approx(0).margin(1e-9));
   CHECK(s.high == Approx(1).epsilon(1e-9));
+}
+
+namespace {
+
+/// The usual problem of a machine with a limit far away on each of its responses.
+ProblemStatement with_every_limit(const Mechanism& mechanism) {
+  std::string text = first_file(mechanism);
+  for (const MechanismResponse& response : mechanism.responses) {
+    text += fmt::format("\n[[constraints]]\nresponse = \"{}\"\nupper = 1e200\n", response.name);
+    if (response.curve) text += "lower = -1e200\n";
+  }
+  return read_problem(text, mechanism.name + ".toml");
+}
+
+/// Of a number by a parameter the slopes to either side, each from two steps; none where they do
+/// not agree, or cannot be made.
+std::optional<std::pair<double, double>> slopes_by_steps(const DesignNumber& number,
+                                                         const std::vector<DesignParameter>& all,
+                                                         std::size_t i) {
+  std::vector<double> x;
+  for (const DesignParameter& p : all) x.push_back(p.value);
+  const double at = x[i], value = number.function.value(x);
+  const double step = 2e-5 * std::max(std::abs(at), 1e-2);
+  if (!(at - step >= all[i].low && at + step <= all[i].high)) return {};
+  const double size = std::max(std::abs(at), 1e-2), noise = 1e-7 * std::abs(value) / size;
+  const auto one_sided = [&](double h) -> std::optional<double> {
+    const auto slope = [&](double by) {
+      x[i] = at + by;
+      const double result = (number.function.value(x) - value) / (x[i] - at);
+      x[i] = at;
+      return result;
+    };
+    const double far = slope(h), near = slope(h / 2);
+    if (!std::isfinite(far + near)) return {};
+    if (std::max(std::abs(far), std::abs(near)) <= noise) return 0;
+    if (std::abs(far - near) > 0.02 * std::max(std::abs(far), std::abs(near)) + noise) return {};
+    return 2 * near - far;
+  };
+  const auto up = one_sided(step), down = one_sided(-step);
+  if (!up || !down) return {};
+  return std::pair(std::min(*up, *down), std::max(*up, *down));
+}
+
+/// Compares every derivative of a design with steps to either side; how many.
+int compare_with_steps(const ProblemStatement& design) {
+  const LocalSensitivity local = local_sensitivity(design);
+  const auto numbers = design_numbers(design, local.parameters);
+  int compared = 0;
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    const double value = local.numbers[n].value;
+    if (!std::isfinite(value)) continue;
+    for (std::size_t i = 0; i < local.parameters.size(); ++i) {
+      const auto steps = slopes_by_steps(numbers[n], local.parameters, i);
+      if (!steps) continue;
+      const Sensitivity& s = local.numbers[n].by[i];
+      const double at = local.parameters[i].value;
+      const double scale = std::max({std::abs(steps->first), std::abs(steps->second),
+                                     1e-5 * std::abs(value) / std::max(std::abs(at), 1e-2)});
+      INFO(design.mechanism->name << ": " << numbers[n].name << " by " << local.parameters[i].name
+                                  << ": " << s.low << " to " << s.high << ", by steps "
+                                  << steps->first << " to " << steps->second);
+      CHECK(std::abs(s.low - steps->first) <= 0.02 * scale);
+      CHECK(std::abs(s.high - steps->second) <= 0.02 * scale);
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+}  // namespace
+
+TEST_CASE("the peak at a place where the formula changes over moves with that place",
+          "[sensitivity]") {
+  // Turning the rise by a dwell moves the place at which the next roller takes over, and no value.
+  const ProblemStatement design = read_problem(R"toml(
+mechanism = "parallel-index-cam"
+[[program.segments]]
+name = "dwell"
+angle = "80 deg"
+[[program.segments]]
+name = "index"
+angle = "200 deg"
+law = "modified-sine"
+[[program.segments]]
+name = "rest"
+[constants]
+stations = 8
+rollers = 8
+plates = 3
+axis_distance = "177.44 mm"
+turret_radius = "129.25 mm"
+[variables.roller_radius]
+lower = "3.5 mm"
+upper = "14 mm"
+start = "7 mm"
+[objective]
+minimize = "roller_radius"
+[[constraints]]
+response = "undercut"
+upper = 1.4
+[[constraints]]
+response = "second_undercut"
+upper = 1.4
+)toml",
+                                               "index.toml");
+  const LocalSensitivity local = local_sensitivity(design);
+  for (const char* number : {"highest undercut", "highest second_undercut"}) {
+    INFO(number);
+    for (const char* parameter :
+         {"dwell_angle", "index_angle", "index_crossover", "axis_distance", "turret_radius"}) {
+      INFO(parameter);
+      CHECK_FALSE(by(local, number, parameter).by_difference);
+    }
+    const Sensitivity& turned = by(local, number, "dwell_angle");
+    CHECK(std::abs(turned.slope) < 1e-8);
+    CHECK(std::abs(by(local, number, "index_angle").slope) > 1e-3);
+  }
+  CHECK(compare_with_steps(design) > 10);
+}
+
+TEST_CASE("the peak at a corner of a formula has the slopes of both sides by their steepness",
+          "[sensitivity]") {
+  // min(u x, 2 (1 - x)): they meet at x = 2 / (2 + u), with 2 u / (2 + u), whose slope by u is
+  // 4 / (2 + u)^2.
+  const ProblemStatement design = read_problem(R"toml(
+[machine]
+name = "ridge"
+moved_by = "law"
+[machine.parameters.u]
+default = 1.3
+lower = 0
+[responses.f]
+formula = "min(u * x, 2 * (1 - x))"
+[law]
+name = "cycloidal"
+[objective]
+minimize = "highest f"
+[variables.u]
+lower = 0.1
+upper = 4
+start = 1.3
+)toml",
+                                               "ridge.toml");
+  const LocalSensitivity local = local_sensitivity(design);
+  const Sensitivity& s = by(local, "highest f", "u");
+  CHECK_FALSE(s.is_kink());
+  CHECK_FALSE(s.by_difference);
+  CHECK(s.slope == Approx(4 / (3.3 * 3.3)).epsilon(1e-5));
+}
+
+TEST_CASE("derivatives of every response of every machine are those of steps to either side",
+          "[sensitivity][heavy]") {
+  int compared = 0;
+  for (const Mechanism& mechanism : mechanisms()) {
+    compared += compare_with_steps(with_every_limit(mechanism));
+  }
+  CHECK(compared > 1000);
 }
 
 TEST_CASE("ranges are those that are stated, else the file's, else hundredths", "[sensitivity]") {

@@ -10,6 +10,7 @@
 #include "problems/published/sheet_delivery/trade_off.h"
 #include "problems/published/spine_cutter/study.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/doubtful_limits.h"

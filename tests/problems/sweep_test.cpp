@@ -50,14 +50,14 @@ SweepSettings swept(const std::vector<std::string>& settings) {
   return result;
 }
 
-Sweep run(const SweepStudy& study, int workers = 1) {
+SweptCombinations run(const SweepStudy& study, int workers = 1) {
   optim::ProcessExecutor executor(sweep_service(study), study.options(), workers,
                                   worker_program(study));
   return study.run(executor);
 }
 
 /// Every number of the designs, and every reason.
-void check_same(const Sweep& a, const Sweep& b) {
+void check_same(const SweptCombinations& a, const SweptCombinations& b) {
   REQUIRE(a.outcomes.size() == b.outcomes.size());
   CHECK(a.is_warm == b.is_warm);
   for (std::size_t i = 0; i < a.outcomes.size(); ++i) {
@@ -203,7 +203,7 @@ TEST_CASE("each combination is in one chain, beside one that differs by a step",
 
 TEST_CASE("the ranking of laws by a sweep is that of single runs, bit for bit", "[sweep]") {
   const SweepStudy study(kCam, "cam.toml", swept({"law=ends R-R, continuity >= 2"}));
-  const Sweep sweep = run(study);
+  const SweptCombinations sweep = run(study);
   REQUIRE(sweep.outcomes.size() > 5);
   for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
     ProblemStatement single = read_problem(kCam, "cam.toml");
@@ -238,7 +238,7 @@ TEST_CASE("a sweep does not depend on workers, nor on a record that was cut shor
   // Strokes for which the cam has no room are among them.
   const SweepStudy study(kCam, "cam.toml",
                          swept({"stroke=16:2:40 mm", "rise.law=cycloidal,modified-sine"}));
-  const Sweep one = run(study);
+  const SweptCombinations one = run(study);
   CHECK(one.done() == one.outcomes.size());
   CHECK(std::any_of(one.outcomes.begin(), one.outcomes.end(),
                     [](const auto& o) { return o->infeasible && !o->failure.empty(); }));
@@ -254,7 +254,8 @@ TEST_CASE("a sweep does not depend on workers, nor on a record that was cut shor
     optim::StudyRecord record = optim::StudyRecord::create(path, study.settings());
     optim::ProcessExecutor executor(sweep_service(stopped), stopped.options(), 1, {});
     optim::RecordedExecutor recorded(problem_of, record, &executor);
-    const Sweep part = stopped.run(recorded, [&](const SweepProgress& p) { stop = p.done >= 7; });
+    const SweptCombinations part =
+        stopped.run(recorded, [&](const SweepProgress& p) { stop = p.done >= 7; });
     CHECK(part.done() < one.outcomes.size());
     CHECK(part.done() >= 7);
   }
@@ -280,9 +281,9 @@ TEST_CASE("a sweep does not depend on workers, nor on a record that was cut shor
 
 TEST_CASE("a warm start leads where a single run does", "[sweep]") {
   SweepSettings settings = swept({"stroke=16:1:31 mm"});
-  const Sweep warm = run(SweepStudy(kCam, "cam.toml", settings));
+  const SweptCombinations warm = run(SweepStudy(kCam, "cam.toml", settings));
   settings.is_cold = true;
-  const Sweep cold = run(SweepStudy(kCam, "cam.toml", settings));
+  const SweptCombinations cold = run(SweepStudy(kCam, "cam.toml", settings));
   for (std::size_t i = 0; i < warm.outcomes.size(); ++i) {
     REQUIRE(warm.outcomes[i]->points.size() == 1);
     CHECK(warm.outcomes[i]->points[0].verdict == optim::Verdict::Certified);
@@ -302,7 +303,7 @@ TEST_CASE("choices of a combination are recorded with its design", "[sweep]") {
   optim::ProcessExecutor executor(sweep_service(study), study.options(), 1, {});
   optim::RecordedExecutor recorded(
       [&](std::size_t part, optim::Design x) { return study.problem(part, x); }, record, &executor);
-  const Sweep sweep = study.run(recorded);
+  const SweptCombinations sweep = study.run(recorded);
   const optim::FrontPoint& point = sweep.outcomes[1]->points.front();
   const auto variables = study.variables(1, point.x);
   REQUIRE(variables.size() == 2);
@@ -320,7 +321,7 @@ TEST_CASE("designs are evaluated without a search, and each says what it passes"
   settings.sampling = parse_sampling("sobol 4", 1);
   settings.sampling->over = {parse_sampled_range("base_radius=30:60 mm")};
   const SweepStudy study(kCam, "cam.toml", settings);
-  const Sweep sweep = run(study);
+  const SweptCombinations sweep = run(study);
   REQUIRE(sweep.outcomes.size() == 20);
   for (std::size_t i = 0; i < 20; ++i) {
     ProblemStatement single = read_problem(kCam, "cam.toml");
@@ -403,7 +404,7 @@ TEST_CASE("a number that a machine does not take is a row that says why", "[swee
     SweepSettings settings = swept({axis});
     settings.evaluates = true;
     const SweepStudy study(testing::read(path), path, settings);
-    const Sweep sweep = run(study);
+    const SweptCombinations sweep = run(study);
     for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
       INFO(file << ": " << axis << ", " << i);
       REQUIRE(sweep.outcomes[i]);

@@ -47,14 +47,14 @@ SweepSettings asked(const std::vector<std::string>& assignments) {
   return settings;
 }
 
-Sweep swept(const SweepStudy& study) {
+SweptCombinations swept(const SweepStudy& study) {
   optim::ProcessExecutor executor(sweep_service(study), study.options(), 1, worker_program(study));
   return study.run(executor);
 }
 
 /// The row of the roller in the design of each combination.
 std::vector<std::string> rows_of(const SweepStudy& study) {
-  const Sweep sweep = swept(study);
+  const SweptCombinations sweep = swept(study);
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
     const ProblemStatement design = study.design(i, sweep.outcomes[i]->points.at(0).x);
@@ -76,7 +76,7 @@ TEST_CASE("a part that is swept is fixed to each of its rows", "[sweep]") {
   const Folder folder;
   const std::string text = cam_with_rollers(folder), source = folder / "cam.toml";
   const SweepStudy study(text, source, asked({"roller=large,small,middle", "stroke=20,25 mm"}));
-  const Sweep sweep = swept(study);
+  const SweptCombinations sweep = swept(study);
   REQUIRE(sweep.outcomes.size() == 6);
   for (std::size_t i = 0; i < sweep.outcomes.size(); ++i) {
     const auto values = study.plan().values(i);

@@ -57,4 +57,39 @@ TEST_CASE("A worst value at a kink inside the range is found and proved there") 
   CHECK(limit.proved);
 }
 
+TEST_CASE("A curve over ranges is at many places what it is at each of them") {
+  const ProblemStatement problem = read(
+      "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '30 mm'\nspeed = '200 rpm'\n"
+      "mass = '1.2 kg'\nspring_rate = '6 N/mm'\nspring_preload = '60 N'\n"
+      "roller_radius = '8 mm'\n[variables.base_radius]\nlower = '30 mm'\nupper = '90 mm'\n"
+      "start = '52 mm'\n[objective]\nminimize = 'base_radius'\n"
+      "[ranges.speed]\nlower = '50 rpm'\nupper = '400 rpm'\n"
+      "[ranges.spring_preload]\nlower = '40 N'\nupper = '90 N'\n[program]\n"
+      "segments = [{name = 'rise', angle = 80, law = 'cycloidal'}, {name = 'high', angle = "
+      "60}, {name = 'back', angle = 100, law = 'modified-sine'}, {name = 'low'}]\n"
+      "[[constraints]]\nresponse = 'follower_force'\nlower = '0 N'\n"
+      "[[constraints]]\nresponse = 'drive_torque'\nupper = '40 N m'\n");
+  const BoundProblem bound(problem);
+  const optim::Problem first = bound.space().problem(bound.space().options(0));
+  const std::vector<double> x{first.variables.front().start};
+  for (const optim::Constraint& constraint : first.constraints) {
+    INFO(constraint.response.name);
+    const auto trace = constraint.response.curve().trace(x);
+    const std::vector<double> breaks = trace->breaks();
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+      const auto places = optim::even_places(breaks[k], breaks[k + 1], 12);
+      const auto even = trace->even(breaks[k], breaks[k + 1], 12);
+      const auto values = trace->values(places);
+      REQUIRE(even.size() == places.size());
+      REQUIRE(values.size() == places.size());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto alone = trace->at(places[i]);
+        const double size = std::abs(alone[0]) + 1;
+        CHECK(values[i] == even[i][0]);
+        CHECK(even[i][0] == Approx(alone[0]).margin(1e-12 * size));
+      }
+    }
+  }
+}
+
 }  // namespace camlaw::problems::worst_inside_test

@@ -17,7 +17,7 @@ double valve_opening(int n, bool widened, const std::atomic<bool>* stop) {
 
 SystemReproduction reproduce_cam_shape(const std::atomic<bool>* stop) {
   std::vector<PrintedValue> printed = printed_cam_shapes();
-  optim::Table table;
+  optim::PrintedTable table;
   table.name = "cam-shape";
   table.hypotheses = {{"rows", "as published", {"each widened by 1e-8, Ipopt's default"}}};
   std::vector<int> points;

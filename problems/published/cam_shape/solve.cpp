@@ -34,7 +34,7 @@ optim::Program published_program(const optim::Problem& problem) {
                     slope ? 1 / d : 1 / (d * d),
                     {}});
   }
-  std::vector<optim::Column> columns;
+  std::vector<optim::ProgramColumn> columns;
   for (const optim::Variable& v : problem.variables) {
     columns.push_back({v.lower, v.upper, 1.5, 1});  // COPS's start
   }

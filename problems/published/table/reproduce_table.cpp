@@ -5,8 +5,8 @@
 namespace camlaw::problems {
 namespace {
 
-optim::Table hypothesis_table(const StatedTable& stated, stated::Model& model) {
-  optim::Table table;
+optim::PrintedTable hypothesis_table(const StatedTable& stated, stated::Model& model) {
+  optim::PrintedTable table;
   table.name = stated.name;
   table.allow_misprints = stated.allow_misprints;
   for (const StatedHypothesis& hypothesis : stated.hypotheses) {

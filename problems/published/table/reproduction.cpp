@@ -58,7 +58,7 @@ std::string departure_name(const optim::Hypothesis& hypothesis, int rank) {
 }
 
 /// With how many alternatives each was picked from: one among a thousand is a fit, not a proof.
-std::vector<std::string> departure_names(const optim::Table& table,
+std::vector<std::string> departure_names(const optim::PrintedTable& table,
                                          const optim::Assignment& choice) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < choice.size(); ++i) {
@@ -71,7 +71,7 @@ std::vector<std::string> departure_names(const optim::Table& table,
 }
 
 /// The same of the departures that were found, with how many values need each.
-std::vector<std::string> departures_found(const optim::Table& table,
+std::vector<std::string> departures_found(const optim::PrintedTable& table,
                                           const optim::Reproduction& found) {
   std::vector<std::string> result = departure_names(table, found.departures);
   std::size_t departed = 0;
@@ -90,7 +90,8 @@ std::vector<std::string> departures_found(const optim::Table& table,
 }  // namespace
 
 SystemReproduction reproduce_system(std::string system, std::string title, std::string source,
-                                    std::vector<PrintedValue> printed, const optim::Table& table) {
+                                    std::vector<PrintedValue> printed,
+                                    const optim::PrintedTable& table) {
   const optim::Reproduction found = optim::reproduce(table);
   SystemReproduction result;
   result.system = std::move(system);

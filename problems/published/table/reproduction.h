@@ -45,7 +45,8 @@ struct SystemReproduction {
 
 /// Runs the hypothesis search for a system. `table` is in the order of `printed`.
 SystemReproduction reproduce_system(std::string system, std::string title, std::string source,
-                                    std::vector<PrintedValue> printed, const optim::Table& table);
+                                    std::vector<PrintedValue> printed,
+                                    const optim::PrintedTable& table);
 
 /// "reproduced", "explained", "unexplained".
 std::string_view to_string(optim::Finding verdict);

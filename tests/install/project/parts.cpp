@@ -19,6 +19,8 @@
 #include "problems/fronts/study_worker.h"
 #include "problems/law_files/law_file.h"
 #include "problems/results/judged_design.h"
+#include "problems/results/recorded_design.h"
+#include "problems/statement/statement.h"
 
 using namespace camlaw;
 

@@ -305,15 +305,15 @@ TEST_CASE("scales follow from typical changes, tolerances from bounds", "[optimi
   CHECK(s.objective_tolerance == Approx(7e-7));  // of the value
   CHECK(s.objective_typical == 4);
   REQUIRE(s.constraints.size() == 5);
-  CHECK(s.constraints[0].size == 30);
+  CHECK(s.constraints[0].scale == 30);
   CHECK(s.constraints[0].tolerance == Approx(5e-6));
-  CHECK(s.constraints[1].size == Approx(0.05));  // no less than 1e-3 of the larger bound
+  CHECK(s.constraints[1].scale == Approx(0.05));  // no less than 1e-3 of the larger bound
   CHECK(s.constraints[1].tolerance == Approx(5e-5));
-  CHECK(s.constraints[2].size == 7);
+  CHECK(s.constraints[2].scale == 7);
   CHECK(s.constraints[2].tolerance == Approx(8e-6));  // of what the variables contribute
-  CHECK(s.constraints[3].size == 11);
+  CHECK(s.constraints[3].scale == 11);
   CHECK(s.constraints[3].tolerance == 0.5);
-  CHECK(s.constraints[4].size == 1);
+  CHECK(s.constraints[4].scale == 1);
 }
 
 TEST_CASE("a wider box changes neither scales nor tolerances", "[optimise]") {

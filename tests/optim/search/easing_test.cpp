@@ -15,7 +15,7 @@ namespace {
 std::vector<Easing> eased(const Problem& problem) {
   const Found found = optimise(problem).found;
   REQUIRE(found.assessment.verdict == Verdict::Infeasible);
-  return easings(problem, found, OptimiseOptions{});
+  return easings(problem, found, OptimiseOptions{}).all;
 }
 
 const Easing& named(const std::vector<Easing>& all, const std::string& name) {
@@ -104,7 +104,7 @@ TEST_CASE("an easing that leaves the objective without a value is not told of", 
                                             .bound = c.upper ? 20.0 : 22.0,
                                             .is_upper = c.upper.has_value()});
   }
-  const std::vector<Easing> all = easings(problem, infeasible, OptimiseOptions{});
+  const std::vector<Easing> all = easings(problem, infeasible, OptimiseOptions{}).all;
   REQUIRE(all.size() == 1);
   CHECK(all[0].name == "low");  // by 2, at x = 20; sum would grow by 2, at x = 22
   CHECK(all[0].by == Approx(2));
@@ -115,7 +115,18 @@ TEST_CASE("nothing is told of an answer that meets its limits", "[optimise]") {
   problem.constraints.pop_back();
   const Found found = optimise(problem).found;
   REQUIRE(found.assessment.verdict == Verdict::Certified);
-  CHECK(easings(problem, found, OptimiseOptions{}).empty());
+  CHECK(easings(problem, found, OptimiseOptions{}).all.empty());
+}
+
+TEST_CASE("what is not looked for in the time that is left is told", "[optimise]") {
+  const Problem problem = two_in_each_others_way();
+  const Found found = optimise(problem).found;
+  CHECK(easings(problem, found, {.time_limit = 60.0}).cut_short.empty());
+  const FoundEasings none = easings(problem, found, {.time_limit = 2.0, .spent = 3});
+  CHECK(none.all.empty());
+  CHECK(none.cut_short == "the search left nothing of the time limit");
+  CHECK(easings(problem, found, {.time_limit = 1e-9}).cut_short ==
+        "they took half of what the search had left of the time limit");
 }
 
 }  // namespace camlaw::optim::easing_test

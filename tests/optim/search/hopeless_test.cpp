@@ -2,8 +2,11 @@
 #include "optim/search/hopeless.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "optim/search/optimise.h"
+#include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::hopeless_test {
@@ -71,6 +74,45 @@ TEST_CASE("a limit without a value in one option is not met there", "[optimise]"
   const Assessment b = optimise(alone).found.assessment;
   CHECK(b.verdict == Verdict::Infeasible);
   CHECK(b.reason == "rest cannot be met: it has no value, and n is fixed at 2 by its bounds");
+}
+
+namespace {
+
+/// Least x + y in [0, 1]^2 with a root of what is under it from above.
+Problem with_root(const std::function<double(double, double)>& plain, Function root) {
+  Problem problem;
+  problem.variables = {variable("x", 0, 1, 0.1), variable("y", 0, 1, 0.2)};
+  problem.objectives = {least(sum_of({0, 1}, {1, 1}))};
+  problem.constraints = {at_least("root", std::move(root), 0)};
+  REQUIRE(plain(0.1, 0.2) < 0);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a limit that has a value at no design is blamed before a search", "[optimise]") {
+  const Problem problem =
+      with_root([](double x, double y) { return x * y - 2; }, function({0, 1}, [](const auto& u) {
+                  using std::sqrt;
+                  return sqrt(u[0] * u[1] - 2.0);
+                }));
+  const Found found = optimise(problem).found;
+  CHECK(found.assessment.verdict == Verdict::Infeasible);
+  CHECK(found.assessment.blamed == Names{"root"});
+  CHECK_FALSE(found.assessment.global);  // nothing proves it
+  CHECK(contains(found.assessment.reason, "root cannot be met: it has no value at the start nor"));
+  CHECK(found.solves == 0);
+}
+
+TEST_CASE("a limit that has a value at some designs is searched for there", "[optimise]") {
+  const Problem problem = with_root([](double x, double y) { return x + 2 * y - 1.5; },
+                                    function({0, 1}, [](const auto& u) {
+                                      using std::sqrt;
+                                      return sqrt(u[0] + 2.0 * u[1] - 1.5);
+                                    }));
+  const Found found = optimise(problem).found;
+  CHECK(is_feasible(found.assessment));
+  CHECK(found.assessment.objective.value == Approx(0.75).epsilon(1e-3));  // x = 0, y = 0.75
 }
 
 }  // namespace camlaw::optim::hopeless_test

@@ -135,6 +135,38 @@ TEST_CASE("branch and bound certifies nothing that it excluded by problems that 
   CHECK((good || optimum.found.assessment.verdict != Verdict::Certified));
 }
 
+TEST_CASE("no step in one integer or in two leads from what bounds do not settle to better designs",
+          "[optimise]") {
+  // A narrow valley along a = b, in which no step of one of them leads down, with waves across.
+  const auto valley = [](const auto& u) {
+    return 50.0 * square(u[0] - u[1]) + square(u[0] - 33.0) + 3.0 * sin(2.0 * u[2]) +
+           0.05 * square(u[2] - 20.0);
+  };
+  Problem problem;
+  problem.variables = {integer("a", 0, 40, 3), integer("b", 0, 40, 3), integer("c", 0, 40, 5)};
+  problem.objectives = {least(function({0, 1, 2}, valley))};
+  const Optimum optimum = optimise(problem);
+  const Assessment& a = optimum.found.assessment;
+  const Point best = optimum.found.x;
+  REQUIRE(a.verdict == Verdict::Feasible);
+  CHECK(
+      contains(a.reason, "none of those one step away in one integer variable, or in two at once"));
+  CHECK(best[0] == 33);
+  CHECK(best[1] == 33);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const double by_i : {-1.0, 0.0, 1.0}) {
+        for (const double by_k : {-1.0, 0.0, 1.0}) {
+          Point near = best;
+          near[i] += by_i;
+          if (k != i) near[k] += by_k;
+          CHECK(valley(near) >= a.objective.value);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("integer values at which the model is undefined are passed over", "[optimise]") {
   // (n - 2)^2 + x^2 with numbers for n >= 5 only: 9.
   Problem problem;

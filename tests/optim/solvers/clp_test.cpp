@@ -81,7 +81,7 @@ TEST_CASE("a linear program goes on from an earlier answer", "[solvers]") {
 }
 
 TEST_CASE("linear programs without an answer say so", "[solvers]") {
-  const std::vector<Column> columns{{0, kInfinity, 0, 1}, {0, kInfinity, 0, 1}};
+  const std::vector<ProgramColumn> columns{{0, kInfinity, 0, 1}, {0, kInfinity, 0, 1}};
   const Program contradiction{columns, combination({1, 1}), 1, 1, {row({1, 1}, -kInfinity, -1)}};
   CHECK(solved(contradiction).status == Status::Infeasible);
   const Program endless{columns, combination({1, 1}), -1, 1, {row({1, -1}, -1, 1)}};
@@ -109,7 +109,7 @@ TEST_CASE("random linear programs have the optimum that Ipopt finds", "[solvers]
       for (double& value : a) value = unit(random);
       return a;
     };
-    std::vector<Column> columns;
+    std::vector<ProgramColumn> columns;
     std::vector<double> inside;  // meets every row, so that there is an answer
     for (std::size_t i = 0; i < n; ++i) {
       const double lower = 3 * unit(random);

@@ -28,7 +28,7 @@ Program wyndor() {
 /// Each step from one of n variables to the next is at most 1 up; the first is 0 and their sum is
 /// to be the most.
 Program staircase(std::size_t n) {
-  std::vector<Column> columns(n, {-1000, 1000, 0.25, 1});
+  std::vector<ProgramColumn> columns(n, {-1000, 1000, 0.25, 1});
   columns[0].upper = 0;
   std::vector<Row> rows;
   std::vector<std::size_t> all(n);
@@ -89,7 +89,7 @@ TEST_CASE("rows that contradict one another, and no bound at all, are not called
 TEST_CASE("equations hold, and have their prices", "[interior]") {
   // The mean of 100 numbers within [0, 1 + i] is 10 where their sum by weights is least: by the
   // weights' order the first are full, of a price that is the weight of the last.
-  std::vector<Column> columns;
+  std::vector<ProgramColumn> columns;
   std::vector<std::size_t> all;
   std::vector<double> weights, ones;
   for (std::size_t i = 0; i < 100; ++i) {

@@ -50,8 +50,9 @@ Names all() {
   return names;
 }
 
-std::vector<Column> box(double lower, double upper, std::vector<double> start, double scale = 1) {
-  std::vector<Column> columns;
+std::vector<ProgramColumn> box(double lower, double upper, std::vector<double> start,
+                               double scale = 1) {
+  std::vector<ProgramColumn> columns;
   for (const double s : start) columns.push_back({lower, upper, s, scale});
   return columns;
 }
@@ -206,7 +207,7 @@ TEST_CASE("a row with two bounds keeps both, and a sign of -1 maximises", "[nlop
 
 TEST_CASE("a fixed column and an auxiliary variable stand in their places", "[nlopt]") {
   // The least t with t >= (x - 1)^2 and t >= (x + k)^2, k = 1 fixed: t = 1 at x = 0.
-  const std::vector<Column> columns{{-4, 4, 3, 2}, {1, 1, 1, 1}, {0, 100, 50, 5}};
+  const std::vector<ProgramColumn> columns{{-4, 4, 3, 2}, {1, 1, 1, 1}, {0, 100, 50, 5}};
   const std::pair<std::size_t, double> minus_t{2, -1.0};
   const Function right = function({0}, [](const auto& u) { return (u[0] - 1.0) * (u[0] - 1.0); });
   const Function left =
@@ -576,7 +577,7 @@ TEST_CASE("progress is told in the problem's unit whenever the best improves", "
 }
 
 TEST_CASE("where nothing varies, the one design is judged", "[nlopt]") {
-  const std::vector<Column> fixed{{1, 1, 1, 1}, {2, 2, 2, 1}};
+  const std::vector<ProgramColumn> fixed{{1, 1, 1, 1}, {2, 2, 2, 1}};
   const Program good(fixed, sum(), 1, 1, {{.function = sum(), .upper = 3}});
   const Program bad(fixed, sum(), 1, 1, {{.function = sum(), .upper = 2}});
   for (const char* name : {"slsqp", "cobyla", "isres", "mlsl"}) {

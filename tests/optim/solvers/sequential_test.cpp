@@ -27,7 +27,7 @@ Program ring(std::size_t n) {
                            [](const auto& u) { return square(u[0]) + square(u[1]); });
     rows.push_back({circle, -kInfinity, 1, 1, {}});
   }
-  const std::vector<Column> columns(n, {-2, 2, 0.1, 1});
+  const std::vector<ProgramColumn> columns(n, {-2, 2, 0.1, 1});
   return {columns, sum_of(all, std::vector<double>(n, 1.0)), -1, 1, rows};
 }
 

@@ -41,13 +41,13 @@ Assignment only(const std::vector<std::size_t>& depends, const Assignment& choic
   return result;
 }
 
-double value(const Table& table, std::size_t row, const Assignment& choice) {
+double value(const PrintedTable& table, std::size_t row, const Assignment& choice) {
   for (const std::size_t h : table.depends[row])
     if (table.hypotheses[h].unstated && choice[h] == 0) return kNan;
   return table.model(row, only(table.depends[row], choice));
 }
 
-Key judge(const Table& table, const Assignment& choice) {
+Key judge(const PrintedTable& table, const Assignment& choice) {
   std::size_t lost = 0;
   std::size_t misprints = 0;
   for (std::size_t row = 0; row < table.printed.size(); ++row) {
@@ -65,7 +65,7 @@ Key judge(const Table& table, const Assignment& choice) {
   return {lost, departures, misprints, ranks, choice};
 }
 
-std::vector<Key> judge_all(const Table& table) {
+std::vector<Key> judge_all(const PrintedTable& table) {
   std::vector<Key> keys;
   Assignment choice(table.hypotheses.size(), 0);
   for (;;) {
@@ -80,7 +80,7 @@ std::vector<Key> judge_all(const Table& table) {
   return keys;
 }
 
-void check_against_full_product(const Table& table) {
+void check_against_full_product(const PrintedTable& table) {
   const Reproduction found = reproduce(table);
   const std::vector<Key> keys = judge_all(table);
   const auto& [lost, departures, misprints, ranks, choice] = keys.front();
@@ -97,7 +97,7 @@ void check_against_full_product(const Table& table) {
   REQUIRE(found.equals == equals);
 }
 
-void check_rows_against_definition(const Table& table) {
+void check_rows_against_definition(const PrintedTable& table) {
   const Reproduction found = reproduce(table);
   REQUIRE(found.rows.size() == table.printed.size());
   REQUIRE(found.reproduced + found.explained + found.unexplained == table.printed.size());
@@ -148,11 +148,11 @@ std::uint64_t scramble(std::uint64_t x) {
 
 /// A table whose rows are lookups in random numbers: nothing smooth for a search to lean on. Few
 /// distinct values, so that rows hold under many assignments, ties are common and conflicts too.
-Table random_table(std::mt19937& random, int distinct, double nan_share) {
+PrintedTable random_table(std::mt19937& random, int distinct, double nan_share) {
   const auto draw = [&](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
   };
-  Table table;
+  PrintedTable table;
   table.name = "random";
   const int hypotheses = draw(0, 5);
   for (int h = 0; h < hypotheses; ++h)
@@ -182,7 +182,7 @@ TEST_CASE("the search finds what the full product finds, ties included") {
   std::mt19937 random(20240704);
   for (int trial = 0; trial < 600; ++trial) {
     CAPTURE(trial);
-    const Table table =
+    const PrintedTable table =
         random_table(random, trial % 3 == 0 ? 12 : 2 + trial % 5, 0.1 * (trial % 4));
     check_against_full_product(table);
     check_rows_against_definition(table);
@@ -198,7 +198,7 @@ double contact_angle(double depth) { return 2.0 * std::acos(1.0 - depth / kOuter
 TEST_CASE("the blades in contact are explained by 21 blades instead of 17") {
   constexpr std::array<double, 8> kBlades{17, 16, 18, 19, 20, 21, 22, 24};
   constexpr std::array<double, 4> kDepth{0.4, 0.6, 0.8, 1.0};
-  Table table;
+  PrintedTable table;
   table.name = "table 1";
   table.printed = {{20.5, 1}, {25.2, 1}, {29.1, 1}, {32.5, 1},
                    {1.2, 1},  {1.47, 2}, {1.7, 1},  {1.9, 1}};
@@ -248,8 +248,8 @@ constexpr std::size_t kSecondA = 4;
 
 /// Table 2: peak force and minimum radius of six laws. The source leaves the coefficient A of the
 /// two degree-7 laws open; the cosine and the cubic peak on every grid.
-Table inertia_table(std::size_t* calls) {
-  Table table;
+PrintedTable inertia_table(std::size_t* calls) {
+  PrintedTable table;
   table.name = "table 2";
   table.printed = {{5.34, 2},  {4.33, 2},  {3.75, 2},  {4.56, 2},  {3.54, 2},  {3.63, 2},
                    {46.86, 2}, {37.21, 2}, {34.55, 2}, {33.08, 2}, {35.56, 2}, {37.21, 2}};
@@ -311,9 +311,10 @@ TEST_CASE("the forces are explained by another depth, a 20-step grid and two ope
 // -------------------------------------------------------------------------------
 
 /// Each row's value by the choice of the only hypothesis that it depends on.
-Table lookup_table(std::vector<PrintedNumber> printed, std::vector<std::vector<double>> values,
-                   std::vector<std::size_t> depends, std::size_t hypotheses) {
-  Table table;
+PrintedTable lookup_table(std::vector<PrintedNumber> printed,
+                          std::vector<std::vector<double>> values, std::vector<std::size_t> depends,
+                          std::size_t hypotheses) {
+  PrintedTable table;
   table.name = "lookup";
   table.printed = std::move(printed);
   for (std::size_t h = 0; h < hypotheses; ++h) {
@@ -347,7 +348,7 @@ TEST_CASE("a hypothesis is preferred to a misprint of the same row") {
 }
 
 TEST_CASE("one misprint is preferred to two hypotheses") {
-  Table table = lookup_table({{58.97, 2}}, {{59.97, 1.0}}, {0}, 2);
+  PrintedTable table = lookup_table({{58.97, 2}}, {{59.97, 1.0}}, {0}, 2);
   table.hypotheses[1] = hypothesis("h1", 1);
   table.depends = {{0, 1}};
   table.model = [](std::size_t, std::span<const int> c) {
@@ -377,7 +378,8 @@ TEST_CASE("a misprint can rest on a departure") {
 
 TEST_CASE(
     "an unstated input is settled only if that explains a row, and is never asked as stated") {
-  Table table = lookup_table({{6.5, 1}, {7.5, 1}}, {{kNan, 6.1, 6.5}, {kNan, 1.0, 2.0}}, {0, 1}, 2);
+  PrintedTable table =
+      lookup_table({{6.5, 1}, {7.5, 1}}, {{kNan, 6.1, 6.5}, {kNan, 1.0, 2.0}}, {0, 1}, 2);
   table.hypotheses[0].unstated = table.hypotheses[1].unstated = true;
   table.allow_misprints = false;
   const auto model = table.model;
@@ -414,7 +416,7 @@ TEST_CASE("no more ties are listed than announced") {
 }
 
 TEST_CASE("of many ties the most plausible are listed, whatever the order of the search") {
-  Table table;
+  PrintedTable table;
   table.name = "ties";
   table.hypotheses = {hypothesis("a", 20, true), hypothesis("b", 20, true)};
   table.printed = {{14.0, 0}, {15.0, 0}};
@@ -457,7 +459,7 @@ TEST_CASE("a departure that breaks as many rows as it explains is not made") {
 TEST_CASE("the model is called once for each sub-choice, with the other entries at zero") {
   std::mt19937 random(5);
   for (int trial = 0; trial < 50; ++trial) {
-    Table table = random_table(random, 3, 0.1);
+    PrintedTable table = random_table(random, 3, 0.1);
     std::set<std::pair<std::size_t, Assignment>> seen;
     std::size_t calls = 0;
     const auto model = table.model;
@@ -474,7 +476,7 @@ TEST_CASE("the model is called once for each sub-choice, with the other entries 
 }
 
 TEST_CASE("a table without rows or hypotheses is reproduced trivially") {
-  Table table;
+  PrintedTable table;
   table.model = [](std::size_t, std::span<const int>) { return 1.0; };
   CHECK(reproduce(table).rows.empty());
   table.printed = {{1.0, 0}};
@@ -483,9 +485,9 @@ TEST_CASE("a table without rows or hypotheses is reproduced trivially") {
 }
 
 TEST_CASE("bad tables are refused with the table's name and the fault") {
-  const Table good = lookup_table({{1.5, 1}}, {{1.5, 2.0}}, {0}, 1);
+  const PrintedTable good = lookup_table({{1.5, 1}}, {{1.5, 2.0}}, {0}, 1);
   const auto complaint = [&](auto spoil) {
-    Table table = good;
+    PrintedTable table = good;
     spoil(table);
     try {
       reproduce(table);
@@ -494,22 +496,22 @@ TEST_CASE("bad tables are refused with the table's name and the fault") {
     }
     return std::string("accepted");
   };
-  CHECK(complaint([](Table&) {}) == "accepted");
-  CHECK(complaint([](Table& t) { t.model = nullptr; }) == "table 'lookup': no model");
-  CHECK(complaint([](Table& t) { t.depends.emplace_back(); }) ==
+  CHECK(complaint([](PrintedTable&) {}) == "accepted");
+  CHECK(complaint([](PrintedTable& t) { t.model = nullptr; }) == "table 'lookup': no model");
+  CHECK(complaint([](PrintedTable& t) { t.depends.emplace_back(); }) ==
         "table 'lookup': 1 printed values, but depends has 2 rows");
-  CHECK(complaint([](Table& t) { t.depends[0] = {3}; }) ==
+  CHECK(complaint([](PrintedTable& t) { t.depends[0] = {3}; }) ==
         "table 'lookup': row 0 depends on hypothesis 3; there are 1");
-  CHECK(complaint([](Table& t) {
+  CHECK(complaint([](PrintedTable& t) {
           t.depends[0] = {0, 0};
         }) == "table 'lookup': row 0 depends twice on 'h0'");
-  CHECK(complaint([](Table& t) { t.printed[0].decimals = -1; }) ==
+  CHECK(complaint([](PrintedTable& t) { t.printed[0].decimals = -1; }) ==
         "table 'lookup': row 0 has -1 decimals; use 0 to 15");
-  CHECK(complaint([](Table& t) { t.printed[0].value = kNan; }) ==
+  CHECK(complaint([](PrintedTable& t) { t.printed[0].value = kNan; }) ==
         "table 'lookup': row 0 prints nan, which is not finite");
-  CHECK(complaint([](Table& t) { t.hypotheses.resize(65); }) ==
+  CHECK(complaint([](PrintedTable& t) { t.hypotheses.resize(65); }) ==
         "table 'lookup': 65 hypotheses; at most 64");
-  CHECK(complaint([](Table& t) {
+  CHECK(complaint([](PrintedTable& t) {
           t.hypotheses.assign(4, hypothesis("wide", 99));
           t.depends[0] = {0, 1, 2, 3};
         }) == "table 'lookup': row 0 depends on more than 8388608 combinations");

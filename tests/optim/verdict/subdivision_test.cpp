@@ -119,6 +119,13 @@ TEST_CASE("the six-hump camel's valleys are equal, and no design is better", "[s
   CHECK(a.objective.value == Approx(-1.0316284535).epsilon(1e-9));
   REQUIRE(a.global);
   CHECK(a.global->find("no design below -1.03162") == 0);
+  CHECK(a.global->find("more than the tolerance") == std::string::npos);
+  // A bound says no more than to a millionth, whatever the objective's tolerance.
+  problem.objectives[0].tolerance = 1e-12;
+  const Assessment strict = optimise(problem, options).found.assessment;
+  REQUIRE(strict.global);
+  CHECK(std::abs(strict.objective.value - *strict.best_possible) > 1e-12);
+  CHECK(strict.global->find("more than the tolerance of 1e-12") != std::string::npos);
 }
 
 TEST_CASE("where ranges are not known nothing is called global", "[subdivision]") {
