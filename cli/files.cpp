@@ -219,8 +219,11 @@ void say_written(const std::vector<OutputFile>& files) {
 }
 
 void check_out(const std::vector<fs::path>& possible, const std::vector<fs::path>& left) {
-  check_writable(possible);
-  OwnOutputs(possible.front().parent_path()).check(possible, left);
+  const fs::path folder = possible.front().parent_path();
+  std::vector<fs::path> written = possible;
+  written.push_back(OwnOutputs::record_of(folder));
+  check_writable(written);
+  OwnOutputs(folder).check(possible, left);
 }
 
 void write_out(const std::vector<fs::path>& possible, const std::vector<OutputFile>& files,

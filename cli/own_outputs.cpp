@@ -70,7 +70,9 @@ bool has_content(const fs::path& file, std::uint64_t bytes, const std::string& s
 
 }  // namespace
 
-OwnOutputs::OwnOutputs(const fs::path& folder) : folder_(folder), record_(folder / kRecordName) {
+fs::path OwnOutputs::record_of(const fs::path& folder) { return folder / kRecordName; }
+
+OwnOutputs::OwnOutputs(const fs::path& folder) : folder_(folder), record_(record_of(folder)) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(record_, ignored)) || fs::is_empty(record_, ignored)) return;
   const auto record = sealed_object(record_);

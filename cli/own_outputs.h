@@ -17,6 +17,8 @@ namespace camlaw::cli {
 /// The record of one folder, as it stands on the disk.
 class OwnOutputs {
  public:
+  /// Where the record of a folder is.
+  static std::filesystem::path record_of(const std::filesystem::path& folder);
   /// Reads the record; a folder without one has no file of camlaw.
   explicit OwnOutputs(const std::filesystem::path& folder);
 
@@ -44,7 +46,7 @@ class OwnOutputs {
 
   std::filesystem::path folder_, record_;
   std::map<std::string, Written> files_;  ///< by their names in the folder
-  bool is_foreign_ = false;                  ///< what stands in the record's place is no record
+  bool is_foreign_ = false;               ///< what stands in the record's place is no record
 };
 
 }  // namespace camlaw::cli

@@ -212,6 +212,17 @@ std::string show(const SearchCommand& command, const Answer& answer,
   return text;
 }
 
+/// check_out, with the files of a law that no law of this problem would write as left over.
+void check_to_be_written(const std::vector<std::filesystem::path>& possible,
+                         const problems::ProblemStatement& statement) {
+  const bool has_law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
+  std::vector<std::filesystem::path> written, left;
+  for (const std::filesystem::path& file : possible) {
+    (has_law || file.stem() != "law" ? written : left).push_back(file);
+  }
+  check_out(written, left);
+}
+
 /// The files that --out may make, the result first, once they are known to be writable.
 std::vector<std::filesystem::path> checked_outputs(const SearchOptions& options,
                                                    const SearchCommand& command,
@@ -224,7 +235,7 @@ std::vector<std::filesystem::path> checked_outputs(const SearchOptions& options,
   if (options.out) {
     check_writable(possible);
     keep_other_results(possible, statement);
-    check_out(possible);
+    check_to_be_written(possible, statement);
   }
   return possible;
 }

@@ -104,9 +104,10 @@ std::string unfinished_text(problems::Resuming resuming) {
   return "the search was stopped before the front was finished; nothing of it was recorded\n";
 }
 
-/// Why the values at the start make no machine, where searches failed and found no design.
+/// Why the values at the start make no machine, where searches found no design.
 std::string why_no_start(const FrontAnswer& answer) {
-  if (!answer.front.points.empty() || answer.front.failures.empty()) return {};
+  const bool has_failed = !answer.front.failures.empty() || !answer.front.stopped;
+  if (!answer.front.points.empty() || !has_failed) return {};
   return problems::why_impossible(answer.study.bound().statement());
 }
 

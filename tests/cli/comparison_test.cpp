@@ -129,6 +129,15 @@ TEST_CASE("a comparison without a name is written beside the first result", "[cl
   std::ofstream(folder / "b.toml") << read(kFlat);
   done({"report", folder / "a.toml", folder / "b.toml"});
   CHECK(folder.content() == std::set<std::string>{"a.toml", "b.toml", "comparison.html"});
+  // Such a page is replaced as camlaw wrote it; under a name that was asked for, whatever it is.
+  done({"report", folder / "a.toml", folder / "b.toml"});
+  const std::string page = folder / "comparison.html", edited = read(page) + "<!-- mine -->\n";
+  testing::write(page, edited);
+  CHECK_THAT(failed({"report", folder / "a.toml", folder / "b.toml"}, 2),
+             Contains("is no page of camlaw, or was changed since"));
+  CHECK(read(page) == edited);
+  done({"report", folder / "a.toml", folder / "b.toml", "-o", page});
+  CHECK(read(page) != edited);
 }
 
 TEST_CASE("the best of a row is marked only where one is better", "[cli][report]") {

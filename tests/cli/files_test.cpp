@@ -276,4 +276,52 @@ TEST_CASE("files of an earlier run are removed, nothing else", "[files]") {
   CHECK(folder.content() == Names{"dir"});
 }
 
+TEST_CASE("a folder's outputs are replaced as camlaw left them, and not otherwise", "[files]") {
+  const Folder folder;
+  const fs::path a = folder / "out/a.csv", b = folder / "out/b.svg", c = folder / "out/c.json";
+  write_out({a, b}, {{a, "first"}, {b, "picture"}}, false);
+  write_out({a, b}, {{a, "second"}}, false);
+  CHECK(read(a) == "second");
+  CHECK(folder.content() == Names{"out", "out/.camlaw.json", "out/a.csv"});  // b was removed
+  // What nobody wrote here stays, whether it would be replaced or left over.
+  write(b, "mine");
+  CHECK_THROWS_WITH(check_out({a, b}), Contains("out/b.svg' was not written there by camlaw") &&
+                                           Contains("choose another folder for --out") &&
+                                           !Contains("a.csv"));
+  CHECK_THROWS_AS(write_out({a, b}, {{a, "third"}, {b, "picture"}}, false), RefusedOutput);
+  CHECK(read(a) == "second");
+  CHECK_NOTHROW(check_out({a}, {b}));
+  write_out({a, b}, {{a, "third"}}, false);
+  CHECK(read(b) == "mine");
+  // What was changed since is named too, and neither replaced nor removed.
+  write_out({a, c}, {{a, "fourth"}, {c, "{}"}}, false);
+  write(c, "{\"mine\": 1}");
+  CHECK_THROWS_WITH(check_out({a, c}), Contains("out/c.json' was changed since camlaw wrote it"));
+  CHECK_THROWS_WITH(check_out({a}, {c}), Contains("c.json' was changed"));
+  CHECK_THROWS_AS(write_out({a, c}, {{a, "fifth"}}, false), RefusedOutput);
+  CHECK(read(a) == "fourth");
+  CHECK(read(c) == "{\"mine\": 1}");
+  // An empty file is nobody's work, and one as long as ours is not ours.
+  write(c, "");
+  CHECK_NOTHROW(check_out({a, c}));
+  write(a, "Fourth");
+  CHECK_THROWS_AS(check_out({a}), RefusedOutput);
+}
+
+TEST_CASE("a record of outputs that is damaged, or none, gives nothing away", "[files]") {
+  const Folder folder;
+  const fs::path a = folder / "out/a.csv", record = folder / "out/.camlaw.json";
+  write_out({a}, {{a, "first"}}, false);
+  std::string text = read(record);
+  text.replace(text.find("a.csv"), 5, "b.csv");
+  for (const std::string& bad : {text, std::string("[1]"), std::string("notes"), "{" + text}) {
+    write(record, bad);
+    CHECK_THROWS_WITH(check_out({a}), Contains("is not the list of outputs that camlaw keeps"));
+    CHECK_THROWS_AS(write_out({a}, {{a, "second"}}, false), RefusedOutput);
+    CHECK(read(record) == bad);
+  }
+  fs::remove(record);
+  CHECK_THROWS_WITH(check_out({a}), Contains("a.csv' was not written there by camlaw"));
+}
+
 }  // namespace camlaw::cli::files_test

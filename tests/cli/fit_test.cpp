@@ -54,8 +54,8 @@ TEST_CASE("fit names the law behind samples, and writes its file", "[program]") 
   }
   const std::string text = done({"fit", data, "--out", folder / "out"});
   CHECK_THAT(text, Contains("poly-3-4-5") && Contains("probability") && Contains("wrote"));
-  CHECK(folder.content() ==
-        std::set<std::string>{"rise.csv", "out", "out/fit.json", "out/fit.svg", "out/law.json"});
+  CHECK(folder.content() == std::set<std::string>{"rise.csv", "out", "out/.camlaw.json",
+                                                  "out/fit.json", "out/fit.svg", "out/law.json"});
   CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));
 }
 
@@ -216,8 +216,9 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
       "--out", folder / "out"};
   const std::string text = done(words);
   CHECK_THAT(text, Contains("as where it is worn") && Contains("lie off the profile"));
-  CHECK(folder.content() == std::set<std::string>{"out", "out/fit.json", "out/fit.svg",
-                                                  "out/law.json", "out/program.toml"});
+  CHECK(folder.content() == std::set<std::string>{"out", "out/.camlaw.json", "out/fit.json",
+                                                  "out/fit.svg", "out/law.json",
+                                                  "out/program.toml"});
   check_svg(folder / "out/fit.svg");
   const ParsedJson found = ParsedJson::parse(read(folder / "out/fit.json"));
   CHECK(found["format"] == "camlaw fit 1");
@@ -230,6 +231,37 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
   CHECK(again["constants"]["stroke"]["value"].get<double>() == Approx(30).margin(0.01));
   CHECK(again["constants"]["base_radius"]["value"].get<double>() == Approx(60).margin(0.01));
   CHECK_THAT(failed({"fit", data}, 2), Contains("--mechanism") && Contains("disc-cam-roller"));
+  // Once the user has edited the program, no other fit removes it.
+  const std::string edited = read(folder / "out/program.toml") + "# my edits\n";
+  testing::write(folder / "out/program.toml", edited);
+  CHECK_THAT(failed({"fit", written(folder, "rise.csv", rise()), "--out", folder / "out"}, 2),
+             Contains("out/program.toml' was changed since camlaw wrote it"));
+  CHECK(read(folder / "out/program.toml") == edited);
+}
+
+TEST_CASE("fit replaces its own files, and none that somebody changed or made", "[program]") {
+  const Folder folder;
+  const std::string data = written(folder, "rise.csv", rise());
+  const Words words{"fit", data, "--law", "poly-3-4-5", "--out", folder / "out", "-q"};
+  done(words);
+  done(words);
+  const std::string law = read(folder / "out/law.json"), fit = read(folder / "out/fit.json");
+  testing::write(folder / "out/law.json", law + "\n");
+  const std::string why = failed(words, 2);
+  CHECK_THAT(why, Contains("out/law.json' was changed since camlaw wrote it") &&
+                      Contains("choose another folder for --out, or move it away"));
+  CHECK_THAT(why, !Contains("rise.csv: "));
+  CHECK(read(folder / "out/law.json") == law + "\n");
+  CHECK(read(folder / "out/fit.json") == fit);
+  for (const char* name : {"fit.json", "fit.svg", "law.json"}) {
+    const std::string own = folder / (std::string("of_") + name);
+    fs::create_directory(own);
+    testing::write(own + "/" + name, "mine");
+    CHECK_THAT(failed({"fit", data, "--law", "poly-3-4-5", "--out", own}, 2),
+               Contains(name) && Contains("was not written there by camlaw"));
+    CHECK(read(own + "/" + name) == "mine");
+    CHECK(std::distance(fs::directory_iterator(own), {}) == 1);
+  }
 }
 
 TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
@@ -248,7 +280,8 @@ TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
     CHECK(deviation < 0.02 * value);
   }
   done({"fit", base + ".csv", "--mechanism", base + ".toml", "--out", folder / "out"});
-  CHECK(folder.content() == std::set<std::string>{"out", "out/fit.json", "out/fit.svg"});
+  CHECK(folder.content() ==
+        std::set<std::string>{"out", "out/.camlaw.json", "out/fit.json", "out/fit.svg"});
   check_svg(folder / "out/fit.svg");
   for (const auto& [words, says] : std::vector<std::pair<Words, std::string>>{
            {{"--mechanism", base + ".toml", "--response", "drive_power"}, "'drive_power'"},

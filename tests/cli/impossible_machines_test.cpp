@@ -49,12 +49,55 @@ TEST_CASE("a search that ends at values that make no machine names the condition
   const std::string one =
       file_of(folder, cam + kProgram + "[objective]\nminimize = 'peak_torque'\n");
   CHECK_THAT(failed({"evaluate", one}, 2), Contains(": " + why + "\n"));
-  CHECK_THAT(answer({"optimize", one, "--json"})["reason"].get<std::string>(),
-             Contains("undefined at the start (peak_torque): " + why));
+  // No base radius up to 150 mm makes a machine of this offset.
+  const ParsedJson none = answer({"optimize", one, "--json", "--out", folder / "out"});
+  CHECK(none["verdict"] == "infeasible");
+  CHECK(none["global"] == "no values within the bounds of the variables make a possible machine");
+  CHECK_THAT(none["reason"].get<std::string>(),
+             Contains("no values within the bounds of the variables make a possible machine; ") &&
+                 Contains("undefined at the start (peak_torque): " + why));
+  CHECK(run({"optimize", one}).status == 3);
+  CHECK(run({"verify", folder / "out/result.json"}).status == 0);
   const std::string two = file_of(folder, cam + kProgram +
                                               "[[objectives]]\nminimize = 'peak_torque'\n"
                                               "[[objectives]]\nminimize = 'outer_radius'\n");
   CHECK(answer({"pareto", two, "--points", "3", "--json"})["why_impossible"] == why);
+}
+
+TEST_CASE("where no machine of the box is possible the answer is infeasible", "[program]") {
+  const Folder folder;
+  const auto verdict = [&](const std::string& base, const std::string& roller) {
+    const std::string path =
+        file_of(folder,
+                "mechanism = 'disc-cam-oscillating-roller'\n[constants]\nswing = 16\n"
+                "arm_length = 68\npivot_distance = 149\nbase_radius = " +
+                    base + "\n[variables.roller_radius]\nlower = 4\nupper = " + roller +
+                    "\n[variables.speed]\nlower = 50\nupper = 700\n[objective]\nminimize = "
+                    "'peak_torque'\n" +
+                    kProgram);
+    return ParsedJson::parse(run({"optimize", path, "--json"}).out);
+  };
+  // There is a machine where base_radius + roller_radius is above 149 - 68 = 81 mm.
+  const ParsedJson none = verdict("56", "20");
+  CHECK(none["verdict"] == "infeasible");
+  CHECK_THAT(none["reason"].get<std::string>(),
+             Contains("base_radius + roller_radius must be above the difference of arm_length and "
+                      "pivot_distance"));
+  CHECK(verdict("66", "20")["verdict"] != "infeasible");
+}
+
+TEST_CASE("constants that make no machine whatever varies are infeasible", "[program]") {
+  const Folder folder;
+  const std::string path = file_of(
+      folder,
+      std::string("mechanism = 'servo-axis'\n[constants]\ncorner_speed = 7000\n"
+                  "[variables.load_inertia]\nlower = 0.01\nupper = 0.02\n[objective]\nminimize = "
+                  "'peak_torque'\n") +
+          kProgram);
+  const ParsedJson answer = ParsedJson::parse(run({"optimize", path, "--json"}).out);
+  CHECK(answer["verdict"] == "infeasible");
+  CHECK_THAT(answer["reason"].get<std::string>(),
+             Contains("corner_speed must be below maximum_speed"));
 }
 
 TEST_CASE("a search that ends next to impossible machines names their condition", "[program]") {

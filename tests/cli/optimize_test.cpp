@@ -189,8 +189,8 @@ TEST_CASE("files of an earlier answer do not stay beside a new one", "[program]"
   const Outcome outcome = run({"optimize", path, "--solver", "lbfgs", "--out", folder / "out"});
   CHECK(outcome.status == 4);
   CHECK_THAT(outcome.out, Contains("removed " + (folder / "out/cycle.svg")));
-  CHECK(folder.content() ==
-        std::set<std::string>{"out", "out/notes.txt", "out/result.json", "problem.toml"});
+  CHECK(folder.content() == std::set<std::string>{"out", "out/.camlaw.json", "out/notes.txt",
+                                                  "out/result.json", "problem.toml"});
 }
 
 TEST_CASE("optimize's settings are read as the file's are", "[program]") {
@@ -513,8 +513,48 @@ TEST_CASE("of a limit that no variable changes it is said what would change it",
   CHECK(outcome.status == 3);
   CHECK_THAT(
       outcome.out,
-      Contains("follower_force depends on stroke, speed, mass, spring_rate, spring_preload and "
-               "the motion: let one of them vary, as [variables.spring_preload]"));
+      Contains("follower_force depends on stroke, speed, mass, spring_rate, spring_preload, load "
+               "and the motion where it is worst: let one of them vary, as "
+               "[variables.spring_preload]"));
+}
+
+TEST_CASE("what would change a limit at rest is what the response has a slope by there",
+          "[program]") {
+  // At rest and at the lowest place the force is F_0 + F_L, whatever the speed.
+  const Folder folder;
+  const std::string file =
+      written(folder,
+              "mechanism = 'disc-cam-roller'\n[constants]\nstroke = 20\nroller_radius = 10\n"
+              "speed = 300\n[program]\nsegments = [{angle = 110, law = 'modified-sine'}, "
+              "{angle = 50}, {angle = 120, law = 'cycloidal'}, {}]\n[variables.base_radius]\n"
+              "lower = 10\nupper = 120\n[objective]\nminimize = 'base_radius'\n"
+              "[[constraints]]\nresponse = 'follower_force'\nlower = 60\n");
+  const Outcome outcome = run({"optimize", file});
+  CHECK(outcome.status == 3);
+  CHECK_THAT(outcome.out,
+             Contains("follower_force depends on spring_preload and load where it is worst: let "
+                      "one of them vary, as [variables.spring_preload]"));
+}
+
+TEST_CASE("a search replaces no figure that somebody made or changed", "[program]") {
+  const Folder folder;
+  const std::string problem = testing::source("problems/cams/roller_least_base.toml");
+  const Words words{"optimize", problem, "--out", folder / "out"};
+  fs::create_directory(folder / "out");
+  for (const char* name : {"law.csv", "law.svg", "cycle.svg"}) {
+    testing::write(folder / (std::string("out/") + name), "mine");
+    CHECK_THAT(failed(words, 2), Contains(name) && Contains("was not written there by camlaw"));
+    CHECK(read(folder / (std::string("out/") + name)) == "mine");
+    fs::remove(folder / (std::string("out/") + name));
+  }
+  done(words);
+  done(words);
+  testing::write(folder / "out/law.csv", read(folder / "out/law.csv") + "# mine\n");
+  CHECK_THAT(failed(words, 2), Contains("out/law.csv' was changed since camlaw wrote it"));
+  // A result is known by its own checksum, wherever it came from.
+  fs::create_directory(folder / "copy");
+  fs::copy(folder / "out/result.json", folder / "copy/result.json");
+  done({"optimize", problem, "--out", folder / "copy"});
 }
 
 TEST_CASE("a fit that was taken at another size is named with its deviations", "[program]") {

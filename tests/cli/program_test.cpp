@@ -203,9 +203,10 @@ TEST_CASE("the study writes its files, and they agree", "[program][heavy]") {
   as_json.push_back("--json");
   const std::string text = done(with_files);
   CHECK(folder.content() ==
-        std::set<std::string>{"deep", "deep/results", "deep/results/fronts.csv",
-                              "deep/results/study.csv", "deep/results/study.json",
-                              "deep/results/trade_off.svg", "deep/results/motion.svg"});
+        std::set<std::string>{"deep", "deep/results", "deep/results/.camlaw.json",
+                              "deep/results/fronts.csv", "deep/results/study.csv",
+                              "deep/results/study.json", "deep/results/trade_off.svg",
+                              "deep/results/motion.svg"});
   for (const char* name :
        {"fronts.csv", "study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
     CHECK_THAT(text, Contains(folder / (std::string("deep/results/") + name)));

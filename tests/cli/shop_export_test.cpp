@@ -249,6 +249,13 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
   };
   CHECK_THAT(refused({}), Contains("--curve profile"));
   CHECK_THAT(refused({"--lead", "12 mm", "--curve", "pitch"}), Contains("--curve profile"));
+  // The tool's centre, 10 mm beside, has no arc inside a lead of 10 mm; the file says what has one.
+  for (const char* lead : {"5 mm", "10 mm"}) {
+    CHECK_THAT(refused({"--lead", lead, "--curve", "profile", "--set", "cutter_radius=10 mm"}),
+               Contains("is not larger than the tool's radius, cutter_radius = 10 mm"));
+  }
+  CHECK_THAT(text,
+             Contains("compensate for the tool, whose radius must be below the lead's 12 mm"));
   // A path that is beside the profile already is not to be compensated again.
   CHECK_THAT(refused({"--lead", "12 mm", "--curve", "profile", "--tool", "10 mm"}),
              Contains("without --tool"));
