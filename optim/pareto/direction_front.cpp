@@ -178,8 +178,11 @@ class DirectionFront final : public PartFront {
   /// The least of another cost where one is at its own, which is eased so that there is room.
   Task beside(std::size_t end, std::size_t sought) {
     Task task = as_good_as(*alone_[end], part_, sought);
-    for (std::size_t i = 0; i < objectives_; ++i)
-      task.bounds[i] += ease(task.bounds[i], scale_[i], sizes_[i]);
+    // Sizes: only a range that another end makes greater than the ends of most fronts is none.
+    constexpr double kMost = 10;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      task.bounds[i] += ease(task.bounds[i], scale_[i], kMost * sizes_[i]);
+    }
     task.starts = {alone_[end]->x};
     beside_[task.bounds] = end;
     return task;

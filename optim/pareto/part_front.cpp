@@ -22,8 +22,7 @@ int rank(const FrontPoint& point) {
 bool lie_together(const Costs& a, const Costs& b, const FrontSoFar& front) {
   constexpr double kTogether = 1e-7;  // of the range: as near as an optimum is known (SC3)
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const double same =
-        std::max(kTogether * measure_of(front.range[i], front.sizes[i]), front.tolerances[i]);
+    const double same = std::max(kTogether * front.range[i], front.tolerances[i]);
     if (std::abs(a[i] - b[i]) > same) return false;
   }
   return true;
