@@ -52,15 +52,16 @@ ChosenPoints chosen(const FrontCommand& options, const FrontAnswer& answer) {
   ChosenPoints result;
   const auto all = answer.costs();
   if (options.knee) {
-    const auto knee = optim::knee(all, answer.front.tolerances);
+    const auto knee = optim::knee(all, answer.front.tolerances, answer.front.sizes);
     if (!knee)
       throw std::invalid_argument(
           "--knee: this front has no knee; no point lies below the line through its ends");
     result.emplace_back("knee", knee->point);
   }
   if (options.weights) {
-    result.emplace_back("compromise", optim::compromise(all, parse_weights(*options.weights),
-                                                        answer.front.tolerances));
+    result.emplace_back("compromise",
+                        optim::compromise(all, parse_weights(*options.weights),
+                                          answer.front.tolerances, answer.front.sizes));
   }
   if (options.point) {
     const auto number = problems::parse_integer(*options.point, 1,

@@ -21,9 +21,14 @@ struct Between {
   const FrontPoint *left, *right;
   Costs corner;
 
-  double width(std::size_t objective) const {
-    const FrontPoint& far = objective == 0 ? *right : *left;
-    return far.costs[objective] - corner[objective];
+  double far(std::size_t objective) const {
+    return (objective == 0 ? *right : *left).costs[objective];
+  }
+  double width(std::size_t objective) const { return far(objective) - corner[objective]; }
+  /// As the front counts differences.
+  double width(std::size_t objective, const FrontSoFar& front) const {
+    const CostScale& scale = front.scales[objective];
+    return scale.place(far(objective)) - scale.place(corner[objective]);
   }
 };
 
@@ -66,7 +71,7 @@ class BoxFront final : public PartFront {
     std::vector<OpenPlace> places;
     for (const Between& between : rooms_between()) {
       if (front.covers(between.corner)) continue;
-      const double w = between.width(0) / front.range[0], h = between.width(1) / front.range[1];
+      const double w = between.width(0, front), h = between.width(1, front);
       constexpr double kClosed = 1e-5;  // of the ranges: ten times what a search is eased by (ease)
       if (!(std::hypot(w, h) > kClosed)) continue;
       // Of equal costs the better end has the rest.
@@ -79,18 +84,19 @@ class BoxFront final : public PartFront {
         places.push_back({std::hypot(w, h), std::move(task), true});
         continue;
       }
-      places.push_back({std::hypot(w, h), split(between, w >= h ? 0 : 1)});
+      places.push_back({std::hypot(w, h), split(between, w >= h ? 0 : 1, front)});
     }
     return places;
   }
 
   std::optional<Task> task_for(const FrontPoint& scouted, const FrontSoFar& front) const override {
+    if (front.points.empty()) return {};
     const bool missed = std::any_of(facts_.begin(), facts_.end(), [&](const Fact& fact) {
       return contradicts(scouted, fact) &&
-             scouted.costs[fact.sought] < fact.value - kNoticed * front.range[fact.sought];
+             is_noticed(scouted.costs[fact.sought], fact.value, front.scales[fact.sought]);
     });
     for (std::size_t i = 0; i < 2; ++i) {
-      if (scouted.costs[i] < least_[i] - kNoticed * front.range[i]) {
+      if (is_noticed(scouted.costs[i], least_[i], front.scales[i])) {
         Task task;
         task.part = part_;
         task.sought = i;
@@ -112,12 +118,16 @@ class BoxFront final : public PartFront {
   }
 
  private:
-  static constexpr double kNoticed = 1e-3;  ///< of the range: what a scout must be better by
+  /// Whether a cost of a scout is less than another by enough to look.
+  static bool is_noticed(double scouted, double known, const CostScale& scale) {
+    constexpr double kNoticed = 1e-3;  // of the range
+    return scouted < known && scale.place(known) - scale.place(scouted) > kNoticed;
+  }
 
   double slack(std::size_t objective) const {
     const double here = alone_[objective]->costs[objective];
     const double range = std::abs(alone_[1 - objective]->costs[objective] - here);
-    return ease(here, std::isfinite(range) ? range : 0);
+    return ease(here, std::isfinite(range) ? range : sizes_[objective], sizes_[objective]);
   }
 
   Task bounded(std::size_t sought, double bound) const {
@@ -130,8 +140,8 @@ class BoxFront final : public PartFront {
   }
 
   /// Halves the room between two neighbours along one cost.
-  Task split(const Between& between, std::size_t along) const {
-    const double middle = between.corner[along] + between.width(along) / 2;
+  Task split(const Between& between, std::size_t along, const FrontSoFar& front) const {
+    const double middle = front.scales[along].middle(between.corner[along], between.far(along));
     Task task = bounded(1 - along, middle);
     const FrontPoint& inside = along == 0 ? *between.left : *between.right;
     task.starts = {halfway(between.left->x, between.right->x), inside.x};
@@ -167,15 +177,17 @@ class BoxFront final : public PartFront {
 
   /// A point of another combination that this one may beat, as far as it has been looked at.
   const FrontPoint* find_rival(const Between& between, const FrontSoFar& front) const {
-    constexpr double kSame = 1e-6;  // of the range: what a search is eased by (ease)
+    const auto same = [&](const FrontPoint& p, std::size_t i) {  // what a search is eased by
+      return ease(p.costs[i], front.range[i], front.sizes[i]);
+    };
     const auto is_rival = [&](const FrontPoint& p) {
       if (p.part == part_) return false;
       for (std::size_t i = 0; i < 2; ++i) {
         const double room = p.costs[i] - between.corner[i];
-        if (!(room > kSame * front.range[i]) || !(room < between.width(i))) return false;
+        if (!(room > same(p, i)) || !(room < between.width(i))) return false;
       }
       return std::none_of(facts_.begin(), facts_.end(), [&](const Fact& fact) {
-        return fact.sought == 1 && std::abs(fact.bound - p.costs[0]) <= kSame * front.range[0];
+        return fact.sought == 1 && std::abs(fact.bound - p.costs[0]) <= same(p, 0);
       });
     };
     const auto at = std::find_if(front.points.begin(), front.points.end(), is_rival);

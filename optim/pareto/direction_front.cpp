@@ -18,7 +18,7 @@ struct AskedPlace {
   Costs place, range;  ///< costs there, and what they were measured by
 };
 /// What came of it. `place` is in costs until empty_looks() makes it one by the ranges.
-struct Look {
+struct HoleLook {
   Costs place;
   double size = 0;
   bool is_beyond = false, failed = false, is_new = false, reached = false;
@@ -27,15 +27,15 @@ struct Look {
 
 /// What is known, in places by the ranges of the front.
 struct KnownPlaces {
-  std::vector<Look> empty;    ///< searches that tell where nothing is
-  std::vector<Costs> looked;  ///< places that were searched from
-  std::vector<Costs> points;  ///< of the front
+  std::vector<HoleLook> empty;  ///< searches that tell where nothing is
+  std::vector<Costs> looked;    ///< places that were searched from
+  std::vector<Costs> points;    ///< of the front
 };
 
 /// Where was searched.
-std::vector<Costs> places_of(const std::vector<Look>& looks, const FrontSoFar& front) {
+std::vector<Costs> places_of(const std::vector<HoleLook>& looks, const FrontSoFar& front) {
   std::vector<Costs> result;
-  for (const Look& look : looks) result.push_back(front.place(look.place));
+  for (const HoleLook& look : looks) result.push_back(front.place(look.place));
   return result;
 }
 
@@ -73,11 +73,11 @@ double cosine_aside(const Costs& a, const Costs& b, const Costs& c, const Costs&
 }
 
 /// Whether a search beyond the point, or one that led to it, has found nothing in the direction.
-bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& point) {
+bool is_closed(const Hole& hole, const std::vector<HoleLook>& looks, const Costs& point) {
   // A point nearby stands for the one that was searched from, and a direction within 60 degrees
   // leads to the same empty region.
   constexpr double kSame = 0.3, kCosine = 0.5;
-  return std::any_of(looks.begin(), looks.end(), [&](const Look& look) {
+  return std::any_of(looks.begin(), looks.end(), [&](const HoleLook& look) {
     if (!look.is_beyond) return false;
     for (const Costs* at : {&look.from, &look.result}) {
       if (at->empty() || distance(*at, point) > kSame * hole.size) continue;
@@ -89,10 +89,10 @@ bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& po
 
 /// Searches that tell where nothing is, by the ranges of the front: those that did not reach
 /// their place, and those whose point something dominates.
-std::vector<Look> empty_looks(const std::vector<Look>& looks, const FrontSoFar& front) {
-  std::vector<Look> result;
+std::vector<HoleLook> empty_looks(const std::vector<HoleLook>& looks, const FrontSoFar& front) {
+  std::vector<HoleLook> result;
   const std::vector<Costs> all = front.places();
-  for (Look look : looks) {
+  for (HoleLook look : looks) {
     look.place = front.place(look.place);
     const bool is_there = look.reached && std::any_of(all.begin(), all.end(), [&](const auto& p) {
                             return distance_aside(p, look.place) <= look.size / 2;
@@ -107,16 +107,16 @@ std::vector<Look> empty_looks(const std::vector<Look>& looks, const FrontSoFar& 
 
 /// What a search has told, beside the points that are known: it has reached the place if it came to
 /// a point that is new, not far aside from where it was sent.
-Look looked(const AskedPlace& asked, const Outcome& outcome,
-            const std::vector<FrontPoint>& points) {
+HoleLook looked(const AskedPlace& asked, const Outcome& outcome,
+                const std::vector<FrontPoint>& points) {
   // In units of the hole's size, which is its distance from the nearest point: farther aside a
   // point lies in another hole, and a point nearer than that to a known one fills no hole.
   constexpr double kReached = 0.5, kNew = 0.45;
-  Look look{.place = asked.place,
-            .size = asked.size,
-            .is_beyond = asked.is_beyond,
-            .failed = outcome.points.empty() && !outcome.infeasible,
-            .from = asked.from};
+  HoleLook look{.place = asked.place,
+                .size = asked.size,
+                .is_beyond = asked.is_beyond,
+                .failed = outcome.points.empty() && !outcome.infeasible,
+                .from = asked.from};
   if (outcome.points.empty()) return look;
   look.result = outcome.points.front().costs;
   const auto place = [&](const Costs& costs) {
@@ -209,7 +209,7 @@ class DirectionFront final : public PartFront {
   Beyond beyond() const override { return beyond_; }
 
   bool is_known_empty(const Costs& place, double within, const FrontSoFar& front) const override {
-    for (const Look& look : empty_looks(looks_, front)) {
+    for (const HoleLook& look : empty_looks(looks_, front)) {
       if (!look.failed && distance_aside(place, look.place) <= within) return true;
     }
     return false;
@@ -265,7 +265,11 @@ class DirectionFront final : public PartFront {
   /// The least of another cost where one is at its own, which is eased so that there is room.
   Task beside(std::size_t end, std::size_t sought) {
     Task task = as_good_as(*alone_[end], part_, sought);
-    for (std::size_t i = 0; i < objectives_; ++i) task.bounds[i] += ease(task.bounds[i], scale_[i]);
+    // Sizes: only a range that another end makes greater than the ends of most fronts is none.
+    constexpr double kMost = 10;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      task.bounds[i] += ease(task.bounds[i], scale_[i], kMost * sizes_[i]);
+    }
     task.starts = {alone_[end]->x};
     beside_[task.bounds] = end;
     return task;
@@ -314,7 +318,7 @@ class DirectionFront final : public PartFront {
     constexpr double kClosed = 1e-4;
     if (hole.is_beyond && is_closed(hole, known.empty, known.points[hole.about.front()])) return;
     double size = hole.size;
-    for (const Look& look : known.empty) {
+    for (const HoleLook& look : known.empty) {
       size = std::min(size, distance_aside(hole.place, look.place));
     }
     if (!(size > kClosed) || was_asked_for(hole, known.looked)) return;
@@ -363,7 +367,7 @@ class DirectionFront final : public PartFront {
   std::map<std::vector<double>, std::size_t> beside_;  ///< by bounds: searches beside which end
   std::set<std::size_t> doubtful_;            ///< ends that a search moved without a certificate
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
-  std::vector<Look> looks_;
+  std::vector<HoleLook> looks_;
   Beyond beyond_;
   mutable std::map<Costs, AskedPlace> asked_;  ///< by the origin of the task
 };

@@ -25,9 +25,8 @@ Costs best_of_each(std::span<const Costs> front, Better better) {
 
 double sum(const Costs& costs) { return std::accumulate(costs.begin(), costs.end(), 0.0); }
 
-double tolerance_of(const Costs& tolerances, std::size_t i) {
-  return i < tolerances.size() ? tolerances[i] : 0;
-}
+/// Of a tolerance or a size; 0 where it is not known.
+double of_cost(const Costs& values, std::size_t i) { return i < values.size() ? values[i] : 0; }
 
 /// For which factors on one cost the knee's sum stays the least: sum + (factor - 1) * cost.
 /// `same` is what normalised costs may differ by and be equal.
@@ -55,15 +54,53 @@ Costs nadir(std::span<const Costs> front) {
   return best_of_each(front, [](double a, double b) { return a > b; });
 }
 
-Costs ranges(std::span<const Costs> front, const Costs& tolerances) {
-  const Costs best = ideal(front), worst = nadir(front);
-  Costs result;
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    const double range = worst[i] - best[i];
-    const double size = std::abs(worst[i]) > 0 ? std::abs(worst[i]) : 1;
-    const double same = tolerance_of(tolerances, i);
-    result.push_back(range > same ? range : std::max(size, same));
+CostScale::CostScale(double ideal, double nadir, double tolerance, double size)
+    : ideal_(ideal), range_(nadir - ideal) {
+  // Sizes: a range up to which a cost is counted in proportion, all of it.
+  constexpr double kStraight = 10;
+  if (!(range_ > tolerance)) {
+    range_ = std::max(std::abs(nadir) > 0 ? std::abs(nadir) : 1, tolerance);
+    size = 0;
   }
+  const double most = kStraight * size;
+  straight_ = size > 0 ? std::min(range_, std::max(size, most * (most / range_))) : range_;
+  unit_ = straight_ * (1 + std::log(range_ / straight_));
+}
+
+double CostScale::place(double cost) const {
+  const double beyond = cost - ideal_;
+  if (!(beyond > straight_)) return beyond / unit_;
+  return straight_ / unit_ * (1 + std::log(beyond / straight_));
+}
+
+double CostScale::cost(double place) const {
+  const double beyond = place * unit_;
+  if (!(beyond > straight_)) return ideal_ + beyond;
+  return ideal_ + straight_ * std::exp(beyond / straight_ - 1);
+}
+
+double CostScale::slope(double cost) const {
+  return unit_ * std::max(1.0, (cost - ideal_) / straight_);
+}
+
+double CostScale::middle(double low, double high) const {
+  if (!(high - ideal_ > straight_)) return low + (high - low) / 2;
+  return std::clamp(cost((place(low) + place(high)) / 2), low, high);
+}
+
+std::vector<CostScale> cost_scales(std::span<const Costs> front, const Costs& tolerances,
+                                   const Costs& sizes) {
+  const Costs best = ideal(front), worst = nadir(front);
+  std::vector<CostScale> result;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    result.emplace_back(best[i], worst[i], of_cost(tolerances, i), of_cost(sizes, i));
+  }
+  return result;
+}
+
+Costs ranges(std::span<const Costs> front, const Costs& tolerances) {
+  Costs result;
+  for (const CostScale& scale : cost_scales(front, tolerances)) result.push_back(scale.range());
   return result;
 }
 
@@ -76,20 +113,23 @@ Costs default_reference(std::span<const Costs> front, const Costs& tolerances) {
   return reference;
 }
 
-std::vector<Costs> normalised(std::span<const Costs> front, const Costs& tolerances) {
+std::vector<Costs> normalised(std::span<const Costs> front, const Costs& tolerances,
+                              const Costs& sizes) {
   const Costs best = ideal(front), worst = nadir(front);
+  const std::vector<CostScale> scales = cost_scales(front, tolerances, sizes);
   std::vector<Costs> result(front.begin(), front.end());
   for (Costs& point : result) {
     for (std::size_t i = 0; i < point.size(); ++i) {
-      const double range = worst[i] - best[i];
-      point[i] = range > tolerance_of(tolerances, i) ? (point[i] - best[i]) / range : 0;
+      const bool varies = worst[i] - best[i] > of_cost(tolerances, i);
+      point[i] = varies ? scales[i].place(point[i]) : 0;
     }
   }
   return result;
 }
 
-std::vector<double> steps(std::span<const Costs> front, const Costs& tolerances) {
-  const std::vector<Costs> u = normalised(front, tolerances);
+std::vector<double> steps(std::span<const Costs> front, const Costs& tolerances,
+                          const Costs& sizes) {
+  const std::vector<Costs> u = normalised(front, tolerances, sizes);
   std::vector<double> result;
   for (std::size_t i = 1; i < u.size(); ++i) {
     result.push_back(std::hypot(u[i][0] - u[i - 1][0], u[i][1] - u[i - 1][1]));
@@ -97,10 +137,11 @@ std::vector<double> steps(std::span<const Costs> front, const Costs& tolerances)
   return result;
 }
 
-std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances) {
+std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances,
+                         const Costs& sizes) {
   if (front.size() < 3) return {};
-  const std::vector<Costs> u = normalised(front, tolerances);
-  const Costs range = ranges(front, tolerances);
+  const std::vector<Costs> u = normalised(front, tolerances, sizes);
+  const std::vector<CostScale> scales = cost_scales(front, tolerances, sizes);
   const auto least = std::min_element(
       u.begin(), u.end(), [](const Costs& a, const Costs& b) { return sum(a) < sum(b); });
   const bool is_end = least->size() == 2 && ((*least)[0] == 0 || (*least)[1] == 0);
@@ -113,14 +154,14 @@ std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances) 
   result.low.resize(objectives);
   result.high.resize(objectives);
   for (std::size_t i = 0; i < objectives; ++i) {
-    factor_range(u, result.point, i, tolerance_of(tolerances, i) / range[i], result.low[i],
-                 result.high[i]);
+    const double same = of_cost(tolerances, i) / scales[i].slope(front[result.point][i]);
+    factor_range(u, result.point, i, same, result.low[i], result.high[i]);
   }
   return result;
 }
 
 std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights,
-                       const Costs& tolerances) {
+                       const Costs& tolerances, const Costs& sizes) {
   if (front.empty()) throw std::invalid_argument("weights: the front has no points");
   const bool fits = weights.size() == front.front().size();
   const bool proper = std::all_of(weights.begin(), weights.end(),
@@ -130,7 +171,7 @@ std::size_t compromise(std::span<const Costs> front, const std::vector<double>& 
     throw std::invalid_argument(
         "weights: give one number for each objective, none negative and at least one positive");
   }
-  const std::vector<Costs> u = normalised(front, tolerances);
+  const std::vector<Costs> u = normalised(front, tolerances, sizes);
   const auto measure = [&](const Costs& point) {
     double greatest = 0, total = 0;
     for (std::size_t i = 0; i < point.size(); ++i) {

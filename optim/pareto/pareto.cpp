@@ -49,10 +49,13 @@ void find_ends(Sweep& sweep, const Scouted& scouted) {
   find_ends_again(sweep);
 }
 
+constexpr double kShare = 1e-7;  // of an objective's size, its default tolerance (SC3)
+
 double default_tolerance(const ProblemSpace& space, std::size_t objective, const FrontPoint* best) {
   if (best == nullptr) return 0;
   try {
-    const Problem problem = space.problem(space.options(best->part)).alone(objective);
+    Problem problem = space.problem(space.options(best->part)).alone(objective);
+    problem.objectives.front().tolerance.reset();
     const double tolerance = scales(problem, best->x).objective_tolerance;
     return std::isfinite(tolerance) ? tolerance : 0;
   } catch (const std::exception&) {
@@ -61,16 +64,19 @@ double default_tolerance(const ProblemSpace& space, std::size_t objective, const
 }
 
 /// Takes tolerances as stated, else the defaults where each objective is best
-/// (docs/optimisation.md, (SC3)): the best design is looked up in `points(objective)`.
+/// (docs/optimisation.md, (SC3)), and the sizes that those are shares of: the best design is looked
+/// up in `points(objective)`.
 template <class Points>
-Costs tolerances(const ProblemSpace& space, Points points) {
-  Costs result;
+void measure_objectives(Front& front, const ProblemSpace& space, Points points) {
+  front.tolerances.clear();
+  front.sizes.clear();
   const Problem first = space.problem(space.options(0));
   for (std::size_t i = 0; i < first.objectives.size(); ++i) {
     const auto& stated = first.objectives[i].tolerance;
-    result.push_back(stated ? *stated : default_tolerance(space, i, cheapest(points(i), i)));
+    const double own = default_tolerance(space, i, cheapest(points(i), i));
+    front.tolerances.push_back(stated ? *stated : own);
+    front.sizes.push_back(own / kShare);
   }
-  return result;
 }
 
 /// Combinations whose ideal point something dominates are left alone.
@@ -128,14 +134,14 @@ void search(Sweep& sweep) {
   const Scouted scouted = scout_parts(sweep);
   if (sweep.front.stopped) return;
   find_ends(sweep, scouted);
-  sweep.front.tolerances = tolerances(sweep.space, [&](std::size_t objective) {
+  measure_objectives(sweep.front, sweep.space, [&](std::size_t objective) {
     std::vector<FrontPoint> ends;
     for (const auto& part : sweep.parts) {
       if (const FrontPoint* end = part->end(objective)) ends.push_back(*end);
     }
     return ends;
   });
-  for (const auto& part : sweep.parts) part->know(sweep.front.tolerances);
+  for (const auto& part : sweep.parts) part->know(sweep.front.tolerances, sweep.front.sizes);
   set_up(sweep);
   if (sweep.options.method == ParetoMethod::Nsga2) return polish(sweep, scouted);
   refine(sweep);
@@ -166,12 +172,32 @@ void settle_convex(Front& front, const Problem& multi) {
       std::min(*front.hypervolume_at_most, hypervolume_within(all, weights, front.reference));
 }
 
+/// The best of each objective alone, where the point beside it has taken its place on the front,
+/// and whether that is certified.
+void settle_ends(Sweep& sweep) {
+  Front& front = sweep.front;
+  const auto is_finite = [](double c) { return std::isfinite(c); };
+  for (std::size_t i = 0; i < front.objectives.size(); ++i) {
+    bool is_certified = true;
+    for (const auto& part : sweep.parts) {
+      if (part->is_empty()) continue;
+      const FrontPoint* end = part->end(i);
+      const bool is_sound = end != nullptr && end->verdict == Verdict::Certified;
+      is_certified = is_certified && is_sound;
+      if (!is_sound || !std::ranges::all_of(end->costs, is_finite)) continue;
+      front.ideal[i] = std::min(front.ideal[i], end->costs[i]);
+    }
+    front.ideal_certified.push_back(is_certified && !front.stopped);
+  }
+}
+
 /// Gives the sweep's front its points, and measures it.
 void settle(Sweep& sweep, FrontSoFar found) {
   Front& front = sweep.front;
   front.complete = !front.stopped;
-  if (front.objectives.size() > 2 && sweep.options.method != ParetoMethod::Nsga2) {
-    found = spread(std::move(found), sweep.options.points);
+  const bool is_pair = front.objectives.size() == 2;
+  if (sweep.options.method != ParetoMethod::Nsga2 && !(is_pair && front.stopped)) {
+    if (!is_pair) found = spread(std::move(found), sweep.options.points);
     front.largest_gap = evenness(sweep.parts, found).ratio();
     front.complete = front.complete && *front.largest_gap <= kLargestGap;
   }
@@ -179,6 +205,7 @@ void settle(Sweep& sweep, FrontSoFar found) {
   const std::vector<Costs> all = costs_of(front.points);
   if (all.empty()) return;
   front.ideal = ideal(all);
+  settle_ends(sweep);
   front.nadir = nadir(all);
   front.reference = sweep.reference(all);
   front.hypervolume = hypervolume(all, front.reference);
@@ -205,12 +232,15 @@ bool Front::counts(const FrontPoint& point, std::size_t objective) const {
   // Of all weights: an interior-point method leaves less to idle limits.
   constexpr double kNothing = 1e-6;
   if (point.weights.empty()) return false;
-  double sum = 0, its = 0;
-  for (std::size_t i = 0; i < point.weights.size(); ++i) {
-    const double range = nadir[i] > ideal[i] ? nadir[i] - ideal[i] : 1;
-    sum += point.weights[i] * range;
-    if (i == objective) its = point.weights[i] * range;
-  }
+  const auto unit = [&](std::size_t i) {
+    const bool is_scaled = point.weights.size() == 2 && i < sizes.size() && sizes[i] > 0;
+    if (!(nadir[i] > ideal[i])) return 1.0;
+    if (!is_scaled) return nadir[i] - ideal[i];
+    return CostScale(ideal[i], nadir[i], 0, sizes[i]).slope(point.costs[i]);
+  };
+  double sum = 0;
+  for (std::size_t i = 0; i < point.weights.size(); ++i) sum += point.weights[i] * unit(i);
+  const double its = point.weights[objective] * unit(objective);
   return its > kNothing * sum;
 }
 
@@ -254,9 +284,9 @@ Front front_of_designs(const ProblemSpace& space, const ParetoOptions& options,
     return std::all_of(point.costs.begin(), point.costs.end(),
                        [](double c) { return std::isfinite(c); });
   });
-  sweep.front.tolerances = tolerances(
-      space, [&](std::size_t) -> const auto& { return numbers; });
-  settle(sweep, front_of(numbers, sweep.front.tolerances));
+  measure_objectives(
+      sweep.front, space, [&](std::size_t) -> const auto& { return numbers; });
+  settle(sweep, front_of(numbers, sweep.front.tolerances, sweep.front.sizes));
   return std::move(sweep.front);
 }
 

@@ -44,13 +44,18 @@ struct FailedTask {
   std::string why;
 };
 
-/// The largest gap of a front of three objectives or more that is called complete, in mean ones.
+/// The largest gap of a front that is called complete, in mean ones.
 inline constexpr double kLargestGap = 2.5;
 
 struct Front {
   std::vector<ObjectiveName> objectives;
   std::vector<FrontPoint> points;  ///< none dominated, by the first cost
-  Costs ideal, nadir, reference;   ///< of the points, as costs
+  /// As costs: the best of each alone, which the end of the front may miss by 1e-6 of its size
+  /// where another cost is far less there; the worst of the points.
+  Costs ideal, nadir;
+  Costs reference;  ///< of the hypervolume
+  /// Of each objective, whether its best alone is certified in every combination that has designs.
+  std::vector<bool> ideal_certified;
   double hypervolume = 0;
   /// What no front of this problem exceeds, as far as each search was right; of two objectives.
   std::optional<double> hypervolume_at_most;
@@ -66,9 +71,12 @@ struct Front {
   std::vector<FailedTask> failures;
   /// Differences of each objective that are none: as stated, else (SC3).
   Costs tolerances;
+  /// Magnitudes of each objective where it is best: its value or a typical change about, whichever
+  /// is more (SC3). Ranges of more than ten are counted by logarithms (FR5). 0: not known.
+  Costs sizes;
   bool stopped = false;  ///< before the end
-  /// Of three objectives or more, by sweep: the largest gap, but for those that a search has shown
-  /// to be empty, in mean ones.
+  /// By sweep, where it was not stopped or has three objectives or more: the largest gap, but for
+  /// those that a search has shown to be empty, in mean ones.
   std::optional<double> largest_gap;
   /// It was not stopped, and there is no larger gap than kLargestGap.
   bool complete = false;
@@ -79,7 +87,7 @@ struct Front {
   /// How many of the points are certified.
   std::size_t certified() const;
   /// By how much objective `of` changes along the front per unit of objective `per`. NaN where one
-  /// of them counts nothing (1e-6, by their ranges): at an end the front goes on in one direction
+  /// of them counts nothing (1e-6, by their scales): at an end the front goes on in one direction
   /// only.
   double slope(const FrontPoint& point, std::size_t of, std::size_t per) const;
   /// By how much the first objective improves per unit of a limit's bound, the others held. NaN
@@ -87,7 +95,7 @@ struct Front {
   double price(const FrontPoint& point, const Standing& limit) const;
 
  private:
-  /// Of a point's weights by the range of each cost.
+  /// Of a point's weights by the scale of each cost there.
   bool counts(const FrontPoint& point, std::size_t objective) const;
 };
 

@@ -88,7 +88,8 @@ bool FrontSoFar::are_equal(const Costs& place, const Costs& other) const {
   return true;
 }
 
-FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances) {
+FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances,
+                    const Costs& sizes) {
   constexpr double kRounding = 1e-9;  // where no tolerance is known, rounding makes costs differ
   const std::vector<bool> kept = non_dominated(costs_of(points), kRounding, tolerances);
   FrontSoFar front;
@@ -102,15 +103,20 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& toleranc
   front.range = ranges(left, tolerances);
   front.tolerances = tolerances;
   front.tolerances.resize(front.ideal.size(), 0.0);
+  front.sizes = sizes;
+  front.sizes.resize(front.ideal.size(), 0.0);
+  if (front.ideal.size() == 2) front.scales = cost_scales(left, tolerances, sizes);
   front.points = apart(std::move(front.points), front);
   return front;
 }
 
-double ease(double cost, double range) {
+double measure_of(double range, double size) { return size > 0 ? std::min(range, size) : range; }
+
+double ease(double cost, double range, double size) {
   // Searches miss a limit by less than kShare, so that the known point stays possible. Of a cost
   // whose range is small beside its value, solvers tell no more than kTold.
   constexpr double kShare = 1e-6, kTold = 1e-8;
-  return std::max(kShare * range, kTold * std::abs(cost));
+  return std::max(kShare * measure_of(range, size), kTold * std::abs(cost));
 }
 
 FrontPoint doubted(FrontPoint point) {

@@ -13,9 +13,11 @@ namespace camlaw::optim {
 struct FrontSoFar {
   std::vector<FrontPoint> points;
   Costs ideal, nadir;
-  Costs range;                   ///< nadir - ideal; of a cost that does not vary its size
-  Costs tolerances;              ///< differences of each cost that are none
-  std::vector<Hole> holes = {};  ///< where more of it may be, of three costs or more
+  Costs range;                         ///< nadir - ideal; of a cost that does not vary its size
+  Costs tolerances;                    ///< differences of each cost that are none
+  Costs sizes;                         ///< magnitudes of each cost where it is best; 0: not known
+  std::vector<CostScale> scales = {};  ///< of two costs: how differences count (FR5)
+  std::vector<Hole> holes = {};        ///< where more of it may be, of three costs or more
 
   /// Whether a point is as good as `costs` in everything.
   bool covers(const Costs& costs) const;
@@ -31,11 +33,16 @@ struct FrontSoFar {
 
 /// Points of all combinations that no other one dominates, by the first cost; of those that lie
 /// together (by the tolerances, or 1e-7 of the range) the one with the best verdict.
-FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances = {});
+FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances = {},
+                    const Costs& sizes = {});
 
-/// By how much a cost's bound is eased so that a search has room beside an optimum: 1e-6 of its
-/// range, and no less than solvers tell apart.
-double ease(double cost, double range);
+/// The lesser of a cost's range and its size, if that is known: what shares of differences are
+/// taken of. The range alone would let an end at which the cost grows without bound decide.
+double measure_of(double range, double size);
+
+/// By how much a cost's bound is eased so that a search has room beside an optimum: 1e-6 of
+/// measure_of(), and no less than solvers tell apart.
+double ease(double cost, double range, double size);
 
 /// A point that was found as the optimum of fewer costs than there are, where the search for the
 /// least of another was not certified: the verdict of those does not hold for all of them.
@@ -90,8 +97,12 @@ class PartFront {
   void take_repeated(const Task& task, const Outcome& outcome);
   /// Whether the least of each cost is known.
   bool has_ends() const;
-  /// Differences of each cost that are none, known when the first tasks are done.
-  void know(const Costs& tolerances) { tolerances_ = tolerances; }
+  /// Differences of each cost that are none, known when the first tasks are done,
+  /// and magnitudes where each is best.
+  void know(const Costs& tolerances, const Costs& sizes) {
+    tolerances_ = tolerances;
+    sizes_ = sizes;
+  }
   /// What sets the sweep up after the first tasks; asked for again until there is nothing left.
   virtual std::vector<Task> next_tasks() = 0;
 
@@ -125,7 +136,7 @@ class PartFront {
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost
   std::vector<std::optional<FrontPoint>> alone_;  ///< the optimum of each cost alone
-  Costs least_, tolerances_;
+  Costs least_, tolerances_, sizes_;
   bool empty_ = false;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "optim/pareto/pareto.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -44,6 +46,22 @@ std::vector<Task> largest(const std::vector<OpenPlace>& places, std::size_t coun
     tasks.push_back(place.task);
   }
   return tasks;
+}
+
+/// Places larger than a front is left with, however many points it has.
+std::vector<Task> too_large(const std::vector<OpenPlace>& places, double most) {
+  std::vector<Task> tasks;
+  for (const OpenPlace& place : places) {
+    if (place.size > most && tasks.size() < kRound) tasks.push_back(place.task);
+  }
+  return tasks;
+}
+
+/// Between neighbours of a front of two objectives.
+double mean_step(const FrontSoFar& front) {
+  const std::vector<double> all = steps(costs_of(front.points), front.tolerances, front.sizes);
+  if (all.empty()) return 0;
+  return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
 }
 
 /// Whether a place is near one that this part is to look at already.
@@ -135,6 +153,14 @@ std::vector<Task> even_round(const PartFronts& parts, FrontSoFar front, std::siz
   return largest_apart(places, count, even.mean);
 }
 
+Evenness evenness_of_pair(const PartFronts& parts, const FrontSoFar& front) {
+  Evenness result;
+  result.mean = result.mean_to_nearest = mean_step(front);
+  const std::vector<OpenPlace> places = open_places(parts, front);
+  if (!places.empty()) result.largest = places.front().size;
+  return result;
+}
+
 }  // namespace
 
 std::vector<Task> next_round(const PartFronts& parts, FrontSoFar front, std::size_t wanted) {
@@ -142,7 +168,8 @@ std::vector<Task> next_round(const PartFronts& parts, FrontSoFar front, std::siz
   const std::size_t missing = wanted - std::min(wanted, front.points.size());
   const std::vector<OpenPlace> places = open_places(parts, front);
   if (std::vector<Task> tasks = challenges(places); !tasks.empty()) return tasks;
-  return largest(places, round_of(missing));
+  if (missing > 0) return largest(places, round_of(missing));
+  return too_large(places, kLargestGap * mean_step(front));
 }
 
 double Evenness::ratio() const { return mean > 0 ? largest / mean : 1; }
@@ -150,6 +177,7 @@ double Evenness::ratio() const { return mean > 0 ? largest / mean : 1; }
 Evenness evenness(const PartFronts& parts, const FrontSoFar& front) {
   constexpr double kAbout = 0.3;  // of a gap: how near its middle a search must have been
   Evenness result;
+  if (front.ideal.size() == 2) return evenness_of_pair(parts, front);
   const std::vector<Costs> all = front.places();
   const std::vector<Gap> its = gaps(all);
   std::vector<double> nearest(all.size(), kInfinity);

@@ -12,7 +12,8 @@ using PartFronts = std::vector<std::unique_ptr<PartFront>>;
 /// Searches that a front of `wanted` points lacks most, none where it lacks nothing.
 std::vector<Task> next_round(const PartFronts& parts, FrontSoFar front, std::size_t wanted);
 
-/// How even a front of three objectives or more is.
+/// How even a front is. Gaps of two objectives are its steps, and those that no search has shown to
+/// be empty are the boxes between neighbours.
 struct Evenness {
   double largest = 0;  ///< of the gaps that no search has shown to be empty
   double mean = 0;     ///< of all gaps

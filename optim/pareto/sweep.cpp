@@ -70,7 +70,7 @@ FrontSoFar Sweep::so_far() const {
   for (const auto& part : parts) {
     points.insert(points.end(), part->points().begin(), part->points().end());
   }
-  return front_of(points, front.tolerances);
+  return front_of(points, front.tolerances, front.sizes);
 }
 
 Costs Sweep::reference(const std::vector<Costs>& costs) const {

@@ -42,12 +42,23 @@ std::string slopes_note(const FrontAnswer& answer) {
   return text;
 }
 
+/// How far the ideal is known.
+std::string ideal_text(const Front& front) {
+  std::vector<std::string> not_certified;
+  for (std::size_t i = 0; i < front.ideal_certified.size(); ++i) {
+    if (!front.ideal_certified[i]) not_certified.push_back(front.objectives[i].name);
+  }
+  if (not_certified.empty()) return "the best of each objective alone";
+  return fmt::format("the best of each objective that was found; not certified: {}",
+                     fmt::join(not_certified, ", "));
+}
+
 std::string measures_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text = fmt::format(
-      "ideal: {} (the best of each objective alone)\n"
+      "ideal: {} ({})\n"
       "nadir: {} (the worst of each on the front)\n",
-      values_text(answer, front.ideal), values_text(answer, front.nadir));
+      values_text(answer, front.ideal), ideal_text(front), values_text(answer, front.nadir));
   text += fmt::format(
       "hypervolume {} from {} (the size of the region up to there that the front is better than; "
       "more is better)\n",
@@ -77,14 +88,14 @@ std::string measures_text(const FrontAnswer& answer) {
   }
   const auto all = answer.costs();
   if (front.objectives.size() == 2 && all.size() > 2) {
-    const auto lengths = optim::steps(all, answer.front.tolerances);
+    const auto lengths = optim::steps(all, front.tolerances, front.sizes);
     double sum = 0;
     for (const double l : lengths) sum += l;
     text += fmt::format("largest step between neighbours: {:.2f} times the mean\n",
                         *std::max_element(lengths.begin(), lengths.end()) / sum *
                             static_cast<double>(lengths.size()));
   }
-  if (front.largest_gap) {
+  if (front.largest_gap && front.objectives.size() > 2) {
     text +=
         fmt::format("largest gap between neighbours: {:.2f} times the mean\n", *front.largest_gap);
   }
@@ -167,11 +178,13 @@ Json objectives_json(const FrontAnswer& answer) {
   Json objectives = Json::array();
   for (std::size_t i = 0; i < front.objectives.size(); ++i) {
     const auto& o = front.objectives[i];
-    objectives.push_back({{"name", o.name},
-                          {"unit", o.unit},
-                          {"sense", o.sense == optim::Sense::Minimize ? "minimize" : "maximize"},
-                          {"tolerance", i < front.tolerances.size() ? to_json(front.tolerances[i])
-                                                                    : Json(nullptr)}});
+    objectives.push_back(
+        {{"name", o.name},
+         {"unit", o.unit},
+         {"sense", o.sense == optim::Sense::Minimize ? "minimize" : "maximize"},
+         {"tolerance", i < front.tolerances.size() ? to_json(front.tolerances[i]) : Json(nullptr)},
+         {"size",
+          i < front.sizes.size() && front.sizes[i] > 0 ? to_json(front.sizes[i]) : Json(nullptr)}});
   }
   return objectives;
 }
@@ -180,6 +193,7 @@ void add_measures(const FrontAnswer& answer, Document& document) {
   const Front& front = answer.front;
   if (!front.points.empty()) document.say(measures_text(answer));
   document.fact("ideal", costs_json(answer, front.ideal));
+  document.fact("ideal_certified", front.ideal_certified);
   document.fact("nadir", costs_json(answer, front.nadir));
   document.fact("reference", costs_json(answer, front.reference));
   document.fact("hypervolume", front.hypervolume);
@@ -193,7 +207,7 @@ void add_measures(const FrontAnswer& answer, Document& document) {
 
 void add_knee(const FrontAnswer& answer, Document& document) {
   const auto all = answer.costs();
-  const auto knee = optim::knee(all, answer.front.tolerances);
+  const auto knee = optim::knee(all, answer.front.tolerances, answer.front.sizes);
   if (!knee) {
     document.fact("knee", Json(nullptr));
     return;

@@ -75,7 +75,7 @@ Panel panel_of(const FrontAnswer& answer, std::size_t across, std::size_t up) {
 }
 
 void mark_knee(const FrontAnswer& answer, Panel& panel, std::size_t across, std::size_t up) {
-  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances, answer.front.sizes);
   if (!knee) return;
   const optim::FrontPoint& point = answer.front.points[knee->point];
   Markers mark{.name = "knee",

@@ -198,7 +198,7 @@ std::vector<std::size_t> shown_points(const FrontAnswer& answer) {
   for (std::size_t i = 0; i < count; ++i) {
     shown.push_back(count < 2 ? 0 : i * (all - 1) / (count - 1));
   }
-  if (const auto knee = optim::knee(answer.costs(), answer.front.tolerances)) {
+  if (const auto knee = optim::knee(answer.costs(), answer.front.tolerances, answer.front.sizes)) {
     const auto at = std::lower_bound(shown.begin(), shown.end(), knee->point);
     if (at != shown.end()) *at = knee->point;
   }
@@ -234,7 +234,7 @@ Json objectives_json(const FrontAnswer& answer, const std::vector<std::size_t>& 
     objectives.push_back({{"name", plain_name(o.name)}, {"unit", shown_unit(o.unit)}});
   }
   for (const Panel& panel : still.panels) pairs.push_back(pair_json(answer, panel));
-  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances, answer.front.sizes);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (knee && shown[i] == knee->point) marked = i;
   }

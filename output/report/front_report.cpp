@@ -87,7 +87,7 @@ ReportSection points_section(const FrontAnswer& answer, const std::vector<std::s
 }
 
 ReportSection knee_sensitivity(const FrontAnswer& answer) {
-  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances, answer.front.sizes);
   const std::size_t k = knee ? knee->point : 0;
   const FrontPoint& point = answer.front.points[k];
   const auto& space = answer.study.space();

@@ -47,12 +47,12 @@ FrontState state_of(const optim::Front& front) {
   for (const optim::FailedTask& f : front.failures) failures.emplace_back(f.number, f.part, f.why);
   return {std::move(objectives),
           std::move(points),
-          {front.ideal, front.nadir, front.reference, front.tolerances},
+          {front.ideal, front.nadir, front.reference, front.tolerances, front.sizes},
           {front.hypervolume, front.hypervolume_at_most, front.hypervolume_of_mixtures,
            front.largest_gap},
           {front.parts, front.empty_parts, front.without_end, front.tasks, front.evaluations},
           std::move(failures),
-          {front.each_is_global, front.stopped, front.complete},
+          {front.each_is_global, front.stopped, front.complete, front.ideal_certified},
           front.remark};
 }
 
@@ -68,12 +68,13 @@ optim::Front front_of(const FrontState& state) {
   front.nadir = costs.at(1);
   front.reference = costs.at(2);
   front.tolerances = costs.at(3);
+  front.sizes = costs.at(4);
   std::tie(front.hypervolume, front.hypervolume_at_most, front.hypervolume_of_mixtures,
            front.largest_gap) = sizes;
   std::tie(front.parts, front.empty_parts, front.without_end, front.tasks, front.evaluations) =
       counts;
   for (const auto& [number, part, why] : failures) front.failures.push_back({number, part, why});
-  std::tie(front.each_is_global, front.stopped, front.complete) = flags;
+  std::tie(front.each_is_global, front.stopped, front.complete, front.ideal_certified) = flags;
   front.remark = remark;
   return front;
 }

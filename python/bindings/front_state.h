@@ -30,11 +30,12 @@ using FaultState = std::tuple<std::int64_t, int, std::string>;
 using SizeState = std::tuple<double, MaybeNumber, MaybeNumber, MaybeNumber>;
 /// Parts, empty ones, those without an end, tasks, evaluations.
 using CountState = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, long>;
-/// Objectives, points, (ideal, nadir, reference, tolerances), sizes, counts, failures, (each is
-/// global, stopped, complete), remark.
-using FrontState = std::tuple<std::vector<ObjectiveState>, std::vector<PointState>,
-                              std::vector<Numbers>, SizeState, CountState,
-                              std::vector<FailureState>, std::tuple<bool, bool, bool>, std::string>;
+/// Objectives, points, (ideal, nadir, reference, tolerances, sizes), measures, counts, failures,
+/// (each is global, stopped, complete, of each objective whether its ideal is certified), remark.
+using FrontState =
+    std::tuple<std::vector<ObjectiveState>, std::vector<PointState>, std::vector<Numbers>,
+               SizeState, CountState, std::vector<FailureState>,
+               std::tuple<bool, bool, bool, std::vector<bool>>, std::string>;
 
 FrontState state_of(const optim::Front& front);
 optim::Front front_of(const FrontState& state);

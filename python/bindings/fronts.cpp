@@ -239,7 +239,8 @@ nb::dict units_of(const FoundFront& found) {
 }
 
 std::optional<std::size_t> knee_of(const FoundFront& found) {
-  const auto knee = optim::knee(found.answer->costs(), found.front().tolerances);
+  const auto knee =
+      optim::knee(found.answer->costs(), found.front().tolerances, found.front().sizes);
   if (!knee) return std::nullopt;
   return knee->point;
 }
@@ -286,7 +287,8 @@ void add_fronts(nb::module_& module) {
       .def("knee", &knee_of)
       .def("compromise",
            [](const FoundFront& f, const std::vector<double>& weights) {
-             return optim::compromise(f.answer->costs(), weights, f.front().tolerances);
+             return optim::compromise(f.answer->costs(), weights, f.front().tolerances,
+                                      f.front().sizes);
            })
       .def("result", &result_at, nb::arg("point"))
       .def("design",
