@@ -132,18 +132,31 @@ Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter
   const double step = kStep * size;
   if (!(x[i] - step >= parameter.low && x[i] + step <= parameter.high)) return exact;
   const double noise = 1e-8 * std::abs(value) / size;
-  const auto up = slope_to(number, x, i, value, step, noise);
-  const auto down = slope_to(number, x, i, value, -step, noise);
-  if (!up || !down) return exact;
-  const double scale = std::max({std::abs(*up), std::abs(*down), 1e-6 * std::abs(value) / size});
-  const double low = std::min(*up, *down), high = std::max(*up, *down);
-  const double off = std::max(std::abs(low - exact.low), std::abs(high - exact.high));
+  const auto by_steps = [&](double h) -> std::optional<std::pair<double, double>> {
+    const auto up = slope_to(number, x, i, value, h, noise);
+    const auto down = slope_to(number, x, i, value, -h, noise);
+    if (!up || !down) return {};
+    return std::pair(std::min(*up, *down), std::max(*up, *down));
+  };
+  const auto off_exact = [&](const std::pair<double, double>& slopes) {
+    return std::max(std::abs(slopes.first - exact.low), std::abs(slopes.second - exact.high));
+  };
+  const auto found = by_steps(step);
+  if (!found) return exact;
+  const auto [low, high] = *found;
+  const double scale = std::max({std::abs(low), std::abs(high), 1e-6 * std::abs(value) / size});
+  const double off = off_exact(*found);
   if (off <= kAgrees * scale) return exact;
   // A peak's place is found to the root of rounding, and with it the terms that cancel there.
   constexpr double kCancelled = 1e-6;
   if (low == 0 && high == 0 && off <= kCancelled * std::abs(value) / size) {
     return sensitivity_of(value, x[i], {0, 0});
   }
+  // Where the slope itself changes as a broken power does, such as that of a load's share of a life
+  // at no load, differences come near it slowly.
+  constexpr double kShorter = 16, kNearer = 0.75;
+  const auto nearer = by_steps(step / kShorter);
+  if (!nearer || off_exact(*nearer) <= kNearer * off) return exact;
   const bool is_smooth = high - low <= kAgrees * scale;
   const double middle = (low + high) / 2;
   Sensitivity result =

@@ -238,12 +238,17 @@ start = 1
 
 namespace {
 
-/// The usual problem of a machine with a limit far away on each of its responses.
+/// The usual problem of a machine with limits on each of its responses that is a number, at its own
+/// values.
 ProblemStatement with_every_limit(const Mechanism& mechanism) {
   std::string text = first_file(mechanism);
-  for (const MechanismResponse& response : mechanism.responses) {
-    text += fmt::format("\n[[constraints]]\nresponse = \"{}\"\nupper = 1e200\n", response.name);
-    if (response.curve) text += "lower = -1e200\n";
+  for (const EvaluatedResponse& r : evaluate(read_problem(text, mechanism.name + ".toml"))) {
+    const double low = r.is_curve ? r.lowest : r.value, high = r.is_curve ? r.highest : r.value;
+    const bool is_own = std::ranges::any_of(mechanism.responses,
+                                            [&](const auto& own) { return own.name == r.name; });
+    if (!is_own || !std::isfinite(low) || !std::isfinite(high)) continue;
+    text += fmt::format("\n[[constraints]]\nresponse = \"{}\"\nupper = {:.17g}\n", r.name, high);
+    if (r.is_curve && low < high) text += fmt::format("lower = {:.17g}\n", low);
   }
   return read_problem(text, mechanism.name + ".toml");
 }
@@ -252,11 +257,11 @@ ProblemStatement with_every_limit(const Mechanism& mechanism) {
 /// not agree, or cannot be made.
 std::optional<std::pair<double, double>> slopes_by_steps(const DesignNumber& number,
                                                          const std::vector<DesignParameter>& all,
-                                                         std::size_t i) {
+                                                         std::size_t i, double share) {
   std::vector<double> x;
   for (const DesignParameter& p : all) x.push_back(p.value);
   const double at = x[i], value = number.function.value(x);
-  const double step = 2e-5 * std::max(std::abs(at), 1e-2);
+  const double step = share * std::max(std::abs(at), 1e-2);
   if (!(at - step >= all[i].low && at + step <= all[i].high)) return {};
   const double size = std::max(std::abs(at), 1e-2), noise = 1e-7 * std::abs(value) / size;
   const auto one_sided = [&](double h) -> std::optional<double> {
@@ -286,7 +291,7 @@ int compare_with_steps(const ProblemStatement& design) {
     const double value = local.numbers[n].value;
     if (!std::isfinite(value)) continue;
     for (std::size_t i = 0; i < local.parameters.size(); ++i) {
-      const auto steps = slopes_by_steps(numbers[n], local.parameters, i);
+      const auto steps = slopes_by_steps(numbers[n], local.parameters, i, 2e-5);
       if (!steps) continue;
       const Sensitivity& s = local.numbers[n].by[i];
       const double at = local.parameters[i].value;
@@ -295,9 +300,15 @@ int compare_with_steps(const ProblemStatement& design) {
       INFO(design.mechanism->name << ": " << numbers[n].name << " by " << local.parameters[i].name
                                   << ": " << s.low << " to " << s.high << ", by steps "
                                   << steps->first << " to " << steps->second);
-      CHECK(std::abs(s.low - steps->first) <= 0.02 * scale);
-      CHECK(std::abs(s.high - steps->second) <= 0.02 * scale);
+      const auto off = [&](const std::pair<double, double>& by) {
+        return std::max(std::abs(s.low - by.first), std::abs(s.high - by.second));
+      };
       ++compared;
+      if (off(*steps) <= 0.02 * scale) continue;
+      // What changes as a broken power is come near slowly.
+      const auto nearer = slopes_by_steps(numbers[n], local.parameters, i, 2e-6);
+      REQUIRE(nearer);
+      CHECK(off(*nearer) <= 0.75 * off(*steps));
     }
   }
   return compared;
@@ -388,6 +399,7 @@ TEST_CASE("derivatives of every response of every machine are those of steps to 
           "[sensitivity][heavy]") {
   int compared = 0;
   for (const Mechanism& mechanism : mechanisms()) {
+    INFO(mechanism.name);
     compared += compare_with_steps(with_every_limit(mechanism));
   }
   CHECK(compared > 1000);
