@@ -16,10 +16,10 @@ using Eigen::VectorXd;
 using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-constexpr Index kMostHalf = 40;  // of a band: rows of some ten variables each
+constexpr Index kWidestHalf = 40;  // of a band: rows of some ten variables each
 
 /// Changes of sides beyond this share of the rows say that the guess was of another program.
-constexpr double kFew = 1e-2;
+constexpr double kFewChanges = 1e-2;
 
 /// The point at which the held sides hold, and what is left of the conditions there.
 struct Held {
@@ -209,7 +209,9 @@ InteriorSolution with_multipliers(const Held& at, const HeldSides& held, int ste
 
 }  // namespace
 
-bool has_local_rows(const QuadraticProgram& program) { return band_of(program).half <= kMostHalf; }
+bool has_local_rows(const QuadraticProgram& program) {
+  return band_of(program).half <= kWidestHalf;
+}
 
 HeldSides held_sides(const QuadraticProgram& program, const InteriorSolution& solution) {
   HeldSides held;
@@ -233,9 +235,9 @@ std::optional<InteriorSolution> solve_from_held_sides(const QuadraticProgram& pr
                                                       HeldSides held) {
   constexpr int kMostSteps = 5;
   Band band = band_of(program);
-  if (band.half > kMostHalf) return {};
+  if (band.half > kWidestHalf) return {};
   Conditions system(program, std::move(band.places), band.half);
-  const auto few = static_cast<Index>(10 + kFew * static_cast<double>(held.rows.size()));
+  const auto few = static_cast<Index>(10 + kFewChanges * static_cast<double>(held.rows.size()));
   for (int step = 1; step <= kMostSteps; ++step) {
     if (!system.factor(held)) return {};
     const Held at = system.solved(held);
