@@ -100,9 +100,8 @@ std::vector<double> promises(const ProblemStatement& design, const std::vector<d
 
 /// Of the spans that are not short those that together promise most of what they all do.
 std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  // The spans with the last 15 % of the promise are many and gain little. A shorter span leaves the
-  // derivatives of its ends too few digits: each order divides by its length.
-  constexpr double kMost = 0.85, kShortest = 1.0 / 65536;
+  constexpr double kMost = 0.85;             // the spans with the rest are many and gain little
+  constexpr double kShortest = 1.0 / 65536;  // each order of derivatives divides by the length
   double from = 0;
   for (std::size_t i = 0; i < promise.size(); ++i) {
     const double to = i < knots.size() ? knots[i] : 1;
@@ -211,8 +210,7 @@ bool is_certified(const optim::Optimum& optimum) {
 
 /// Whether a round led to a design that is as good as the best before, but for rounding.
 bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
-  // Of the objective: it is certified to no more (optimisation: OC5).
-  constexpr double kRounding = 1e-7;
+  constexpr double kRounding = 1e-7;  // of the objective, which is certified to no more (OC5)
   const optim::Assessment &a = fresh.found.assessment, &b = best.found.assessment;
   if (!optim::is_feasible(b)) return true;
   if (!optim::is_feasible(a)) return false;
@@ -227,8 +225,7 @@ std::optional<double> left_of(const std::vector<KnotRound>& rounds) {
   const double a = rounds.end()[-3].objective, b = rounds.end()[-2].objective,
                c = rounds.end()[-1].objective;
   const double share = (c - b) / (b - a);
-  // Gains that shrink by less than a tenth a round tell no sum: its error would be ten times that
-  // of a gain. A change of kNothing is the search's own rounding.
+  // Of gains that shrink by less the sum has more than ten times the error of one.
   constexpr double kShrinks = 0.9, kNothing = 1e-9;
   if (std::abs(c - b) <= kNothing * std::abs(c)) return 0.0;
   if (!(share > 0 && share < kShrinks)) return {};
@@ -245,9 +242,7 @@ void check_one_law(const ProblemStatement& statement) {
 /// Why a round was the last one, in words; empty where another may follow.
 std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRound>& better,
                           const std::function<bool()>& stop) {
-  // Each round adds a knot at least, and searches from where the last one ended. Ten without a
-  // design within the limits, each with up to twice the knots, leave no hope for more.
-  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;
+  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;  // each with up to twice the knots
   const optim::Found& found = result.optimum.found;
   // Where no design meets the limits, the one of least violation tells where knots may help.
   const bool is_vain = !optim::is_feasible(found.assessment) && result.rounds.size() >= kMostInVain;
@@ -264,8 +259,7 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
 /// The knots for the next round; none where no more are added, and then why.
 std::optional<std::vector<double>> more_knots(const ProblemStatement& design, RefinedKnots& result,
                                               bool symmetric) {
-  // 86 knots do what 1000 even ones do where the acceleration is least at a jerk limit.
-  constexpr std::size_t kMostKnots = 300;
+  constexpr std::size_t kMostKnots = 300;  // at a jerk limit 86 do what 1000 even ones do
   std::vector<double> more = with_more(result.knots, promises(design, result.knots), symmetric);
   if (more.size() > kMostKnots) {
     result.ended = fmt::format("more than {} would be needed", kMostKnots);
