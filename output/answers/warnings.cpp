@@ -139,7 +139,9 @@ bool sees_motion_at(const Answer& answer, const optim::Response& response, doubl
 /// states them or not, and those that are integers.
 Movers movers_of(const Answer& answer, const problems::ResponseName& asked,
                  const optim::LimitReport& limit) {
-  constexpr double kRounding = 1e-9;  // of the value, for a change of the parameter by its size
+  // Of the value, for a change of the parameter by its size: of places that are equally high, to
+  // 1e-9 of the value, one may stand just beside a rest.
+  constexpr double kRounding = 1e-6;
   const optim::Optimum& optimum = answer.optimum;
   const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
   const auto parameters = problems::design_parameters(design);
