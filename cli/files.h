@@ -43,8 +43,8 @@ void keep_plain_outputs(const std::vector<std::optional<std::string>>& outputs,
 /// followed, permissions kept; what is not a regular file, and all below /dev and /proc, is written
 /// to as it is when the others are in place, and "-" is standard output.
 /// Throws RefusedOutput where two outputs are one file or an output is an input (cli/inputs.h),
-/// std::invalid_argument where a name is empty, std::runtime_error naming the file and the reason where one
-/// cannot be written; no temporary file and no new folder is left behind then.
+/// std::invalid_argument where a name is empty, std::runtime_error naming the file and the reason
+/// where one cannot be written; no temporary file and no new folder is left behind then.
 void write_files(const std::vector<OutputFile>& files);
 
 /// Throws std::invalid_argument where there is one of these files: what is written to begin with

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstdio>
 
-#include "cli/earlier_results.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/search_outputs.h"
 #include "cli/search_progress.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
@@ -20,12 +20,10 @@
 #include "optim/cycle/proof_time.h"
 #include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
-#include "output/answers/cycle_figure.h"
 #include "output/answers/free_limit.h"
 #include "output/answers/next_step.h"
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
-#include "output/figure/law_figure.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/refinement/refined_knots.h"
 #include "problems/results/seal.h"
@@ -75,32 +73,6 @@ int exit_status(optim::Verdict verdict) {
   }
   return kNotSolved;
 }
-
-/// All files that --out may make.
-std::vector<std::filesystem::path> possible_files(const std::filesystem::path& out,
-                                                  const std::vector<std::string>& names) {
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& name : names) paths.push_back(out / name);
-  return paths;
-}
-
-}  // namespace
-
-std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem::path& out) {
-  constexpr int kSamples = 361;  // both ends and a point each degree, were the motion one turn
-  std::vector<OutputFile> files;
-  if (const std::optional<Member> law = answer.law()) {
-    const Law<double> shape = law->law();
-    files.push_back({out / "law.csv", motion_csv(shape, kSamples)});
-    files.push_back(
-        {out / "law.svg", to_svg(motion_figure(law->label(), {{.name = "", .law = shape}}))});
-  }
-  const Figure cycle = cycle_figure(answer);
-  if (!cycle.panels.empty()) files.push_back({out / "cycle.svg", to_svg(cycle)});
-  return files;
-}
-
-namespace {
 
 class Seconds {
  public:
@@ -210,34 +182,6 @@ std::string show(const SearchCommand& command, const Answer& answer,
   if (json) print_data(text);
   flush_printed();
   return text;
-}
-
-/// check_out, with the files of a law that no law of this problem would write as left over.
-void check_to_be_written(const std::vector<std::filesystem::path>& possible,
-                         const problems::ProblemStatement& statement) {
-  const bool has_law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
-  std::vector<std::filesystem::path> written, left;
-  for (const std::filesystem::path& file : possible) {
-    (has_law || file.stem() != "law" ? written : left).push_back(file);
-  }
-  check_out(written, left);
-}
-
-/// The files that --out may make, the result first, once they are known to be writable.
-std::vector<std::filesystem::path> checked_outputs(const SearchOptions& options,
-                                                   const SearchCommand& command,
-                                                   const problems::ProblemStatement& statement) {
-  std::vector<std::string> names = command.files;
-  if (command.more_files) {
-    for (std::string& name : command.more_files(statement)) names.push_back(std::move(name));
-  }
-  auto possible = possible_files(options.out.value_or(""), names);
-  if (options.out) {
-    check_writable(possible);
-    keep_other_results(possible, statement);
-    check_to_be_written(possible, statement);
-  }
-  return possible;
 }
 
 /// The knots that the file leaves to the program; none where it states them, or needs none.

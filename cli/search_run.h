@@ -46,7 +46,4 @@ struct SearchCommand {
 /// Reads the problem, searches, prints and writes. An ExitStatus.
 int run_search(const SearchOptions& options, const SearchCommand& command);
 
-/// law.csv, law.svg and cycle.svg of an answer, where it has a design.
-std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem::path& out);
-
 }  // namespace camlaw::cli

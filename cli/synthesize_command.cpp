@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/search_outputs.h"
 #include "cli/search_run.h"
 #include "kinematics/program/segment_merits.h"
 #include "output/answers/rulers.h"
