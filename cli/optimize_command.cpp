@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/search_outputs.h"
 #include "cli/search_run.h"
 
 namespace camlaw::cli {

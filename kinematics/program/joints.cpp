@@ -14,18 +14,21 @@ using State = std::array<double, 3>;  // s, v, a
 /// Where two segments meet, the motion on both sides.
 struct Joint {
   std::size_t before, after;
-  double at;    ///< of the cycle
-  double rate;  ///< of the longer segment
+  double at;        ///< of the cycle
+  double rate;      ///< of the longer segment
+  double quickest;  ///< of the shorter one
   State left, right;
 };
 
 /// The first derivative that differs, up to the one that is matched.
-std::optional<std::size_t> jump_of(const State& left, const State& right, double rate,
+std::optional<std::size_t> jump_of(const State& left, const State& right, const Joint& joint,
                                    Matched matched) {
-  double size = 1;
+  constexpr double kRounding = 1e-13;  // of what the quicker of the two segments reaches
+  double size = 1, quickest = 1;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(matched); ++k) {
-    if (!(std::abs(left[k] - right[k]) <= kSlack * size)) return k;
-    size *= rate;
+    const double allowed = kSlack * size + kRounding * quickest;
+    if (!(std::abs(left[k] - right[k]) <= allowed)) return k;
+    size *= joint.rate, quickest *= joint.quickest;
   }
   return {};
 }
@@ -47,8 +50,8 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
     if (!stated.law || stated.shapes) return;
     const State round = turned_round(segments[i], running_law(stated), at_begin,
                                      at_begin ? joint.right : joint.left);
-    const bool meets = at_begin ? !jump_of(joint.left, round, joint.rate, program.matched)
-                                : !jump_of(round, joint.right, joint.rate, program.matched);
+    const bool meets = at_begin ? !jump_of(joint.left, round, joint, program.matched)
+                                : !jump_of(round, joint.right, joint, program.matched);
     if (!meets) return;
     result += fmt::format("reverse the law of '{}' (reversed = {}), ", stated.name,
                           stated.reversed ? "false" : "true");
@@ -81,11 +84,12 @@ std::optional<Impossible> bad_joint(const StatedProgram& program,
   double at = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const std::size_t before = (i + segments.size() - 1) % segments.size();
-    Joint joint{before, i, at, 1 / std::max(segments[i].share, segments[before].share), {}, {}};
+    const auto [shorter, longer] = std::minmax(segments[i].share, segments[before].share);
+    Joint joint{before, i, at, 1 / longer, 1 / shorter, {}, {}};
     joint.left = law.derivatives<3>(i == 0 ? 1.0 : at, Side::Left);
     joint.right = law.derivatives<3>(at, Side::Right);
     if (i == 0) joint.left[0] -= program.advance;
-    if (const auto k = jump_of(joint.left, joint.right, joint.rate, program.matched)) {
+    if (const auto k = jump_of(joint.left, joint.right, joint, program.matched)) {
       return Impossible{fmt::format(
           "where '{}' meets '{}', at {:.6g} deg, the {} jumps from {:.6g} to {:.6g} {}{}",
           program.segments[before].name, program.segments[i].name, at * kCycle, kWhat[*k],

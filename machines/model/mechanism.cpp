@@ -90,6 +90,10 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
       for (const auto& r : mechanism.responses) {
         if (r.curve) curves.push_back(r.name);
       }
+      if (curves.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "'{}': {} has no curves, so nothing of it has a {}value", name, mechanism.name, word));
+      }
       refuse_name(fmt::format("{}: there is no curve", mechanism.name), curve, curves, kListing);
     }
     if (!response->curve) {

@@ -133,7 +133,8 @@ void check_turn(const TurnTable& turn) {
   for (std::size_t i = 0; i < turn.x.size(); ++i) {
     const bool last = i + 1 == turn.x.size();
     const double next = last ? turn.x.front() + 1 : turn.x[i + 1];
-    if ((next - turn.x[i]) * kTurnDegrees <= kWidestGap) continue;
+    constexpr double kRounding = 1e-9;  // of what turns of a table's angles are told to
+    if ((next - turn.x[i]) * kTurnDegrees <= kWidestGap * (1 + kRounding)) continue;
     throw std::invalid_argument(
         fmt::format("there is nothing from {:.6g} to {:.6g} deg; give the lift over the whole "
                     "turn, with rows at most {:g} deg apart",
