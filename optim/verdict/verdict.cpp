@@ -310,17 +310,15 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
   result.variables = variable_reports(problem, x);
   result.objective = objective_report(problem, scales, x, false);
   result.limits = limit_reports(problem, scales, x, false);
-  const bool has_no_value = std::isinf(worst_violation(result.limits));
-  if (has_no_value || !std::isfinite(result.objective.value)) {
+  if (std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the design of least violation");
     if (auto none = none_possible(problem)) {
       result.verdict = Verdict::Infeasible;
       result.reason = fmt::format("{}; {}", *none, result.reason);
       result.global = std::move(none);
-      return result;
     }
+    return result;
   }
-  if (has_no_value) return result;
   const Kkt conditions = kkt(problem, scales, x, Optimality::LeastViolation, told);
   take_conditions(problem, scales, conditions, result);
   // Of all multipliers: solvers leave less to limits that have no part in it.
