@@ -184,7 +184,7 @@ std::string tolerances_text(const ToleranceAnswer& answer) {
         fmt::format("{} {}", r.name, with_unit(fmt::format("{:.2g}", r.tolerance), r.unit)));
   }
   if (parts.empty()) return "";
-  return fmt::format("  a limit counts as met as far as its tolerance beyond the bound: {}\n",
+  return fmt::format("  a limit that is passed by no more than its tolerance counts as met: {}\n",
                      problems::listed(parts));
 }
 

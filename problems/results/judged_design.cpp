@@ -13,6 +13,7 @@
 #include "optim/pareto/costs.h"
 #include "optim/pareto/judged_again.h"
 #include "optim/search/told.h"
+#include "optim/verdict/none_possible.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 #include "problems/results/recorded_design.h"
@@ -85,7 +86,14 @@ optim::Assessment judged(const HeldProblem& held) {
   optim::Assessment least = least_of(problem);
   const auto strict = optim::with_strict_edges(problem);
   if (least.verdict != optim::Verdict::Infeasible && strict) least = least_of(*strict);
-  return least.verdict == optim::Verdict::Infeasible ? least : found;
+  if (least.verdict == optim::Verdict::Infeasible) return least;
+  if (std::isfinite(found.objective.value)) return found;
+  if (const auto none = optim::none_possible(problem)) {
+    found.verdict = optim::Verdict::Infeasible;
+    found.reason = fmt::format("{}; {}", *none, found.reason);
+    found.global = none;
+  }
+  return found;
 }
 
 namespace {
