@@ -104,7 +104,8 @@ void OwnOutputs::check(const std::vector<fs::path>& replaced,
     const auto own = files_.find(name_of(file));
     if (own == files_.end()) {
       if (!is_replaced || is_sealed(file)) return;
-      faults.push_back(fmt::format("'{}' was not written there by camlaw", file.string()));
+      faults.push_back(
+          fmt::format("'{}' is not in the list of files that camlaw wrote there", file.string()));
     } else if (!has_content(file, own->second.bytes, own->second.sha256)) {
       faults.push_back(fmt::format("'{}' was changed since camlaw wrote it", file.string()));
     }

@@ -58,7 +58,9 @@ PressedRoller<T, X, X> pressed_askew(const X& force, const X& across, const X& t
   const X product = crown * (across / (number<X>(1) + tilt * tilt));
   // half^2 - product, of which nothing cancels.
   const X greater = half + sqrt(apart * apart + product * (tilt * tilt));
-  return {force, across, greater, product / greater, face_width, material};
+  const X lesser = product / greater;
+  return {force,      across,  by_side(apart, greater, lesser), by_side(apart, lesser, greater),
+          face_width, material};
 }
 
 /// The greatest length by width of an ellipse, or width by length, at which the error of (RB9) is

@@ -29,7 +29,8 @@ X while_serving(const X& y, const T& step, int place, const X& gain) {
   const X none = number<X>(0);
   // The end of one place and the beginning of the next are the same formula, to the last bit.
   const auto beyond = [&](int k) { return X(y / step - number<T>(k - kPlaceRounding)); };
-  return by_side(beyond(place), by_side(beyond(place + 1), none, gain), none);
+  const X until_next = by_side(beyond(place + 1), none, gain);
+  return place == 0 ? until_next : by_side(beyond(place), until_next, none);
 }
 
 /// 0 or above where a whole number is a multiple of another one.

@@ -104,6 +104,7 @@ class Halving {
     }
     upper += 2e-15 * sizes;
     if (!(upper <= whole.value.upper)) upper = whole.value.upper;
+    if (std::isnan(upper)) upper = optim::kInfinity;
     see(centre, here);
     if (upper <= found_.value.upper) return;
     const bool is_close = upper - here.upper <= kClose * (here.upper - here.lower);

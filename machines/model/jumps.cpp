@@ -116,7 +116,7 @@ std::vector<double> FormulaJumps::places(const Cycle& cycle, const Law<double>& 
 std::vector<double> FormulaJumps::slopes_of_decider(std::span<const double> before,
                                                     std::span<const double> here) const {
   for (const auto& kernel : kernels_) {
-    if ((kernel->value(before) > 0) == (kernel->value(here) > 0)) continue;
+    if ((kernel->value(before) >= 0) == (kernel->value(here) >= 0)) continue;
     std::vector<double> slopes(here.size());
     kernel->gradient(here, slopes);
     return slopes;

@@ -72,9 +72,10 @@ class AugmentedSystem final : public NewtonSystem {
     return lu_.factor(entries_);
   }
 
-  NewtonStep solve(const VectorXd& slope, const VectorXd& push,
+  NewtonStep solve(const VectorXd& slope, const VectorXd& its_push,
                    const VectorXd& demand) const override {
     const Index n = sides_.variables(), m = sides_.rows.rows();
+    const VectorXd push = its_push.size() > 0 ? its_push : VectorXd::Zero(m + n).eval();
     VectorXd target(n + m + demand.size());
     for (Index i = 0; i < n; ++i) target[at(i)] = slope[i] - push[m + i];
     for (Index r = 0; r < m; ++r) target[at(n + r)] = -push[r] / weights_[r];

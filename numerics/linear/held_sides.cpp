@@ -106,6 +106,11 @@ class Conditions {
       if (!(std::abs(at.slope[i]) <= kLeft * std::max(1.0, kTerms * terms[i])))
         at.is_balanced = false;
     }
+    for (Index r = 0; r < m; ++r) {
+      if (side_of_row(r) == 0) continue;
+      const double size = std::max(1.0, std::abs(target[n + r]));
+      if (!(std::abs(target[n + r] - at.values[r]) <= kLeft * size)) at.is_balanced = false;
+    }
     return at;
   }
 

@@ -39,7 +39,10 @@ std::optional<Corner> corner_at(const Trace& trace, Place place) {
   const auto slope = [&](double distance) { return trace.at({place.angle + distance})[1]; };
   const double left = slope(-step), right = slope(step);
   const double size = std::max(std::abs(left), std::abs(right));
-  if (!(size > 0 && std::isfinite(size)) || left * right > 0) return {};
+  // A top that is level to rounding has slopes of either sign, which are none.
+  constexpr double kRounding = 1e-10;
+  const double value = std::abs(trace.at(place)[0]), least = kRounding * value / (end - begin);
+  if (!(size > least && std::isfinite(size)) || left * right > 0) return {};
   const auto stays = [&](double near, double distance) {
     return std::abs(near) <= kLevel * size || std::abs(near) > kSame * std::abs(slope(distance));
   };

@@ -27,8 +27,8 @@ struct IntegerOutcome {
   bool all_infeasible = true;    ///< every one that was looked at had none
   bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
   bool enumerated = true;
-  /// Of what was not enumerated: whether every combination one step away from the best in one
-  /// integer variable, and in two at once, was tried, and none is better.
+  /// Of what was not enumerated: whether a local search in every combination one step away from the
+  /// best in one integer variable, and in two at once, led to none that is better.
   bool neighbours_tried = false;
   std::vector<IntegerDesign> designs = {};  ///< all, in the order in which they were found
 

@@ -149,8 +149,8 @@ FoundEasings easings(const Problem& problem, const Found& infeasible, OptimiseOp
   if (!is_cut) return result;
   const bool had_none = own && *own <= 0;
   result.cut_short = deadline.stopped() ? "the search was stopped"
-                     : had_none         ? "the search left nothing of the time limit"
-                                : "they took half of what the search had left of the time limit";
+                     : had_none         ? "no time was left after the search"
+                                        : "cures may take half of the time that the search left";
   return result;
 }
 

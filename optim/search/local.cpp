@@ -187,23 +187,28 @@ bool is_judged_without_search(const Setting& setting, Trail& trail) {
 /// Blames a limit of whose response proofs have come upon a place without a value, such as a narrow
 /// part of a range, at the answer and at a few other designs: no search is led there.
 void blame_without_value(const Setting& setting, Trail& trail) {
-  constexpr int kDesigns = 4;
+  constexpr int kDesigns = 12, kLeast = 8;  // fewer may all lie where the model has no values
   Assessment& a = trail.found.assessment;
   if (a.verdict != Verdict::Failed || !setting.proves() || setting.deadline.passed()) return;
   const auto none = std::ranges::find_if(
       a.limits, [](const LimitReport& limit) { return std::isnan(limit.value); });
   if (none == a.limits.end()) return;
   const Problem& problem = setting.problem;
+  int checked = 1;  // the answer itself
   for (const std::vector<double>& x : starts(problem, kDesigns, setting.options.seed)) {
+    // Where the objective has no value either, the design says nothing of the limit.
+    if (x == trail.found.x || std::isnan(objective_value(problem.objective(), x))) continue;
     const auto limits = limit_reports(problem, scales(problem, x), x, true);
     if (!std::isnan(limits[static_cast<std::size_t>(none - a.limits.begin())].value)) return;
+    ++checked;
   }
+  if (checked < kLeast) return;
   a.verdict = Verdict::Infeasible;
   a.blamed = {none->name};
   a.reason = fmt::format(
-      "{} cannot be met: it has no value somewhere at each of the {} designs that were looked at "
-      "with proofs",
-      none->name, 1 + kDesigns);
+      "{} cannot be met: at each of the {} designs that were checked with proofs there is a place "
+      "where it has no value",
+      none->name, checked);
 }
 
 /// Where no design with numbers was found: there is none, if the model's own conditions show that,

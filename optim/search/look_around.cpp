@@ -62,7 +62,7 @@ class LimitsElsewhere {
   bool passes(const Breach& breach, double value) const {
     const Constraint& c = problem_.constraints[breach.limit];
     const std::optional<double>& bound = breach.sign > 0 ? c.upper : c.lower;
-    return bound && breach.sign * (value - *bound) > 0;
+    return bound && !(breach.sign * (value - *bound) <= 0);  // no value keeps no limit
   }
 
   bool is_broken(std::size_t limit, double sign, MaximaAt& maxima, Design x) {

@@ -31,8 +31,8 @@ std::string not_looked_at_words(std::size_t count) {
 std::string neighbour_words(const CombinationTally& tally) {
   if (tally.enumerated || !tally.neighbours_tried) return {};
   return fmt::format(
-      "; none of those one step away in one integer variable, or in two at once, is better ({} "
-      "problems solved)",
+      "; no search in those one step away in one integer variable, or in two at once, led to a "
+      "better one ({} problems solved)",
       tally.solved);
 }
 

@@ -60,12 +60,12 @@ class InteriorSolver final : public Solver {
     if (!read) return solution;
     const QuadraticProgram& linear = *read;
     RunEnd cut_short{Status::Stopped, "stopped"};
-    const auto found_from = [&](const InteriorSolution* near) {
-      return solve_by_interior_point(
-          linear, vector_of(start),
-          {.most_iterations = std::min(options.max_iterations, InteriorOptions{}.most_iterations),
-           .near = near,
-           .goes_on = watch(program, options, cut_short)});
+    const auto found_from = [&](const InteriorSolution* near, int before) {
+      const int most = std::min(options.max_iterations, InteriorOptions{}.most_iterations);
+      return solve_by_interior_point(linear, vector_of(start),
+                                     {.most_iterations = std::max(1, most - before),
+                                      .near = near,
+                                      .goes_on = watch(program, options, cut_short)});
     };
     std::optional<InteriorSolution> near;
     if (warm != nullptr && !warm->rows.empty()) {
@@ -74,12 +74,18 @@ class InteriorSolver final : public Solver {
                               .lower_multipliers = vector_of(warm->lower),
                               .upper_multipliers = vector_of(warm->upper)};
     }
-    InteriorSolution found = found_from(near ? &*near : nullptr);
+    InteriorSolution found = found_from(near ? &*near : nullptr, 0);
     const bool is_left = found.end != InteriorEnd::Optimal && found.end != InteriorEnd::Ended;
     if (near && is_left) {
-      const int before = found.iterations;
-      found = found_from(nullptr);
-      found.iterations += before;
+      InteriorSolution again = found_from(nullptr, found.iterations);
+      again.iterations += found.iterations;
+      const bool is_worse = found.end == InteriorEnd::Acceptable &&
+                            again.end != InteriorEnd::Optimal && again.end != InteriorEnd::Ended;
+      if (is_worse) {
+        found.iterations = again.iterations;
+      } else {
+        found = std::move(again);
+      }
     }
     const RunEnd end = found.end == InteriorEnd::Ended ? cut_short : run_end(found.end);
     solution.status = end.status;

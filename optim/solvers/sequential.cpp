@@ -196,7 +196,10 @@ class Sequence {
     if (is_short || (passed(place_) == 0 && is_worthless)) {
       const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, kMet);
       multipliers_ = step->multipliers;
-      if (holds) place_ = std::move(trial);
+      if (holds) {
+        place_ = std::move(trial);
+        memory_.moved(step->d);
+      }
       if (passed(place_) > 0) return Advance::None;
       return holds && needs_balance() ? Advance::Some : Advance::Last;
     }

@@ -141,7 +141,7 @@ std::string program_line(const Answer& answer) {
 /// What the numbers shown are, where they are not those of an answer; else empty.
 std::string what_is_shown(const Answer& answer) {
   const Assessment& a = assessment(answer);
-  if (optim::is_feasible(a) || !is_at_design(answer)) return "";
+  if (optim::is_feasible(a) || !is_at_design(answer) || std::isnan(a.objective.value)) return "";
   if (answer.optimum.found.solves == 0) return "the values at the start, which are no answer";
   return a.verdict == optim::Verdict::Infeasible
              ? "the design that comes nearest to the limits, which is no answer"

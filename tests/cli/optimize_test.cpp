@@ -543,7 +543,8 @@ TEST_CASE("a search replaces no figure that somebody made or changed", "[program
   fs::create_directory(folder / "out");
   for (const char* name : {"law.csv", "law.svg", "cycle.svg"}) {
     testing::write(folder / (std::string("out/") + name), "mine");
-    CHECK_THAT(failed(words, 2), Contains(name) && Contains("was not written there by camlaw"));
+    CHECK_THAT(failed(words, 2),
+               Contains(name) && Contains("is not in the list of files that camlaw wrote there"));
     CHECK(read(folder / (std::string("out/") + name)) == "mine");
     fs::remove(folder / (std::string("out/") + name));
   }
