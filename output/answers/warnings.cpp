@@ -12,7 +12,7 @@
 #include "optim/problem/inputs.h"
 #include "output/answers/front_words.h"
 #include "output/document/printing.h"
-#include "problems/sensitivity/design_numbers.h"
+#include "problems/sensitivity/sensitivity.h"
 #include "problems/statement/assignment.h"
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
@@ -144,22 +144,23 @@ Movers movers_of(const Answer& answer, const problems::ResponseName& asked,
   constexpr double kRounding = 1e-6;
   const optim::Optimum& optimum = answer.optimum;
   const problems::ProblemStatement design = answer.bound.at(optimum.options, optimum.found.x);
-  const auto parameters = problems::design_parameters(design);
-  std::vector<double> x;
-  for (const problems::DesignParameter& p : parameters) x.push_back(p.value);
+  const problems::LocalSensitivity local = problems::local_sensitivity(design);
+  const auto numbers = problems::design_numbers(design, local.parameters);
   std::set<std::size_t> moving;
   for (const std::size_t i : asked.response->uses) {
     if (design.mechanism->parameters[i].integer) moving.insert(i);
   }
   const optim::Part other = limit.is_upper ? optim::Part::Lowest : optim::Part::Highest;
-  for (const problems::DesignNumber& number : problems::design_numbers(design, parameters)) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const problems::DesignNumber& number = numbers[k];
     if (number.is_objective || number.response.name != limit.name || number.part == other) continue;
-    const auto slopes = number.slopes(x);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double slope = std::max(std::abs(slopes[i].first), std::abs(slopes[i].second));
+    for (std::size_t i = 0; i < local.parameters.size(); ++i) {
+      const problems::DesignParameter& parameter = local.parameters[i];
+      const problems::Sensitivity& by = local.numbers[k].by[i];
+      const double slope = std::max({std::abs(by.slope), std::abs(by.low), std::abs(by.high)});
       const double least = kRounding * std::max(std::abs(limit.value), std::abs(limit.bound));
-      if (!(slope * std::max(std::abs(x[i]), 1.0) > least)) continue;
-      if (parameters[i].of_machine) moving.insert(*parameters[i].of_machine);
+      if (!(slope * std::max(std::abs(parameter.value), 1.0) > least)) continue;
+      if (parameter.of_machine) moving.insert(*parameter.of_machine);
     }
   }
   Movers result;
