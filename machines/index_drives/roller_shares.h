@@ -18,9 +18,9 @@ inline constexpr int kServed = kMostHandovers + 1;
 
 /// A roller takes over when its place is reached but for this part of a step: a dwell at a
 /// hand-over is the taking roller's, in spite of rounding. A motion comes to rest with the cube of
-/// the time, so these are the last thousandth of it; with less, rounding would leave the moment
-/// open by more than a limit's tolerance.
-inline constexpr double kPlaceRounding = 1e-9;
+/// the time, so this is the last half of a hundredth of it; with less, intervals would leave the
+/// moment open by more than a limit's tolerance.
+inline constexpr double kPlaceRounding = 1e-7;
 
 /// What a roller gains, by the turret's gain y since the first one took over, while it serves as
 /// the one of this place; 0 otherwise.

@@ -85,6 +85,14 @@ inline std::array<Interval, kTaylorTerms + 3> derivatives_over(const Piece<Inter
   const Expansion motion = expander(box);
   auto all = derivatives<kTaylorTerms + 3>(piece, box);
   for (std::size_t k = 0; k < motion.over.size(); ++k) all[k] = both(all[k], motion.over[k]);
+  if (piece.harmonics.empty()) return all;
+  // Where a harmonic comes to rest its terms nearly cancel: each derivative changes by no more than
+  // the next one over the box, which is small there.
+  const Interval c(boost::numeric::median(box)), offset = box - c;
+  const auto at = derivatives<kTaylorTerms + 3>(piece, c);
+  for (std::size_t k = all.size() - 1; k-- > 0;) {
+    all[k] = both(all[k], at[k] + all[k + 1] * offset);
+  }
   return all;
 }
 

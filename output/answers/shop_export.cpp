@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "machines/model/known_names.h"
 #include "numerics/text/units.h"
 #include "output/answers/motion_export.h"
 #include "output/export/inspection.h"
@@ -125,10 +126,7 @@ std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exp
 /// Compensated, the tool's centre runs on an arc inside the lead's: throws where that leaves none.
 void check_lead_holds_tool(const problems::ProblemStatement& design, double lead,
                            const problems::LengthUnit& unit) {
-  const auto& parameters = design.mechanism->parameters;
-  const bool has_tool = std::any_of(parameters.begin(), parameters.end(),
-                                    [](const auto& p) { return p.name == "cutter_radius"; });
-  if (!has_tool) return;
+  if (!problems::parameter_called(*design.mechanism, "cutter_radius")) return;
   const double tool = problems::constant_of(design, "cutter_radius") / unit.mm;
   if (lead > tool) return;
   throw std::invalid_argument(fmt::format(

@@ -101,7 +101,10 @@ StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
   optim::RecordedExecutor recorded(study.space(), record, nullptr);
   StoredFront stored{.front = study.run(recorded)};
   const std::string version = other_version(study, record);
-  if (!recorded.faults().empty()) stored.front = front_of_believed(study, recorded.believed());
+  // Another version may have asked for other tasks: what it found counts all the same.
+  if (!recorded.faults().empty() || !version.empty()) {
+    stored.front = front_of_believed(study, recorded.believed());
+  }
   stored.faults = recorded.faults();
   if (record.lost_log()) stored.notes.emplace_back(kLostLog);
   if (!version.empty()) judge_anew(study, version, stored);

@@ -76,8 +76,9 @@ TEST_CASE("rows of the atlas are what a search of their own finds", "[atlas]") {
       ++compared;
       continue;
     }
+    // The limit may be exceeded by its tolerance, which is worth a few millionths of the value.
     INFO(row.law << " at " << row.bound);
-    CHECK(least(row.law, known->second, row.bound) == Approx(*row.value).epsilon(1e-6));
+    CHECK(least(row.law, known->second, row.bound) == Approx(*row.value).epsilon(4e-6));
     ++compared;
   }
   CHECK(compared >= 15);

