@@ -40,17 +40,17 @@ std::vector<MechanismResponse> efficiencies(const std::string& prefix, Friction 
 }
 
 std::vector<MechanismResponse> delivery_numbers() {
-  return {
-      number_response<SheetDelivery>(
-          {"slow_down", "1", "1",
-           "fraction of its travel by which the carriage falls behind the chain in a stretch"},
-          [](const auto& drive) { return drive.slow_down(); }),
-      number_response<SheetDelivery>(
-          {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
-          [](const auto& drive) { return drive.efficiency_O(); }),
-      number_response<SheetDelivery>(
-          {"boundary_efficiency", "1", "1", "efficiency at the end of acceleration, where deceleration begins"},
-          [](const auto& drive) { return drive.boundary_efficiency(); })};
+  return {number_response<SheetDelivery>(
+              {"slow_down", "1", "1",
+               "fraction of its travel by which the carriage falls behind the chain in a stretch"},
+              [](const auto& drive) { return drive.slow_down(); }),
+          number_response<SheetDelivery>(
+              {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
+              [](const auto& drive) { return drive.efficiency_O(); }),
+          number_response<SheetDelivery>(
+              {"boundary_efficiency", "1", "1",
+               "efficiency at the end of acceleration, where deceleration begins"},
+              [](const auto& drive) { return drive.boundary_efficiency(); })};
 }
 
 std::vector<MechanismResponse> delivery_curves() {

@@ -47,7 +47,8 @@ inline constexpr MachineParameter kStations{
           1e9},
     kRollerLength = cams::kFaceWidth.meaning_that("length of the contact along a roller"),
     kTrainStiffness = cams::kArmTrainStiffness.meaning_that(
-        "stiffness of the train between turret and table; 0 makes the train rigid, and the responses "
+        "stiffness of the train between turret and table; 0 makes the train rigid, and the "
+        "responses "
         "of its end are undefined"),
     kCrownRadius = cams::kCrownRadius.with_symbol("R_k");  // R_c is a barrel's radius
 

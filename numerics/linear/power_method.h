@@ -7,8 +7,9 @@
 namespace camlaw::optim {
 
 /// Largest eigenvalue of a positive semidefinite matrix, from a random start: the largest on the
-/// span of the power method's directions (Lanczos), of which a few dozen do. `times` gives the matrix times a vector. Never above it by more than rounding, and below it by
-/// 1e-6 of it at most, unless many eigenvalues lie close to the largest. 0 for size 0.
+/// span of the power method's directions (Lanczos), of which a few dozen do. `times` gives the
+/// matrix times a vector. Never above it by more than rounding, and below it by 1e-6 of it at most,
+/// unless many eigenvalues lie close to the largest. 0 for size 0.
 double largest_eigenvalue(Eigen::Index size,
                           const std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>& times);
 

@@ -43,7 +43,7 @@ struct InteriorSolution {
   Eigen::VectorXd y, row_multipliers, lower_multipliers, upper_multipliers;
   InteriorEnd end = InteriorEnd::Stalled;
   int iterations = 0;
-  bool is_augmented = false;          ///< whether it was found with variables and rows together
+  bool is_augmented = false;  ///< whether it was found with variables and rows together
   std::vector<InteriorStage> stages = {};  ///< where the gap had lost another digit, if asked for
 };
 

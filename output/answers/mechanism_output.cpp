@@ -219,7 +219,8 @@ Document mechanisms_page() {
       "Printed by `camlaw mechanisms --markdown` from the code. A file names one, sets or varies "
       "its\nparameters and limits or optimises its responses "
       "([problem-files.md](problem-files.md)). A file asks for the\n`peak`, `highest` or "
-      "`lowest` value of a curve. The formulas of each are in [machine-formulas](machine-formulas).\n");
+      "`lowest` value of a curve. The formulas of each are in "
+      "[machine-formulas](machine-formulas).\n");
   std::vector<std::string> headings;
   for (const Mechanism& m : problems::mechanisms()) headings.push_back(m.name);
   page.say(contents_of(headings));
@@ -231,7 +232,8 @@ Document formulas_page(const Mechanism& mechanism) {
   Document page;
   page.add(Heading{fmt::format("Formulas of {}", mechanism.name), 1});
   page.say(fmt::format(
-      "Printed by `camlaw mechanisms {0} --formulas` from the formulas that are computed. Quantities are in SI "
+      "Printed by `camlaw mechanisms {0} --formulas` from the formulas that are computed. "
+      "Quantities are in SI "
       "units and\nangles in rad; a response is then given in the unit below its name. The symbols "
       "are those of\n[mechanisms.md](../mechanisms.md#{0}). $s$ is the displacement in strokes "
       "over the cycle $x$ from 0 to 1, $\\varphi$ the angle of\na shaft. $[\\dots]_{{y > 0}}$ has "

@@ -31,7 +31,8 @@ struct ReportPage {
 /// forbids everything else.
 std::string page_html(const ReportPage& page);
 
-/// Whether this is a page of camlaw as it was written: its last line states the SHA-256 of the rest.
+/// Whether this is a page of camlaw as it was written: its last line states the SHA-256 of the
+/// rest.
 bool is_unchanged_page(std::string_view html);
 
 }  // namespace camlaw::cli

@@ -26,7 +26,7 @@ std::vector<optim::Place> places_of(const optim::Trace& trace) {
 }
 
 /// How many values are of another kind, or farther off than rounding.
-std::size_t others(const optim::Trace& trace) {
+std::size_t others(const optim::Trace& trace, double rounding) {
   const std::vector<optim::Place> places = places_of(trace);
   std::vector<double> truth;
   double size = 0;
@@ -36,25 +36,13 @@ std::size_t others(const optim::Trace& trace) {
   }
   const std::vector<double> values = trace.values(places);
   REQUIRE(values.size() == places.size());
-  // Beside a place where the curve has no bound, as a film has none without a load, rounding of
-  // what goes to zero there is all that is left of it.
-  std::vector<double> sizes;
-  for (const double value : truth) {
-    if (!std::isnan(value)) sizes.push_back(std::abs(value));
-  }
-  std::sort(sizes.begin(), sizes.end());
-  const bool has_pole =
-      std::any_of(truth.begin(), truth.end(), [](double v) { return std::isinf(v); });
-  const double most = has_pole && !sizes.empty() ? 3 * sizes[sizes.size() / 4] : size;
   std::size_t count = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_beside_pole = std::abs(truth[i]) > most && std::abs(values[i]) > most;
-    if (has_pole && is_beside_pole) continue;
     if (std::isnan(truth[i]) || std::isinf(truth[i])) {
       const bool same = std::isnan(truth[i]) ? std::isnan(values[i]) : values[i] == truth[i];
       if (!same) UNSCOPED_INFO("at " << places[i].angle << ": " << truth[i] << ", " << values[i]);
       count += same ? 0 : 1;
-    } else if (!(std::abs(values[i] - truth[i]) <= 1e-12 * size)) {
+    } else if (!(std::abs(values[i] - truth[i]) <= rounding * size)) {
       UNSCOPED_INFO("at " << places[i].angle << ": " << truth[i] << ", " << values[i]);
       ++count;
     }
@@ -69,7 +57,10 @@ TEST_CASE("values at many places are those at each place", "[problem-files][curv
   for (const std::string& file : shipped_problems()) {
     for (const optim::Response& response : curves_of(read_problem_file(file))) {
       INFO(file << ": " << response.name);
-      CHECK(others(*response.curve().trace({})) == 0);
+      // A film grows without bound where the load goes to zero, whose rounding is all that is left.
+      const bool is_film = response.name.find("film") != std::string::npos ||
+                           response.name.find("lambda") != std::string::npos;
+      CHECK(others(*response.curve().trace({}), is_film ? 1e-9 : 1e-12) == 0);
       ++curves;
     }
   }
@@ -82,7 +73,7 @@ TEST_CASE("values at many places go back with the follower, and jump with the la
     const std::string text = "mechanism = 'spine-cutter'\n[law]\nname = '" + law + "'\n";
     for (const optim::Response& response : curves_of(read_problem(text, "f.toml"))) {
       INFO(law << ": " << response.name);
-      CHECK(others(*response.curve().trace({})) == 0);
+      CHECK(others(*response.curve().trace({}), 1e-12) == 0);
     }
   }
 }
