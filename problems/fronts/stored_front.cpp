@@ -101,8 +101,8 @@ StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
   optim::RecordedExecutor recorded(study.space(), record, nullptr);
   StoredFront stored{.front = study.run(recorded)};
   const std::string version = other_version(study, record);
-  // Another version may have asked for other tasks: what it found counts all the same.
-  if (!recorded.faults().empty() || !version.empty()) {
+  // Another version may have asked for other tasks than this one would: what it found counts.
+  if (!recorded.faults().empty() || (!version.empty() && stored.front.stopped)) {
     stored.front = front_of_believed(study, recorded.believed());
   }
   stored.faults = recorded.faults();
