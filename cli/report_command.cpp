@@ -195,7 +195,7 @@ void keep_other_page(const std::filesystem::path& output) {
   const std::string there{std::istreambuf_iterator<char>(stream), {}};
   if (there.empty() || is_unchanged_page(there)) return;
   throw RefusedOutput(
-      fmt::format("'{}' is no page of camlaw, or was changed since, and would be replaced; name "
+      fmt::format("'{}' is not a page of camlaw, or was changed since, and would be replaced; name "
                   "the page with --out FILE, or move that file away",
                   output.string()));
 }

@@ -8,8 +8,8 @@
 #include "machines/index_drives/index_load.h"
 #include "numerics/scalar/extremes.h"
 
-/// How the rollers of a turret share what a cycle does to them (docs/theory.md, "Life of the
-/// rollers of a turret").
+/// How the rollers of a turret share what a cycle does to them (docs/theory.md, "Rollers of a
+/// turret").
 namespace camlaw {
 
 /// Places in the order in which rollers serve in a cycle. The last one is the first of the cycle

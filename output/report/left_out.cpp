@@ -14,6 +14,7 @@ namespace {
 }  // namespace
 
 std::string page_html(const ReportPage&) { refuse(); }
+bool is_unchanged_page(std::string_view) { refuse(); }
 ReportPage design_report(const ReportedDesign&) { refuse(); }
 ReportPage comparison_report(const std::vector<ComparedDesign>&, const std::vector<std::string>&) {
   refuse();

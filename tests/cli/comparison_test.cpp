@@ -134,7 +134,7 @@ TEST_CASE("a comparison without a name is written beside the first result", "[cl
   const std::string page = folder / "comparison.html", edited = read(page) + "<!-- mine -->\n";
   testing::write(page, edited);
   CHECK_THAT(failed({"report", folder / "a.toml", folder / "b.toml"}, 2),
-             Contains("is no page of camlaw, or was changed since"));
+             Contains("is not a page of camlaw, or was changed since"));
   CHECK(read(page) == edited);
   done({"report", folder / "a.toml", folder / "b.toml", "-o", page});
   CHECK(read(page) != edited);
