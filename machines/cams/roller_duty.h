@@ -23,11 +23,11 @@ struct RollerDuty {
   T pressure_viscosity;  ///< alpha, 1/Pa
   T roughness;           ///< R_q, m, of both surfaces
 
-  static RollerDuty given_by(Given<T>& given) {
+  /// The crown may have a symbol of its own.
+  static RollerDuty given_by(Given<T>& given, const MachineParameter& crown = cams::kCrownRadius) {
     using namespace cams;
-    return {given(kCrownRadius), given(kDynamicRating), given(kStaticRating),
-            given(kSpeedLimit),  given(kViscosity),     given(kPressureViscosity),
-            given(kRoughness)};
+    return {given(crown),      given(kDynamicRating),     given(kStaticRating), given(kSpeedLimit),
+            given(kViscosity), given(kPressureViscosity), given(kRoughness)};
   }
 
   /// Of the roller's face along its axis, 1/m.

@@ -24,25 +24,20 @@ struct BarrelIndexCam {
   T turret_radius = given(turrets::kTurretRadius);  ///< R_t, m, of the circle of the rollers' axes
   T cam_radius = given({"cam_radius", "R_c", "mm", "m",
                         "radius of the cam at the middle of a roller", 60, 1e-3, 1e5});
-  T roller_radius = given(turrets::kRollerRadius);         ///< r_r, m
-  T angular_speed = given(turrets::kSpeed);                ///< omega, rad/s, of the cam
-  T inertia = given(turrets::kInertia);                    ///< J, kg m^2
-  T friction = given(turrets::kFriction);                  ///< M_C, N m
-  T load = given(turrets::kLoad);                          ///< M_L, N m
-  T face_width = given(turrets::kRollerLength);            ///< b, m, along a roller
-  T youngs_modulus = given(cams::kYoungsModulus);          ///< E, Pa
-  T poisson_ratio = given(cams::kPoissonRatio);            ///< nu
-  T bore_radius = given(cams::kBoreRadius);                ///< r_0, m, of the cam
-  T train_stiffness = given(turrets::kTrainStiffness);     ///< c_t, N m/rad, from turret to table
-  T train_damping = given(cams::kTrainDamping);            ///< zeta
-  T end_share = given(cams::kArmEndShare);                 ///< kappa, of the inertia
-  T crown_radius = given(turrets::kCrownRadius);           ///< R_k, m, of a roller along its axis
-  T dynamic_rating = given(cams::kDynamicRating);          ///< C, N, of a roller
-  T static_rating = given(cams::kStaticRating);            ///< C_0, N
-  T speed_limit = given(cams::kSpeedLimit);                ///< n_G, rad/s, of a roller on its pin
-  T viscosity = given(cams::kViscosity);                   ///< eta, Pa s
-  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
-  T roughness = given(cams::kRoughness);                   ///< R_q, m, of a roller and the cam
+  T roller_radius = given(turrets::kRollerRadius);      ///< r_r, m
+  T angular_speed = given(turrets::kSpeed);             ///< omega, rad/s, of the cam
+  T inertia = given(turrets::kInertia);                 ///< J, kg m^2
+  T friction = given(turrets::kFriction);               ///< M_C, N m
+  T load = given(turrets::kLoad);                       ///< M_L, N m
+  T face_width = given(turrets::kRollerLength);         ///< b, m, along a roller
+  T youngs_modulus = given(cams::kYoungsModulus);       ///< E, Pa
+  T poisson_ratio = given(cams::kPoissonRatio);         ///< nu
+  T bore_radius = given(cams::kBoreRadius);             ///< r_0, m, of the cam
+  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
+  /// What each roller bears, and what lubricates it.
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given, turrets::kCrownRadius);
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
@@ -52,11 +47,6 @@ struct BarrelIndexCam {
   /// delta, rad: what the turret turns by while a roller drives.
   T step() const { return number<T>(2) * pi<T>() / rollers; }
   IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
-  /// What each roller bears, and what lubricates it.
-  RollerDuty<T> duty() const {
-    return {crown_radius, dynamic_rating,     static_rating, speed_limit,
-            viscosity,    pressure_viscosity, roughness};
-  }
   /// Rollers that share a turn of the turret.
   const T& all_rollers() const { return rollers; }
 

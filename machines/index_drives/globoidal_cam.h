@@ -31,16 +31,11 @@ struct GloboidalCam {
   T youngs_modulus = given(cams::kYoungsModulus);                  ///< E, Pa
   T poisson_ratio = given(cams::kPoissonRatio);                    ///< nu
   T bore_radius = given(cams::kBoreRadius);                        ///< r_0, m, of the cam
-  T train_stiffness = given(turrets::kTrainStiffness);     ///< c_t, N m/rad, from turret to table
-  T train_damping = given(cams::kTrainDamping);            ///< zeta
-  T end_share = given(cams::kArmEndShare);                 ///< kappa, of the inertia
-  T crown_radius = given(turrets::kCrownRadius);           ///< R_k, m, of a roller along its axis
-  T dynamic_rating = given(cams::kDynamicRating);          ///< C, N, of a roller
-  T static_rating = given(cams::kStaticRating);            ///< C_0, N
-  T speed_limit = given(cams::kSpeedLimit);                ///< n_G, rad/s, of a roller on its pin
-  T viscosity = given(cams::kViscosity);                   ///< eta, Pa s
-  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
-  T roughness = given(cams::kRoughness);                   ///< R_q, m, of a roller and the cam
+  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
+  /// What each roller bears, and what lubricates it.
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given, turrets::kCrownRadius);
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
@@ -51,11 +46,6 @@ struct GloboidalCam {
   /// delta, rad: what the turret turns by while a roller drives.
   T step() const { return number<T>(2) * pi<T>() / rollers; }
   IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
-  /// What each roller bears, and what lubricates it.
-  RollerDuty<T> duty() const {
-    return {crown_radius, dynamic_rating,     static_rating, speed_limit,
-            viscosity,    pressure_viscosity, roughness};
-  }
   /// Rollers that share a turn of the turret.
   const T& all_rollers() const { return rollers; }
 

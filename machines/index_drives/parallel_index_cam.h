@@ -95,16 +95,11 @@ struct ParallelIndexCam {
   T bore_radius = given(cams::kBoreRadius);                       ///< r_0, m, of the cams
   T shaft_radius = given({"shaft_radius", "r_S", "mm", "m",
                           "radius of the turret's shaft beside the cams", 10, 0, 1e5});
-  T train_stiffness = given(turrets::kTrainStiffness);     ///< c_t, N m/rad, from turret to table
-  T train_damping = given(cams::kTrainDamping);            ///< zeta
-  T end_share = given(cams::kArmEndShare);                 ///< kappa, of the inertia
-  T crown_radius = given(turrets::kCrownRadius);           ///< R_k, m, of a roller along its axis
-  T dynamic_rating = given(cams::kDynamicRating);          ///< C, N, of a roller
-  T static_rating = given(cams::kStaticRating);            ///< C_0, N
-  T speed_limit = given(cams::kSpeedLimit);                ///< n_G, rad/s, of a roller on its pin
-  T viscosity = given(cams::kViscosity);                   ///< eta, Pa s
-  T pressure_viscosity = given(cams::kPressureViscosity);  ///< alpha, 1/Pa
-  T roughness = given(cams::kRoughness);                   ///< R_q, m, of a roller and its cam
+  T train_stiffness = given(turrets::kTrainStiffness);  ///< c_t, N m/rad, from turret to table
+  T train_damping = given(cams::kTrainDamping);         ///< zeta
+  T end_share = given(cams::kArmEndShare);              ///< kappa, of the inertia
+  /// What each roller bears, and what lubricates it.
+  RollerDuty<T> duty = RollerDuty<T>::given_by(given, turrets::kCrownRadius);
 
   auto conditions() const {
     return std::to_array<Condition<T>>(
@@ -118,11 +113,6 @@ struct ParallelIndexCam {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
   IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
-  /// What each roller bears, and what lubricates it.
-  RollerDuty<T> duty() const {
-    return {crown_radius, dynamic_rating,     static_rating, speed_limit,
-            viscosity,    pressure_viscosity, roughness};
-  }
   /// Rollers that share a turn of the turret.
   T all_rollers() const { return rollers * plates; }
   /// The driving flank, and the holding one on the other side of the line of centres.
@@ -182,7 +172,7 @@ struct ParallelIndexCam {
   X of_film(const FollowerMotion<X>& f, F formula) const {
     return on_bearing(f, [&](const auto& roller, const X& force) {
       return formula(
-          roller_film(duty().lubricant(), pressed(roller, force, f),
+          roller_film(duty.lubricant(), pressed(roller, force, f),
                       X(angular_speed * rolled_way(roller.pitch_curve(f), roller_radius))));
     });
   }
@@ -200,7 +190,7 @@ struct ParallelIndexCam {
     const IndexRoller<T, X> roller = flank.after(X(gained - number<T>(place) * flank.step));
     const X force =
         greater_of(X(number<T>(side) * follower().torque(f) / turret_radius), number<X>(0));
-    const X damage = duty().to_life_exponent(X(force * roller.inclination(f))) * roller.turns(f);
+    const X damage = duty.to_life_exponent(X(force * roller.inclination(f))) * roller.turns(f);
     return while_serving(gained, flank.step, place, damage);
   }
   /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the
@@ -237,7 +227,7 @@ struct ParallelIndexCam {
   auto pressed(const IndexRoller<T, X>& roller, const X& force, const FollowerMotion<X>& f) const {
     const RollerContact<T>& contact = roller.contact;
     return pressed_roller(force, X(contact.curvature_sum(roller.pitch_curve(f).curvature())),
-                          duty().crown_curvature(), face_width, contact.material);
+                          duty.crown_curvature(), face_width, contact.material);
   }
   /// epsilon, rad.
   T lead() const { return number<T>(kTakeover) * step(); }

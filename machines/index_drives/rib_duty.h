@@ -46,7 +46,7 @@ auto rib_film(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
   const X way = on_bearing_flank(
       drive, RollerPlace::Middle, psi, f,
       [&](const auto& contact, double side) { return contact.rolled_way(radius, side); });
-  return roller_film(drive.duty().lubricant(), pressed_rib(drive, psi, f),
+  return roller_film(drive.duty.lubricant(), pressed_rib(drive, psi, f),
                      X(drive.angular_speed * way));
 }
 
@@ -59,7 +59,7 @@ Write rib_damage(int place) {
     const auto step = drive.step();
     const X psi = rib_angle(drive, X(f.s - step * number<X>(place)));
     const X damage =
-        drive.duty().to_life_exponent(rib_force(drive, psi, f)) * rib_turns(drive, psi, f);
+        drive.duty.to_life_exponent(rib_force(drive, psi, f)) * rib_turns(drive, psi, f);
     return while_serving(f.s, step, place, damage);
   });
 }

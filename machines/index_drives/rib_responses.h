@@ -78,7 +78,7 @@ auto pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
   const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
   const X force = rib_force(drive, middle, f);
   return pressed_askew(X(absolute(force)), X(loaded_curvature(drive, middle, force)),
-                       middle.slant(drive.roller_radius), drive.duty().crown_curvature(),
+                       middle.slant(drive.roller_radius), drive.duty.crown_curvature(),
                        drive.face_width, rib_material(drive));
 }
 

@@ -6,7 +6,7 @@
 #include "machines/index_drives/roller_shares.h"
 #include "machines/model/mean_number.h"
 
-/// What the rollers of every index drive bear, for a machine with duty() and all_rollers(): the
+/// What the rollers of every index drive bear, for a machine with duty and all_rollers(): the
 /// life of their bearings, and their speeds.
 namespace camlaw::problems {
 
@@ -37,12 +37,12 @@ std::vector<MechanismResponse> turret_life(std::vector<Write> damages, Turns tur
                "constant load under which the bearings of all rollers reach the life" + most},
               damages,
               [places, worst](const auto& drive, const auto& means) {
-                return drive.duty().equivalent_load(drive.all_rollers() * worst(drive, means),
-                                                    means[places + 1]);
+                return drive.duty.equivalent_load(drive.all_rollers() * worst(drive, means),
+                                                  means[places + 1]);
               }),
           number_of_means<M>({"life", "h", "s", "basic rating life L10 of the bearing" + most},
                              damages, [worst](const auto& drive, const auto& means) {
-                               return drive.duty().life(worst(drive, means), drive.angular_speed);
+                               return drive.duty.life(worst(drive, means), drive.angular_speed);
                              })};
 }
 
@@ -57,7 +57,7 @@ std::vector<MechanismResponse> turret_roller_speeds(Turns turns) {
           cam_curve<M>({"speed_fraction", "1", "1",
                         "speed of the roller over its permissible speed; above 1 it is too fast"},
                        [turns](const auto& drive, const auto& f) {
-                         return drive.angular_speed / drive.duty().speed_limit * turns(drive, f);
+                         return drive.angular_speed / drive.duty.speed_limit * turns(drive, f);
                        })};
 }
 
@@ -68,7 +68,7 @@ MechanismResponse turret_static_fraction(Force force) {
                        "force on the loaded roller over its static load rating: the inverse of the "
                        "static safety factor"},
                       [force](const auto& drive, const auto& f) {
-                        return absolute(force(drive, f)) / drive.duty().static_rating;
+                        return absolute(force(drive, f)) / drive.duty.static_rating;
                       });
 }
 

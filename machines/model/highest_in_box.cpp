@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <numeric>
 #include <queue>
+#include <ranges>
 
 #include "optim/cycle/proof_time.h"
+#include "optim/problem/widest_side.h"
 
 namespace camlaw::problems {
 namespace {
@@ -124,13 +126,8 @@ class Halving {
 
   /// Where the box is widest, as a share of the whole one.
   void halve(const Part& part) {
-    std::size_t widest = 0;
-    double most = 0;
-    for (std::size_t i = 0; i < part.box.size(); ++i) {
-      const double width = part.box[i].upper - part.box[i].lower;
-      const double share = width > 0 ? width / (whole_[i].upper - whole_[i].lower) : 0;
-      if (share > most) most = share, widest = i;
-    }
+    const auto sides = std::views::iota(std::size_t{0}, part.box.size());
+    const std::size_t widest = optim::widest_side(part.box, whole_, sides).value_or(0);
     const Bounds along = part.box[widest];
     Box half = part.box;
     half[widest].upper = middle(along);

@@ -13,6 +13,7 @@
 #include "machines/model/recorded_response.h"
 #include "machines/model/shape_rules.h"
 #include "numerics/formula/expression.h"
+#include "optim/problem/widest_side.h"
 
 namespace camlaw::problems {
 
@@ -63,21 +64,6 @@ std::vector<std::size_t> deciding_of(const std::vector<Margin>& margins, const B
     for (const std::size_t k : margin.uses()) found.insert(binding.parameters[k]);
   });
   return {found.begin(), found.end()};
-}
-
-/// The widest of these inputs in parts of its first width; none where none has a width.
-std::optional<std::size_t> widest(const std::vector<Bounds>& box, std::span<const Bounds> whole,
-                                  const std::vector<std::size_t>& inputs) {
-  std::optional<std::size_t> found;
-  double most = 0;
-  for (const std::size_t i : inputs) {
-    const double width = whole[i].upper - whole[i].lower;
-    const double share = width > 0 ? (box[i].upper - box[i].lower) / width : 0;
-    if (!(share > most)) continue;
-    most = share;
-    found = i;
-  }
-  return found;
 }
 
 /// A part of a box, by the least that a margin may be there.
@@ -135,7 +121,7 @@ MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const
     if (parts >= kParts) return {false, {}};
     const std::vector<Bounds> box = open.top().box;
     open.pop();
-    const auto halved = widest(box, whole, margin.uses());
+    const auto halved = optim::widest_side(box, whole, margin.uses());
     if (!halved) continue;  // a single machine, which is possible
     const double middle = std::midpoint(box[*halved].lower, box[*halved].upper);
     if (!(middle > box[*halved].lower && middle < box[*halved].upper)) return {false, {}};

@@ -7,29 +7,11 @@
 #include <set>
 #include <vector>
 
+#include "optim/problem/widest_side.h"
+
 namespace camlaw::optim {
-namespace {
-
-using Box = std::vector<Bounds>;
-
-/// The widest side of a box in parts of the whole's; none where none has a width.
-std::optional<std::size_t> widest_side(const Box& box, const Box& whole,
-                                       const std::set<std::size_t>& sides) {
-  std::optional<std::size_t> found;
-  double most = 0;
-  for (const std::size_t i : sides) {
-    const double width = whole[i].upper - whole[i].lower;
-    const double share = width > 0 ? (box[i].upper - box[i].lower) / width : 0;
-    if (!(share > most)) continue;
-    most = share;
-    found = i;
-  }
-  return found;
-}
-
-}  // namespace
-
 std::optional<std::string> none_possible(const Problem& problem) {
+  using Box = std::vector<Bounds>;
   if (!problem.domain) return {};
   Box whole;
   for (const Variable& v : problem.variables) {
