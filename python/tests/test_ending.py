@@ -46,7 +46,7 @@ print("the main thread ends", flush=True)
 def test_the_library_can_be_called_while_python_ends():
     script = f"""
 import atexit
-atexit.register(lambda: print(round(cl.law("cycloidal").C_v, 9), problem.evaluate()["base_radius"] > 0))
+atexit.register(lambda: print(round(cl.law("cycloidal").C_v, 9), problem.evaluate().feasible in (True, False)))
 import camlaw as cl  # whose own end comes before what was registered earlier
 problem = cl.Problem.load({str(PROBLEMS / "cams/roller_least_base.toml")!r})
 """
