@@ -102,7 +102,7 @@ Eigen::Vector2d shaft_zero_way(const PlaneCurve& profile, double phase) {
 
 double shaft_zero_along(const PlaneCurve& profile, double phase) {
   const double cycle =
-      profile.at({profile.end(), true}).at.x() - profile.at({profile.begin()}).at.x();
+      profile.look({profile.end(), true}).at.x() - profile.look({profile.begin()}).at.x();
   return within_turn(-phase) / kShaftTurn * cycle;
 }
 
