@@ -40,6 +40,19 @@ double likeness(const std::string& a, const std::string& b) {
          static_cast<double>(pairs_a.size() + pairs_b.size());
 }
 
+/// A name in a message: what() of an exception ends at a NUL character, which stands as \x00.
+std::string in_message(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c == '\0') {
+      result += "\\x00";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string folded(std::string_view text) {
@@ -85,7 +98,7 @@ void refuse_name(const std::string& what, std::string_view name,
   const auto near = near_names(name, known);
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   throw std::invalid_argument(
-      fmt::format("{} '{}'{}; {}", what, name,
+      fmt::format("{} '{}'{}; {}", what, in_message(name),
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
                   all ? fmt::format("use {}", fmt::join(known, ", ")) : list));
 }

@@ -223,7 +223,9 @@ void end_without_numbers(const Setting& setting, Trail& trail) {
     return;
   }
   const auto without = limit_without_value(setting.problem, setting.options.seed, Asked::After);
-  if (without) blame(*without, setting.problem, trail.scales, trail.found);
+  if (without) return blame(*without, setting.problem, trail.scales, trail.found);
+  const std::string objective = objective_without_value(setting.problem, setting.options.seed);
+  if (!objective.empty()) trail.fail(objective);
 }
 
 /// Carries out all stages in turn.

@@ -123,15 +123,17 @@ void Svg::marker(DrawnPoint centre, const MarkerStyle& style, std::string_view t
 }
 
 void Svg::begin_clip(const Rect& r) {
-  // Named by its numbers: figures in one HTML page share a name only for the same rectangle.
-  const std::string name = fmt::format("clip-{}-{}-{}-{}", svg_number(r.left), svg_number(r.top),
-                                       svg_number(r.right), svg_number(r.bottom));
-  out_ += fmt::format("<clipPath id=\"{}\">", name);
-  rect("", r);
-  out_ += fmt::format("</clipPath>\n<g clip-path=\"url(#{})\">\n", name);
+  // A picture within the picture shows nothing beyond its edges. It needs no name, as a clip path
+  // does: of the figures of a page two could have the same one.
+  const std::string x = svg_number(r.left), y = svg_number(r.top);
+  const std::string width = svg_number(r.right - r.left), height = svg_number(r.bottom - r.top);
+  out_ += fmt::format(
+      R"(<svg x="{0}" y="{1}" width="{2}" height="{3}" viewBox="{0} {1} {2} {3}" overflow="hidden">)"
+      "\n",
+      x, y, width, height);
 }
 
-void Svg::end_clip() { out_ += "</g>\n"; }
+void Svg::end_clip() { out_ += "</svg>\n"; }
 
 std::string Svg::finish() && { return std::move(out_) + "</svg>\n"; }
 

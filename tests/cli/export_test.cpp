@@ -169,6 +169,41 @@ TEST_CASE("a drawing's splines run along the exact curves, as ezdxf reads them",
   }
 }
 
+TEST_CASE("a curve with cusps is drawn as splines that end there", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "cam.toml";
+  write(path,
+        "mechanism = 'disc-cam-oscillating-flat'\n[program]\nsegments = [{name = 'rise', angle = "
+        "100, "
+        "law = 'poly-3-4-5'}, {name = 'high', angle = 40}, {name = 'return', angle = 120, law = "
+        "'cycloidal'}, {name = 'low'}]\n");
+  const Drawing drawing = drawn({path, "--curve", "profile"});
+  const PlaneCurve curve = exact_curve(path, "profile");
+  const std::vector<double> turns = problems::cusps(curve);
+  REQUIRE(turns.size() >= 2);
+  REQUIRE(drawing.entities.size() == turns.size() + 1);
+  double end = curve.begin();
+  for (std::size_t k = 0; k < drawing.entities.size(); ++k) {
+    const Entity& entity = drawing.entities[k];
+    CHECK(entity.type == "SPLINE");
+    CHECK(entity.numbers.front() == Approx(end));
+    end = entity.numbers[entity.numbers.size() - 3];
+    CHECK(end == Approx(k < turns.size() ? turns[k] : curve.end()));
+    // Nowhere inside does it turn back.
+    Vector2d before(0, 0);
+    double worst = 0;
+    for (std::size_t i = 0; i + 3 < entity.numbers.size(); i += 3) {
+      const Vector2d p(entity.numbers[i + 1], entity.numbers[i + 2]);
+      const Vector2d way = Vector2d(entity.numbers[i + 4], entity.numbers[i + 5]) - p;
+      CHECK(way.dot(before) >= 0);
+      before = way;
+      const double angle = std::clamp(entity.numbers[i], curve.begin(), curve.end());
+      worst = std::max(worst, (curve.at({angle, i > 0}).at - p).norm());
+    }
+    CHECK(worst <= kTolerance);
+  }
+}
+
 TEST_CASE("a drawing's arcs and lines are one closed, smooth way along the curve", "[export]") {
   for (const char* name : {"cams/roller_least_base.toml", "cams/flat_least_base.toml"}) {
     INFO(name);
