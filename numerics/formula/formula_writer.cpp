@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -304,7 +305,9 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   }
   check_plain(tree.parts[0], fmt::format("the argument of {}", name), x);
   if (name == "asin" || name == "acos") {
-    has_value_where(Expression(1.0) - absolute(x.value), Edge::Closed);
+    // An enclosure of 1 is a few units of the last place wider than 1: that much is no hole.
+    constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+    has_value_where(Expression(1.0 + kRounding) - absolute(x.value), Edge::Closed);
   }
   if (name == "log" || name == "ln" || name == "log10") has_value_where(x.value, Edge::Open);
   const auto* const function = std::find_if(std::begin(kPlainFunctions), std::end(kPlainFunctions),
