@@ -35,9 +35,9 @@ double resting_displacement(double s, double inside);
 /// it is no farther than kRestRounding from that at the end, that of a rest.
 double displacement_from_within(double s, const Piece<double>& piece, double x);
 
-/// How far beyond 0 or 1 a law's displacement counts as being there, in strokes: rounding leaves
-/// less (docs/theory.md, "Ends of the stroke").
-inline constexpr double kBeyondEnds = 1e-12;
+/// How far beyond 0 or 1 a law's displacement counts as being there, in strokes: rounding and the
+/// width of enclosures leave less (docs/theory.md, "Ends of the stroke").
+inline constexpr double kBeyondEnds = 1e-10;
 
 /// A displacement that lies at most kBeyondEnds beyond 0 or 1 is moved to that end; its derivatives
 /// stay. No enclosure may be moved so.

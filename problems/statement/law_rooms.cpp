@@ -68,7 +68,8 @@ std::optional<LoadCase> fastest_of_range(const Room& room, const Member& law,
                                          const ProblemStatement& problem) {
   const auto& by = law.family->parameters[*room.factor].given_by;
   for (const ParameterRange& range : problem.ranges) {
-    if (range.parameter == by) return LoadCase{.parameters = {{range.parameter, range.upper}}};
+    if (range.parameter == by)
+      return LoadCase{.name = {}, .parameters = {{range.parameter, range.upper}}};
   }
   return {};
 }

@@ -217,7 +217,8 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
     // Among values the search begins there too, in whatever order they are listed.
     if (find(*stated.varying, "values") != nullptr) problem.constants[*speed] = timing.speed;
-  } else if (timing.follows && stated.fixed == nullptr && of_cases.size() == count_of_cases(file)) {
+  } else if (timing.follows && stated.fixed == nullptr && !of_cases.empty() &&
+             of_cases.size() == count_of_cases(file)) {
     timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
     problem.constants[*speed] = timing.speed;
   } else if (timing.follows && stated.fixed == nullptr && range != nullptr) {

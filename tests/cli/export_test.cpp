@@ -172,11 +172,9 @@ TEST_CASE("a drawing's splines run along the exact curves, as ezdxf reads them",
 TEST_CASE("a curve with cusps is drawn as splines that end there", "[export]") {
   const Folder folder;
   const std::string path = folder / "cam.toml";
-  write(path,
-        "mechanism = 'disc-cam-oscillating-flat'\n[program]\nsegments = [{name = 'rise', angle = "
-        "100, "
-        "law = 'poly-3-4-5'}, {name = 'high', angle = 40}, {name = 'return', angle = 120, law = "
-        "'cycloidal'}, {name = 'low'}]\n");
+  std::ofstream(path) << "mechanism = 'disc-cam-oscillating-flat'\n[program]\nsegments = [{name = "
+                         "'rise', angle = 100, law = 'poly-3-4-5'}, {name = 'high', angle = 40}, "
+                         "{name = 'return', angle = 120, law = 'cycloidal'}, {name = 'low'}]\n";
   const Drawing drawing = drawn({path, "--curve", "profile"});
   const PlaneCurve curve = exact_curve(path, "profile");
   const std::vector<double> turns = problems::cusps(curve);

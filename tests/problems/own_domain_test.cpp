@@ -169,7 +169,7 @@ TEST_CASE("a curve that has a pole is told as infinite there", "[formula][proble
   CHECK(square.highest == inf);
   CHECK(square.lowest == Approx(1 / 0.49));
   // s is 0.3 at this x.
-  CHECK(square.highest_at == Approx(0.393943).epsilon(1e-4));
+  CHECK(square.highest_at == Approx(0.3964207).epsilon(1e-6));
   CHECK(own("log(abs(s - 0.3))").lowest == -inf);
   CHECK(own("-1 / sqrt(abs(s - 0.3))").lowest == -inf);
   // These have a bound, though not a slope.
