@@ -337,10 +337,13 @@ ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStateme
   }
   const bool highest = objective.sense == optim::Sense::Minimize;
   objective.one_value = objective.response;
-  if (objective.response.part == Part::Magnitude) {
+  const bool is_size = objective.response.part == Part::Magnitude;
+  if (is_size && !moves_law(problem, taken_ranges(problem))) {
     return size_over_ranges(problem, std::move(objective));
   }
-  objective.of_ranges = spread(problem, objective.response, highest);
+  objective.of_ranges =
+      is_size ? peak_over_ranges(problem.mechanism, objective.response, taken_ranges(problem), true)
+              : spread(problem, objective.response, highest);
   objective.response.response = objective.of_ranges.get();
   if (!objective.of_ranges->curve) {
     objective.response.part = Part::Value;
