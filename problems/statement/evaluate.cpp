@@ -136,7 +136,8 @@ std::string why_undefined(const ProblemStatement& statement, const EvaluatedResp
     if (std::string why = why_curve(statement, response); !why.empty()) return why;
   }
   std::string why = why_by_check(statement, *own);
-  if (!why.empty() || response.is_curve) return why;
+  const bool is_stated = static_cast<bool>(own->domain);  // by a formula of the file
+  if (!why.empty() || response.is_curve || !is_stated) return why;
   const auto name = find_response(*statement.mechanism, response.name);
   const optim::Response number = response_of(statement, name, fixed(statement));
   return number.is_curve() ? std::string() : number.function().why_undefined({});
