@@ -42,8 +42,8 @@ T divided(const T& a, const T& b) {
 /// Of a divisor that is 0 nothing is known.
 inline Interval divided(const Interval& a, const Interval& b) { return quotient(a, b); }
 
-/// What a function makes of a number that does not move does not move either, where its slope has no
-/// bound: 0 times that would not be a number.
+/// What a function makes of a number that does not move does not move either, where its slope has
+/// no bound: 0 times that would not be a number.
 template <class T>
 T unmoved(const T& /*of*/, const T& result) {
   return result;
