@@ -46,7 +46,7 @@ std::vector<Option> export_options(ExportOptions& o) {
        "extension "
        "of --out decides"},
       {"--out", &o.out, takes::kFile,
-       "write to this file, which is replaced where it is there, instead of standard output"},
+       "write to this file, replacing it if it exists, instead of to standard output"},
       {"--curve", &o.curve, curve_words(),
        "profile, second-profile (of conjugate cams), pitch, cutter (cutter-centre path) or all; "
        "the default is all, for gcode cutter"},

@@ -55,8 +55,8 @@ std::string price_words(const Answer& answer, const std::string& why) {
         priced_step(limit, a.objective.value));
     if (!limit.at_rest) continue;
     text += fmt::format(
-        "  the limit on {} holds the design where the motion rests, and easing it there gains more "
-        "than in proportion: it has no price\n",
+        "  the limit on {} holds the design in a dwell, where easing it gains more than in "
+        "proportion: it has no price\n",
         limit.name);
   }
   for (const optim::VariableReport& v : a.variables) {
@@ -210,7 +210,7 @@ std::string cure_words(const Answer& answer) {
   const auto [all, alone] = cures_of(answer);
   const std::string& cut = answer.easings.cut_short;
   const std::string cut_words =
-      cut.empty() ? "" : fmt::format("not every cure was looked for: {}\n", cut);
+      cut.empty() ? "" : fmt::format("not every remedy was looked for: {}\n", cut);
   if (all.empty()) return cut_words;
   const char* const by_this = answer.space.choices.empty() ? "" : " by this combination";
   if (!alone) {
