@@ -45,7 +45,7 @@ std::vector<Option> export_options(ExportOptions& o) {
        "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the "
        "extension "
        "of --out decides"},
-      {"--out", &o.out, takes::kFile,
+      {"-o,--out", &o.out, takes::kFile,
        "write to this file, replacing it if it exists, instead of to standard output"},
       {"--curve", &o.curve, curve_words(),
        "profile, second-profile (of conjugate cams), pitch, cutter (cutter-centre path) or all; "

@@ -350,7 +350,7 @@ Command fit_command() {
            workers_option(options->workers),
            time_limit_option(options->limits, "what is known"),
            json_switch(options->json),
-           {"--out", &options->out, takes::kFolder,
+           {"-o,--out", &options->out, takes::kFolder,
             "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
             "cam)"}},
       .examples = {{"camlaw fit problems/cams/worn_cam.csv --mechanism disc-cam-roller "

@@ -147,7 +147,9 @@ BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
     : statement_(std::move(statement)) {
   const bool chooses = statement_.chooses_law() || chooses_part(statement_);
   if (!may_be_constant && statement_.variables.empty() && !chooses) {
-    refuse(statement_, "the problem has no variables: nothing can be optimised");
+    refuse(statement_,
+           "the problem has no variables, so nothing can be optimised: write a table such as "
+           "[variables.NAME] with lower and upper, or use 'camlaw evaluate'");
   }
   if (statement_.chooses_law()) {
     optim::Choice choice{"law", "", {}, {}, 0};
