@@ -219,11 +219,11 @@ std::string cure_words(const Answer& answer) {
     for (const optim::Easing& easing : all)
       parts.push_back(easing_words(answer.bound.statement(), easing).substr(kEasing));
     return fmt::format(
-        "what would let every limit be met, by the design above\n  easing {} together{}\n{}",
+        "from the design above, this would let every limit be met\n  easing {} together{}\n{}",
         problems::listed(parts), failing_words(still_failing(answer, all.front())), cut_words);
   }
-  std::string text = fmt::format("what would let every limit be met{}{}\n", by_this,
-                                 all.size() == 1 ? "" : ", each alone");
+  std::string text = fmt::format("{} would let every limit be met{}\n",
+                                 all.size() == 1 ? "this" : "each of these alone", by_this);
   for (const optim::Easing& easing : all) {
     text += fmt::format("  {}{}\n", easing_words(answer.bound.statement(), easing),
                         failing_words(still_failing(answer, easing)));

@@ -132,7 +132,7 @@ TEST_CASE("a limit that no variable changes is cured by easing it, and the start
   const Outcome shown = run(asked);
   CHECK(shown.status == 3);
   CHECK_THAT(shown.out, Contains("not an answer: the values at the start\n") &&
-                            Contains("what would let every limit be met\n  easing the limit on "
+                            Contains("this would let every limit be met\n  easing the limit on "
                                      "follower_force by ") &&
                             Contains("; then [buildable] still fails: contact\n"));
   Words as_json = asked;
