@@ -55,8 +55,8 @@ std::string price_words(const Answer& answer, const std::string& why) {
         priced_step(limit, a.objective.value));
     if (!limit.at_rest) continue;
     text += fmt::format(
-        "  the limit on {} holds the design in a dwell, where easing it gains more than in "
-        "proportion: it has no price\n",
+        "  the limit on {} holds the design where the motion is at rest, and easing it there gains "
+        "more than in proportion: it has no price\n",
         limit.name);
   }
   for (const optim::VariableReport& v : a.variables) {
