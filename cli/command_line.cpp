@@ -70,9 +70,9 @@ std::string with_near_commands(const CommandTree& program, const std::string& wo
     if (command.is_listed) listed.push_back(command.name);
   }
   const auto near = near_names(word, known);
-  return fmt::format("there is no command '{}'; {}", word,
-                     near.empty() ? fmt::format("there are {}", fmt::join(listed, ", "))
-                                  : fmt::format("did you mean {}?", fmt::join(near, ", ")));
+  return fmt::format(
+      "there is no command '{}'; {}", word,
+      near.empty() ? fmt::format("there are {}", fmt::join(listed, ", ")) : did_you_mean(near));
 }
 
 /// What to say of words that a command does not take.
@@ -87,7 +87,7 @@ std::string extra_words(const CLI::App& command, const std::vector<std::string>&
   return fmt::format("{} does not take '{}'{}", command.get_name(), fmt::join(extras, " "),
                      !is_option     ? "; a value with blanks needs quotes"
                      : near.empty() ? ""
-                                    : fmt::format("; near: {}", fmt::join(near, ", ")));
+                                    : "; " + did_you_mean(near));
 }
 
 std::string usage_error(const CommandTree& program, const CLI::App& app,

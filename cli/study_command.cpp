@@ -99,7 +99,7 @@ Command study_command() {
                        .takes = "{spine-cutter,sheet-delivery}",
                        .help = "the machine: spine-cutter or sheet-delivery",
                        .required = true},
-                      {"--out", &options->out, takes::kFolder,
+                      {"-o,--out", &options->out, takes::kFolder,
                        "folder for study.csv, study.json and the pictures"},
                       {"--set", &options->settings, takes::kSetting,
                        "set an input: name=value, such as --set 'h=0.8 mm'"},

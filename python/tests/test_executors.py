@@ -90,7 +90,7 @@ def test_a_yield_goes_on_with_its_record(tmp_path):
     assert again.facts == first.facts
     with pytest.raises(cl.InputError, match="made with seed 1, now it is 2"):
         problem.tolerance(samples=8000, seed=2, record=record, resume=True)
-    with pytest.raises(cl.InputError, match="of a yield, not of a sweep"):
+    with pytest.raises(cl.InputError, match="is a yield, not a sweep"):
         cl.Sweep.load(record)
 
 

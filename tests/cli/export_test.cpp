@@ -408,7 +408,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(failed({"export", problem("cams/flat_least_base.toml"), "--format", "json", "--curve",
                      "pitch"},
                     2),
-             Contains("disc-cam-flat has no curve 'pitch' of its own; it has profile"));
+             Contains("disc-cam-flat has no curve 'pitch'; it has profile"));
   CHECK_THAT(failed({"export", folder / "none.json", "--format", "dxf"}, 2), Contains("none.json"));
   CHECK_THAT(failed({"export", "study.db", "--format", "dxf"}, 2),
              Contains("'camlaw front study.db --knee --result FILE'"));

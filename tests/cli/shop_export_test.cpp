@@ -373,7 +373,7 @@ TEST_CASE("an export refuses steps whose chords cut deep into the cam", "[export
   for (const char* format : {"csv", "dxf", "svg", "gcode"}) {
     INFO(format);
     CHECK_THAT(failed({"export", kRoller, "--format", format, "--step", "90 deg"}, 2),
-               Contains("--step 90 deg: lines between these points leave the exact ") &&
+               Contains("--step 90 deg: lines between these points deviate from the exact ") &&
                    Contains("more than a thousandth of its size") &&
                    Contains("or a step such as "));
     done({"export", kRoller, "--format", format, "--step", "4.5 deg"});

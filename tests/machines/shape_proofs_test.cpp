@@ -252,7 +252,7 @@ TEST_CASE("the middle of two possible machines is possible where rules find so",
   }
   CHECK(found > 100);
   CHECK(open > 0);
-  // Which those of a pair of cams are not: docs/theory.md, "Which machines there are".
+  // Which those of a pair of cams are not: docs/theory.md, "Possible and impossible machines".
   CHECK(refutes_possible(find_mechanism("disc-cam-conjugate"), {"offset"}, random, 20000));
 }
 

@@ -12,7 +12,7 @@ using Catch::Contains;
 
 }  // namespace
 
-TEST_CASE("combinations for which there is no time are as the search has left them", "[program]") {
+TEST_CASE("combinations for which there is no time are as the search left them", "[program]") {
   const problems::BoundProblem bound(problems::read_problem(R"(
 mechanism = "spine-cutter"
 [law]
@@ -30,7 +30,7 @@ minimize = "peak_inertia_force"
   const Answer answer{bound, space, optimum, "auto", 1};
   const Document judged = combinations_document(answer);
   CHECK(json_of(judged)["not_judged"] == 0);
-  CHECK_THAT(text_of(judged), !Contains("as the search has left"));
+  CHECK_THAT(text_of(judged), !Contains("as the search left"));
   const Document left = combinations_document(answer, nullptr, optim::Deadline(1, nullptr, 2));
   const Json json = json_of(left);
   CHECK(json["not_judged"] == 2);  // the answer's own row has its verdict

@@ -178,11 +178,10 @@ TEST_CASE("a table is smoothed as little as is stated", "[lift_table]") {
 
 TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
   const std::string good = table_of(program(), 1, 0, 6);
-  CHECK_THAT(
-      complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
-      Contains("f.toml:6: constants.stroke: the table's lift already says what the stroke is"));
+  CHECK_THAT(complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
+             Contains("f.toml:6: constants.stroke: the table's lift already gives the stroke"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\n10;2\n20;3\n"); }),
-             Contains("program.table: there is nothing from 20 to 360 deg"));
+             Contains("program.table: there are no rows from 20 to 360 deg"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\nabc;2\n20;3\n"); }),
              Contains("program.table: lift.csv:3: 'abc'"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [kg]\n0;1\n10;2\n20;3\n"); }),

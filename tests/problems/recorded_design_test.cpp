@@ -158,7 +158,7 @@ TEST_CASE("A design is read from a problem file or from a result, whatever it is
   const auto read = read_design_file(folder / "b");
   CHECK(read.verdict == "feasible");
   CHECK(read.statement.laws.front().name() == "cosine");
-  CHECK_THROWS_WITH(read_design_file(folder / "none"), Contains("none: it cannot be read"));
+  CHECK_THROWS_WITH(read_design_file(folder / "none"), Contains("none: cannot be read"));
 }
 
 }  // namespace camlaw::problems::recorded_design_test

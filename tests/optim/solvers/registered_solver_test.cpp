@@ -176,7 +176,8 @@ TEST_CASE("a registered solver gets its own options, checked", "[solvers]") {
   CHECK(got == NativeOptions{{"depth", std::int64_t{3}}});
   CHECK_THROWS_WITH(run({{"depth", std::int64_t{10}}}),
                     "scripted: option depth: 10 is not an integer from 1 to 9");
-  CHECK_THROWS_WITH(run({{"dept", std::int64_t{1}}}), "scripted has no option 'dept'; near: depth");
+  CHECK_THROWS_WITH(run({{"dept", std::int64_t{1}}}),
+                    "scripted has no option 'dept'; did you mean depth?");
 }
 
 TEST_CASE("a solver that claims an optimum where a limit is passed is not believed", "[solvers]") {
