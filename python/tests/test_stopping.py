@@ -71,6 +71,11 @@ def fit_of_a_motion(given):
     return lambda: cl.fit({"angle [deg]": 90 * x, "lift [mm]": lift})
 
 
+def fit_of_a_cam(given):
+    cam, roller = PROBLEMS / "cams/worn_cam.csv", {"roller_radius": "8 mm"}
+    return lambda: cl.fit(cam, mechanism="disc-cam-roller", set=roller)
+
+
 def check_of_derivatives(given):
     problem = cl.Problem.load(PROBLEMS / "spine_cutter/moving_front.toml")
     return problem.check_derivatives
@@ -111,6 +116,7 @@ CALLS = {
     "cam_shape": lambda given: lambda: cl.cam_shape(20_000),
     "fit of a recorded curve": fit_of_a_recorded_curve,
     "fit of a motion": fit_of_a_motion,
+    "fit of a cam": fit_of_a_cam,
     "fit of constants": lambda given: lambda: cl.fit_constants("C_v=1.6125, C_a=4.66, C_j=21.3"),
 }
 
@@ -223,19 +229,27 @@ BESIDE = {
 }
 
 
-@pytest.mark.parametrize("name", BESIDE)
-def test_other_threads_run_beside_a_call(name, front):
-    call, some_segments = BESIDE[name], rises_and_returns(8)
-    call(some_segments, front)  # what is done once is done
+def held_up(call):
+    """How long another thread waited at most while a call took so many seconds, and how often it ran."""
     with another_thread() as seen:
         time.sleep(0.005)
         began = time.monotonic()
         while time.monotonic() - began < 0.3:  # the same again where it is short
-            call(some_segments, front)
+            call()
         ended = time.monotonic()
-    took = ended - began
     times = [began, *(t for t in seen if began < t < ended), ended]
-    blocked = max(b - a for a, b in zip(times, times[1:]))
-    # Held by the call, the lock would come free between two calls only.
+    return max(b - a for a, b in zip(times, times[1:])), ended - began, len(times)
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_other_threads_run_beside_a_call(name, front):
+    call, some_segments = BESIDE[name], rises_and_returns(8)
+    call(some_segments, front)  # what is done once is done
+    # Held by the call, the lock would come free between two calls only, each time. A machine with other
+    # things to do holds a thread up now and then.
+    for _ in range(8):
+        blocked, took, looks = held_up(lambda: call(some_segments, front))
+        if blocked < max(0.1, 0.3 * took) and looks > 20:
+            break
     assert blocked < max(0.1, 0.3 * took), (blocked, took)
-    assert len(times) > 20
+    assert looks > 20
