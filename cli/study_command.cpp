@@ -30,7 +30,7 @@ struct StudyOutput {
 };
 
 StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::path& out) {
-  SpineCutter<double> cutter;
+  problems::CutterGivens cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
   Figure trade_off = trade_off_figure(study);

@@ -6,7 +6,7 @@
 #include "machines/index_drives/index_load.h"
 #include "machines/model/append.h"
 #include "machines/model/mean_number.h"
-#include "numerics/scalar/by_side.h"
+#include "numerics/formula/expression.h"
 
 /// What the turret of every index drive does and asks for.
 namespace camlaw::problems {
@@ -35,7 +35,7 @@ inline TrainWords table_words() {
 
 /// The responses of a machine M with over_angle(), follower(), angular_speed and what elastic_end()
 /// takes.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> turret_responses() {
   const auto drive_torque = [](const auto& drive, const auto& f) {
     return drive.follower().drive_torque(f);

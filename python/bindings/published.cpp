@@ -69,7 +69,7 @@ struct Study {
 
 Study studied_cutter(const std::vector<std::string>& settings, bool table, int workers,
                      Work& work) {
-  SpineCutter<double> cutter;
+  problems::CutterGivens cutter;
   for (const std::string& setting : settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter, work.stop());
   Study result{.answer = {}, .trade_off = cli::trade_off_figure(study)};

@@ -127,7 +127,7 @@ TEST_CASE("the file of all laws ranks those of the study as the study does", "[p
     before = force;
     forces[find_law(row.at("law").get<std::string>()).label()] = force;
   }
-  const auto study = problems::study_spine_cutter(SpineCutter<double>{});
+  const auto study = problems::study_spine_cutter(problems::CutterGivens());
   REQUIRE(study.rows.size() > 80);
   for (const problems::StudyRow& row : study.rows) {
     INFO(row.label);

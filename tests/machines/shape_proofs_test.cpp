@@ -262,8 +262,8 @@ TEST_CASE("an impossible machine is met in however narrow a part of a box", "[sh
     for (const double middle : {0.1234567, 0.5, 0.98765432}) {
       Margin margin;
       margin.write = [=](Numbers p, Numbers) {
-        const Expression off = p[0] - middle;
-        return off * off - half_width * half_width;
+        const Expression off = p[0] - Expression(middle);
+        return off * off - Expression(half_width * half_width);
       };
       margin.accepted = [](std::size_t) { return Interval(0, 1); };
       const PossibleBy by = possible_by({margin}, 1);
