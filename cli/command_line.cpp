@@ -50,8 +50,10 @@ CLI::Option* added(CLI::App& app, const Option& option) {
 class HelpText : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string text = CLI::Formatter::make_option_opts(option);
-    return text.substr(0, text.find(" Excludes:"));
+    std::string text = CLI::Formatter::make_option_opts(option);
+    text = text.substr(0, text.find(" Excludes:"));
+    text = text.substr(0, text.find(" REQUIRED"));  // brackets in the usage mark what is not
+    return text == " " + option->get_name() ? "" : text;
   }
 };
 
@@ -111,7 +113,8 @@ std::string usage_error(const CommandTree& program, const CLI::App& app,
   if (!commands.empty() && !commands.front()->remaining().empty()) {
     what = extra_words(*commands.front(), commands.front()->remaining());
   }
-  return fmt::format("{}; '{} --help' shows the usage", what, called);
+  return fmt::format("{}{} '{} --help' shows the usage", what, what.ends_with('?') ? "" : ";",
+                     called);
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
   ParsedJson side = whole;
   side["constraints"][0]["side"] = "lower";
   CHECK(verified(side).status == 4);
-  CHECK_THAT(verified(side).out, Contains("is stated as its lower one"));
+  CHECK_THAT(verified(side).out, Contains("is stated as its lower bound"));
   ParsedJson twice = whole;
   twice["constraints"].push_back(twice["constraints"][0]);
   CHECK_THAT(verified(twice).out, Contains("is stated twice"));

@@ -151,7 +151,7 @@ TEST_CASE("fit says what printed constants tell and what they do not", "[program
        std::vector<Case>{{"B=1.6125, C=4.66", "auto", "every constant agrees in all digits"},
                          {"B=1.6125, C=4.66", "auto", "the same motion: legendre"},
                          {"B=1.6, D=inf", "auto", "more constants or digits would decide"},
-                         {"B=1.6", "trapezoidal-velocity", "does not determine t1, t2"},
+                         {"B=1.6", "trapezoidal-velocity", "do not determine t1, t2"},
                          {"B=1.6, C=6", "cubic", "B does not agree with the rest"},
                          {"B=1.6, C=5", "cubic", "no constant agrees"}}) {
     INFO(c.constants << " of " << c.law);

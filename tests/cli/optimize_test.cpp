@@ -231,7 +231,7 @@ TEST_CASE("options of one solver are kept, and have effect where it runs", "[pro
   CHECK(adaptive["design"]["problem"] == plain + own);
   CHECK(answer(plain + own, "slsqp")["iterations"] == answer(plain, "slsqp")["iterations"]);
   CHECK_THAT(done({"check", written(folder, plain + own)}),
-             Contains("Let ipopt run with mu_strategy = adaptive."));
+             Contains("Run ipopt with mu_strategy = adaptive."));
   CHECK_THAT(failed({"optimize", written(folder, plain + "[solver.ipopt]\nmax_iter = 3\n")}, 2),
              Contains("solver.ipopt.max_iter: ipopt: option max_iter cannot be set"));
 }

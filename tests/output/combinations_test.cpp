@@ -36,7 +36,7 @@ minimize = "peak_inertia_force"
   CHECK(json["not_judged"] == 2);  // the answer's own row has its verdict
   CHECK_THAT(text_of(left),
              Contains("the time limit of 1 s was reached: 2 of 3 combinations are as "
-                      "the search has left them"));
+                      "the search left them"));
   int unproved = 0;
   for (const Json& row : json["table"]) {
     if (row["limits"] != "met, not proved") continue;

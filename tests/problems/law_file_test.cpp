@@ -252,7 +252,7 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
                f["pieces"][0]["curves"] = {
                    {{"curve", "spiral"}, {"amplitude", 1}, {"rate", 1}, {"shift", 0}}};
              }),
-             Contains("pieces[1].curves[1].curve is none of"));
+             Contains("pieces[1].curves[1].curve must be half-ellipse"));
   CHECK_THAT(
       changed([](Json& f) { f["pieces"][0]["polynomial"] = std::vector<double>(3002, 0.0); }),
       Contains("pieces[1].polynomial has 3002 terms; at most 101"));

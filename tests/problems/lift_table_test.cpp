@@ -229,7 +229,7 @@ TEST_CASE("a slip in a table is named, a row without a number counted", "[lift_t
   slipped.replace(row, length, "32.5");
   lacking.replace(row, length, "");
   CHECK_THAT(complaint([&] { with_table(slipped); }),
-             Contains("the row at 100 deg, 32.5 mm, is far from where its neighbours lead"));
+             Contains("the row at 100 deg, 32.5 mm, is far off the curve through its neighbours"));
   CHECK(complaint([&] { with_table(slipped, "smoothing = 'none'"); }) == "accepted");
   CHECK_THAT(in_words(with_table(lacking)), Contains("71 rows (1 row without a number left out)"));
   CHECK_THAT(in_words(with_table(good)), !Contains("left out"));

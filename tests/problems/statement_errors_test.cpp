@@ -440,7 +440,7 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
       kAlpha,
       {{"[solver]\nname = 'ipot'",
         ":5: solver.name: ",
-        {"'ipot'", "did you mean ipopt", "use one of auto, "}},
+        {"'ipot'", "did you mean ipopt", "Use one of auto, "}},
        {"[solver]\nstarts = 0", ":5: solver.starts: 0 is outside 1 .. 1000000", {}},
        {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"an integer"}},
        {"[solver]\nseed = -1", ":5: solver.seed: -1 is outside", {}},

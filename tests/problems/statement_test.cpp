@@ -318,7 +318,7 @@ TEST_CASE("a solver's own options are read, whichever solver is asked for",
   CHECK(p.solver.native.at("crs2").empty());
   const std::string words = in_words(p);
   CHECK(words.find("Solve with slsqp, with seed 3.\n"
-                   "Let ipopt run with max_soc = 2, mu_init = 1, mu_strategy = adaptive.\n") !=
+                   "Run ipopt with max_soc = 2, mu_init = 1, mu_strategy = adaptive.\n") !=
         std::string::npos);
   CHECK(words.find("crs2") == std::string::npos);
 }
