@@ -161,7 +161,7 @@ std::vector<Cell> limit_cells(const optim::LimitReport& report,
           {text.bound, report.bound},
           datum(report.is_upper ? "upper" : "lower"),
           {text.margin, report.margin},
-          report.unit,
+          {shown_unit(report.unit), report.unit},
           {text.place, report.worst_angle}};
 }
 
