@@ -17,7 +17,7 @@
 #include "optim/problem/curve.h"
 
 /// An arm and the profile of its cam, as they pass one another over the cycle (docs/theory.md,
-/// "What a cam leaves room for").
+/// "Springs, walls and clearances").
 namespace camlaw::problems::arm {
 
 using optim::Bounds, optim::Curve, optim::Function, optim::Place, optim::Trace;

@@ -4,7 +4,7 @@
 #include "machines/cams/drawn_responses.h"
 
 /// How far a disc cam reaches, and what that leaves to its bore and to the pivot of its follower
-/// (docs/theory.md, "What a cam leaves room for").
+/// (docs/theory.md, "Springs, walls and clearances").
 namespace camlaw::problems {
 
 /// Distance of the profile from the cam's centre; cams whose rollers change say it themselves.

@@ -42,8 +42,8 @@ std::vector<MechanismResponse> face_contact_responses() {
           {"shear_depth", "mm", "m", "depth of the greatest shear stress below the surface"},
           [](const auto& cam, const auto& f) { return shear_depth(cam.contact_half_width(f)); }),
       cam_curve<M>({"entrainment_speed", "m/s", "m/s",
-                    "mean speed of both surfaces towards the contact; where it changes its sign "
-                    "no oil is drawn into the contact"},
+                    "mean speed of both surfaces towards the contact; where it changes sign, no "
+                    "oil is drawn in"},
                    [](const auto& cam, const auto& f) { return cam.entrainment_speed(f); }),
       cam_curve<M>({"film_thickness", "um", "m",
                     "least thickness of the lubricant film between face and cam"},

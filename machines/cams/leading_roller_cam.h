@@ -6,8 +6,8 @@
 namespace camlaw {
 
 /// A disc cam with an oscillating roller follower that turns the other way than
-/// OscillatingRollerCam (docs/theory.md, "Either rotation"): its surface runs towards the pivot (a
-/// leading arm), and in the rise cam and arm turn alike. The cam is that of the motion run
+/// OscillatingRollerCam (docs/theory.md, "Direction of rotation"): its surface runs towards the
+/// pivot (a leading arm), and in the rise cam and arm turn alike. The cam is that of the motion run
 /// backwards; fields and validity are the same.
 struct LeadingRollerCam : OscillatingRollerCam {
   /// The roller's centre, with derivatives by the angle run backwards.

@@ -10,7 +10,7 @@
 namespace camlaw {
 
 /// What a roller bears as a bearing on its pin, and what lubricates it on its cam (docs/theory.md,
-/// "Rollers as bearings"). Fields in SI units.
+/// "Speed and life of rollers"). Fields in SI units.
 struct RollerDuty {
   Expression crown_radius;        ///< R_c, m, of the roller's face along its axis
   Expression dynamic_rating;      ///< C, N

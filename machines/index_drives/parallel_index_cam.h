@@ -86,7 +86,7 @@ struct ParallelIndexCam {
   Expression cutter_radius = given(cams::kCutterRadius);    ///< r_c, m
   Expression bore_radius = given(cams::kBoreRadius);        ///< r_0, m, of the cams
   Expression shaft_radius = given({"shaft_radius", "r_S", "mm", "m",
-                                   "radius of the turret's shaft beside the cams", 10, 0, 1e5});
+                                   "radius of the turret's shaft next to the cams", 10, 0, 1e5});
   Expression train_stiffness =
       given(turrets::kTrainStiffness);                    ///< c_t, N m/rad, from turret to table
   Expression train_damping = given(cams::kTrainDamping);  ///< zeta
