@@ -53,7 +53,7 @@ struct ParameterRange {
   double lower, upper;
 };
 
-/// The number of a derivation in docs/theory.md, "Shapes that are declared". There is none without
+/// The number of a derivation in docs/theory.md, "Declared convexity". There is none without
 /// a number: a shape cannot be declared on trust.
 class Proof {
  public:

@@ -14,10 +14,10 @@
 
 namespace camlaw::problems {
 
-/// A mechanism's curve for one design (docs/theory.md, "Enclosing a stretch"). A design that makes
-/// no law is NaN everywhere and bounded nowhere. A jump of the formula inside a piece of the law is
-/// a break. At a pulse (pulse_place) the curve is -infinite
-/// from the left and infinite from the right: bounded neither way.
+/// A mechanism's curve for one design (docs/theory.md, "Bounds of a law over an interval"). A
+/// design that makes no law is NaN everywhere and bounded nowhere. A jump of the formula inside a
+/// piece of the law is a break. At a pulse (pulse_place) the curve is -infinite from the left and
+/// infinite from the right: bounded neither way.
 class MechanismTrace final : public optim::Trace {
  public:
   /// `uses` tells which of s, v, a, j the formula depends on, and `jumps` where it may jump

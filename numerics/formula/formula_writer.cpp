@@ -252,11 +252,10 @@ WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
 WrittenQuantity written_root(const FormulaTree& tree, const FindQuantity& find) {
   const std::size_t given = tree.parts.size();
   if (!tree.is_root() || given < 4 || given > 5) {
-    refuse_formula(
-        tree.at,
-        "root takes a name for what is looked for, the two ends that it lies between, "
-        "what is 0 there and, where that may be so at several places, what is highest at "
-        "the one that is meant");
+    refuse_formula(tree.at,
+                   "root takes the name of the unknown, the two ends of its range, the expression "
+                   "that is 0 there and, if that may happen at several places, an expression that "
+                   "is highest at the right one");
   }
   const WrittenQuantity low = write_formula(tree.parts[1], find);
   const WrittenQuantity high = write_formula(tree.parts[2], find);
@@ -284,7 +283,7 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   const std::string& name = tree.text;
   const auto known = formula_functions();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    at_place(tree, [&] { refuse_name("no function is called", name, known); });
+    at_place(tree, [&] { refuse_name("there is no function", name, known); });
   }
   if (name == "root") return written_root(tree, find);
   Quantities arguments;

@@ -142,10 +142,10 @@ std::string program_line(const Answer& answer) {
 std::string what_is_shown(const Answer& answer) {
   const Assessment& a = assessment(answer);
   if (optim::is_feasible(a) || !is_at_design(answer) || std::isnan(a.objective.value)) return "";
-  if (answer.optimum.found.solves == 0) return "the values at the start, which are no answer";
+  if (answer.optimum.found.solves == 0) return "not an answer: the values at the start";
   return a.verdict == optim::Verdict::Infeasible
-             ? "the design that comes nearest to the limits, which is no answer"
-             : "the design at which the search ended, which is no answer";
+             ? "not an answer: the design that comes nearest to the limits"
+             : "not an answer: the design at which the search ended";
 }
 
 /// The objective and the other variables, where there is a design.
@@ -313,7 +313,7 @@ void add_knots(const Answer& answer, Document& document) {
   const std::string unit = objective_unit(answer);
   const std::string left =
       knots.left && *knots.left > 0
-          ? fmt::format("; further knots would gain about {}, as the last rounds go on",
+          ? fmt::format("; if the last rounds' trend continues, further knots would gain about {}",
                         with_unit(fmt::format("{:.1g}", *knots.left), unit))
           : "";
   Document own;

@@ -77,7 +77,7 @@ class PlaneCurve {
   /// jumps: angle, deg, and distance, mm.
   std::vector<std::pair<double, double>> jumps() const;
 
-  /// Between two of its breaks (docs/theory.md, "How exact an export is").
+  /// Between two of its breaks (docs/theory.md, "Accuracy of exports").
   CurveStretch stretch(double from, double to) const;
   /// Whether the slope is proved to vanish nowhere from one place to the next, both between the
   /// same breaks: the curve does not turn back there.

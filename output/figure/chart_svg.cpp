@@ -123,14 +123,14 @@ void Svg::marker(DrawnPoint centre, const MarkerStyle& style, std::string_view t
 }
 
 void Svg::begin_clip(const Rect& r) {
-  // A picture within the picture shows nothing beyond its edges. It needs no name, as a clip path
-  // does: of the figures of a page two could have the same one.
-  const std::string x = svg_number(r.left), y = svg_number(r.top);
-  const std::string width = svg_number(r.right - r.left), height = svg_number(r.bottom - r.top);
+  // An inner picture cuts off what leaves it. It needs no name, as a clip path does: a page with
+  // several figures would have the same one twice.
+  const std::string box = fmt::format("{} {} {} {}", svg_number(r.left), svg_number(r.top),
+                                      svg_number(r.right - r.left), svg_number(r.bottom - r.top));
   out_ += fmt::format(
-      R"(<svg x="{0}" y="{1}" width="{2}" height="{3}" viewBox="{0} {1} {2} {3}" overflow="hidden">)"
-      "\n",
-      x, y, width, height);
+      "<svg class=\"within\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{}\">\n",
+      svg_number(r.left), svg_number(r.top), svg_number(r.right - r.left),
+      svg_number(r.bottom - r.top), box);
 }
 
 void Svg::end_clip() { out_ += "</svg>\n"; }

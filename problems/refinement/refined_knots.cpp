@@ -249,7 +249,7 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
   if (is_vain || found.x.size() != result.optimum.problem.variables.size())
     return "the search led to no design within the limits";
   if (is_near_limit(result.optimum.problem, found.assessment) && better.size() > 1)
-    return "the objective is within 0.01 % of what no law can better";
+    return "the objective is within 0.01 % of a bound that no law can beat";
   if (changes_little(better))
     return fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
   if (result.rounds.size() == kMostRounds) return "the limit of rounds was reached";

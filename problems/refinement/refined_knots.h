@@ -10,7 +10,7 @@
 #include "problems/statement/statement.h"
 
 /// Knots of a free law that are added where they gain something: what [free] knots = "auto" asks
-/// for (docs/theory.md, "Knots where they gain").
+/// for (docs/theory.md, "Adding knots where they help most").
 namespace camlaw::problems {
 
 /// An optimum with so many knots.

@@ -47,8 +47,8 @@ double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool ke
            "times stay");
   }
   if (stated.varying != nullptr) {
-    refuse(cycle, fmt::format("speed varies, so a turn has no one time; for the speed at which the "
-                              "times hold write times_at = \"{:.9g} rpm\" instead",
+    refuse(cycle, fmt::format("speed varies, so a turn takes no fixed time; to state the speed at "
+                              "which the times hold, write times_at = \"{:.9g} rpm\" instead",
                               speed));
   }
   if (stated.fixed == nullptr) return speed;
@@ -103,8 +103,8 @@ double speed_to_begin_with(const Entry& varying, double otherwise) {
 void check_follows(const Entry& file, const Entry& program, const Mechanism& mechanism,
                    const MechanismParameter& speed) {
   const std::string to_keep =
-      "to keep the angles that the times have at one speed write that, "
-      "such as times_at = \"60 rpm\"";
+      "to keep the angles that the times give at one speed, state that speed, such as times_at = "
+      "\"60 rpm\"";
   const Entry* varied = find(file, "variation");
   if (varied != nullptr && speed_in(*varied, speed) != nullptr) {
     refuse(*speed_in(*varied, speed),
@@ -115,8 +115,8 @@ void check_follows(const Entry& file, const Entry& program, const Mechanism& mec
   }
   if (has_rates_by_time(program)) {
     refuse(program,
-           fmt::format("points at times, and rates by time, have one speed, which varies here or "
-                       "differs between load cases: state them by angle; {}",
+           fmt::format("points at times and rates per unit of time need a single speed, but here "
+                       "it varies or differs between load cases: state them by angle; {}",
                        to_keep));
   }
   const auto& segments = segment_tables(program);

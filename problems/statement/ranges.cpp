@@ -261,12 +261,11 @@ void refuse_reliabilities(const ProblemStatement& problem, const std::string& wh
   const auto found =
       std::find_if(problem.constraints.begin(), problem.constraints.end(), is_quantile);
   if (found == problem.constraints.end()) return;
-  throw std::invalid_argument(fmt::format(
-      "{}: the limit on {} has a reliability, and the designs of {} are not judged by parts that "
-      "their searches did not have, as that of camlaw optimize is; drop reliability, and ask "
-      "camlaw "
-      "tolerance what share of the parts holds the limits of a design",
-      problem.source, found->response.name, what));
+  throw std::invalid_argument(
+      fmt::format("{}: the limit on {} has a reliability, which camlaw optimize checks with parts "
+                  "that its search did not see, but {} does not; drop reliability, and use camlaw "
+                  "tolerance to find what share of the parts meets the limits",
+                  problem.source, found->response.name, what));
 }
 
 ConstraintStatement as_stated(const ProblemStatement& problem, ConstraintStatement limit) {

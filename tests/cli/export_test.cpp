@@ -46,7 +46,8 @@ std::vector<Vector2d> points_of(const PlaneCurve& curve) {
   return points;
 }
 
-/// How far points are from a polyline at most, both in one order: each is looked for near the last.
+/// How far points are from a polyline at most, both in one order: each is looked for near the last,
+/// the first on all of it. One that is not looked for far enough seems further away.
 double departure(const std::vector<Vector2d>& points, const std::vector<Vector2d>& line) {
   double worst = 0;
   std::size_t near = 0;
@@ -56,15 +57,18 @@ double departure(const std::vector<Vector2d>& points, const std::vector<Vector2d
     const double share = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0;
     return (p - a - share * way).norm();
   };
-  const std::size_t count = line.size() - 1, window = std::min(count, count / 20 + 50);
+  const std::size_t count = line.size() - 1;
+  std::size_t window = count;
   for (const Vector2d& p : points) {
     double least = 1e9;
     const std::size_t first = near + count - std::min(window, count - 1);
     for (std::size_t k = 0; k < 2 * window; ++k) {
       const std::size_t i = (first + k) % count;
-      if (distance(p, i) < least) least = distance(p, i), near = i;
+      const double apart = distance(p, i);
+      if (apart < least) least = apart, near = i;
     }
     worst = std::max(worst, least);
+    window = std::min(count, 8 * count / points.size() + 16);
   }
   return worst;
 }
@@ -444,7 +448,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(failed({"export", problem("cams/flat_least_base.toml"), "--format", "json", "--curve",
                      "pitch"},
                     2),
-             Contains("disc-cam-flat has no curve 'pitch' of its own; it has profile"));
+             Contains("disc-cam-flat has no curve 'pitch'; it has profile"));
   CHECK_THAT(failed({"export", folder / "none.json", "--format", "dxf"}, 2), Contains("none.json"));
   CHECK_THAT(failed({"export", "study.db", "--format", "dxf"}, 2),
              Contains("'camlaw front study.db --knee --result FILE'"));

@@ -115,7 +115,7 @@ TEST_CASE("Laws of one's own folder are listed and known by name", "[program]") 
   written(folder, "own/broken.json", "{");
   CHECK_THAT(failed({"laws"}, 2), Contains("broken.json: it is not JSON"));
   unsetenv("CAMLAW_LAWS");
-  CHECK_THAT(failed({"law", "thirds"}, 2), Contains("no law is named 'thirds'"));
+  CHECK_THAT(failed({"law", "thirds"}, 2), Contains("there is no law 'thirds'"));
 }
 
 TEST_CASE("Many numbers of a list are said in one line", "[program]") {

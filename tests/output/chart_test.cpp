@@ -509,4 +509,22 @@ TEST_CASE("chart: bad input is refused with its name and value") {
   }
 }
 
+TEST_CASE("chart: nothing has an id, which a page with several charts would have twice") {
+  Figure figure;
+  Panel panel;
+  panel.lines.push_back({.name = "a", .x = {0, 1}, .y = {0, 2}});
+  figure.panels = {panel, panel};
+  std::size_t frames = 0;
+  for (const Element& e : parse(figure)) {
+    CHECK(e.attributes.count("id") == 0);
+    if (!e.is("within")) continue;
+    ++frames;
+    // Its own coordinates are those of the page.
+    CHECK(e.attributes.at("viewBox") == fmt::format("{} {} {} {}", e.attributes.at("x"),
+                                                    e.attributes.at("y"), e.attributes.at("width"),
+                                                    e.attributes.at("height")));
+  }
+  CHECK(frames == 2);
+}
+
 }  // namespace camlaw::cli::chart_test

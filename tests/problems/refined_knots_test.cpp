@@ -145,7 +145,7 @@ TEST_CASE("A free law comes near what theory knows of all laws, and the answer i
   CHECK(a.objective.value < 2.25 * (1 + 1e-4));
   REQUIRE(a.global);
   CHECK_THAT(*a.global, Contains("no design below 2.25") && Contains("no law from rest to rest"));
-  CHECK_THAT(found.ended, Contains("no law can better"));
+  CHECK_THAT(found.ended, Contains("no law can beat"));
   CHECK(found.optimum.found.starts == 1);
 }
 
