@@ -40,6 +40,19 @@ double likeness(const std::string& a, const std::string& b) {
          static_cast<double>(pairs_a.size() + pairs_b.size());
 }
 
+/// A name in a message: what() of an exception ends at a NUL character, which stands as \x00.
+std::string in_message(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c == '\0') {
+      result += "\\x00";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string folded(std::string_view text) {
@@ -92,8 +105,8 @@ void refuse_name(const std::string& what, std::string_view name,
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   const std::string names = fmt::format(" {}", fmt::join(known, ", "));
   throw std::invalid_argument(
-      near.empty() ? fmt::format("{} '{}'; {}", what, name, all ? "use" + names : list)
-                   : fmt::format("{} '{}'; {} {}", what, name, did_you_mean(near),
+      near.empty() ? fmt::format("{} '{}'; {}", what, in_message(name), all ? "use" + names : list)
+                   : fmt::format("{} '{}'; {} {}", what, in_message(name), did_you_mean(near),
                                  all ? "Use" + names : list));
 }
 

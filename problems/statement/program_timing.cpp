@@ -105,13 +105,12 @@ void check_follows(const Entry& file, const Entry& program, const Mechanism& mec
   const std::string to_keep =
       "to keep the angles that the times give at one speed, state that speed, such as times_at = "
       "\"60 rpm\"";
-  for (const char* key : {"ranges", "variation"}) {
-    const Entry* table = find(file, key);
-    if (table == nullptr || speed_in(*table, speed) == nullptr) continue;
-    refuse(*speed_in(*table, speed),
+  const Entry* varied = find(file, "variation");
+  if (varied != nullptr && speed_in(*varied, speed) != nullptr) {
+    refuse(*speed_in(*varied, speed),
            fmt::format("the program has times, which stay at every speed of {}, so that its angles "
-                       "would differ from speed to speed: state speeds as load cases, [[cases]]; "
-                       "{}",
+                       "would differ from part to part: state the speeds as a range, "
+                       "[ranges.speed], or as load cases, [[cases]]; {}",
                        mechanism.name, to_keep));
   }
   if (has_rates_by_time(program)) {
@@ -200,7 +199,14 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     refuse(*at, "cycle_time already says how long a turn takes; drop one of the two");
   }
   timing.stays = problem.mechanism->keeps_times && needs_time && at == nullptr;
-  timing.follows = timing.stays && (stated.varying != nullptr || !of_cases.empty());
+  const auto of_speed = [&](const char* key) -> const Entry* {
+    const Entry* table = find(file, key);
+    if (!speed || table == nullptr) return nullptr;
+    return speed_in(*table, problem.mechanism->parameters[*speed]);
+  };
+  const Entry* range = of_speed("ranges");
+  timing.follows =
+      timing.stays && (stated.varying != nullptr || range != nullptr || !of_cases.empty());
   if (at != nullptr) {
     if (!needs_time) refuse(*at, "the program has no times; drop it");
     timing.speed = positive_of(*at, kSpeedUnit);
@@ -211,21 +217,19 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
     // Among values the search begins there too, in whatever order they are listed.
     if (find(*stated.varying, "values") != nullptr) problem.constants[*speed] = timing.speed;
-  } else if (timing.follows && stated.fixed == nullptr && of_cases.size() == count_of_cases(file)) {
+  } else if (timing.follows && stated.fixed == nullptr && !of_cases.empty() &&
+             of_cases.size() == count_of_cases(file)) {
     timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
+    problem.constants[*speed] = timing.speed;
+  } else if (timing.follows && stated.fixed == nullptr && range != nullptr) {
+    timing.speed = speed_to_begin_with(*range, problem.constants[*speed]);
     problem.constants[*speed] = timing.speed;
   } else if (needs_time) {
     timing.speed = speed_of_machine(program, stated);
   } else {
     return {};
   }
-  const auto varies_by = [&](const char* key) {
-    const Entry* table = find(file, key);
-    return speed && table != nullptr &&
-           speed_in(*table, problem.mechanism->parameters[*speed]) != nullptr;
-  };
-  const bool has_range = varies_by("ranges") || varies_by("variation");
-  if (timing.follows || (timing.stays && has_range)) {
+  if (timing.follows || (timing.stays && of_speed("variation") != nullptr)) {
     check_follows(file, program, *problem.mechanism, problem.mechanism->parameters[*speed]);
   }
   return timing;

@@ -173,6 +173,42 @@ TEST_CASE("a drawing's splines run along the exact curves, as ezdxf reads them",
   }
 }
 
+TEST_CASE("a curve with cusps is drawn as splines that end there", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "cam.toml";
+  std::ofstream(path) << "mechanism = 'disc-cam-oscillating-flat'\n[program]\nsegments = [{name = "
+                         "'rise', angle = 100, law = 'poly-3-4-5'}, {name = 'high', angle = 40}, "
+                         "{name = 'return', angle = 120, law = 'cycloidal'}, {name = 'low'}]\n";
+  const Drawing drawing = drawn({path, "--curve", "profile"});
+  const PlaneCurve curve = exact_curve(path, "profile");
+  const std::vector<double> turns = problems::cusps(curve);
+  REQUIRE(turns.size() >= 2);
+  REQUIRE(drawing.entities.size() == turns.size() + 1);
+  std::vector<double> ends = turns;
+  ends.insert(ends.begin(), curve.begin());
+  ends.push_back(curve.end());
+  for (std::size_t k = 0; k < drawing.entities.size(); ++k) {
+    const Entity& entity = drawing.entities[k];
+    CHECK(entity.type == "SPLINE");
+    // ezdxf counts the knots of a spline from 0.
+    const double first = entity.numbers.front(), last = entity.numbers[entity.numbers.size() - 3];
+    Vector2d before(0, 0);
+    double worst = 0;
+    for (std::size_t i = 0; i < entity.numbers.size(); i += 3) {
+      const Vector2d p(entity.numbers[i + 1], entity.numbers[i + 2]);
+      const double share = (entity.numbers[i] - first) / (last - first);
+      const double angle = std::clamp(std::lerp(ends[k], ends[k + 1], share), ends[k], ends[k + 1]);
+      worst = std::max(worst, (curve.at({angle, i > 0}).at - p).norm());
+      if (i + 3 >= entity.numbers.size()) continue;
+      // Nowhere inside does it turn back.
+      const Vector2d way = Vector2d(entity.numbers[i + 4], entity.numbers[i + 5]) - p;
+      CHECK(way.dot(before) >= 0);
+      before = way;
+    }
+    CHECK(worst <= kTolerance);
+  }
+}
+
 TEST_CASE("a drawing's arcs and lines are one closed, smooth way along the curve", "[export]") {
   for (const char* name : {"cams/roller_least_base.toml", "cams/flat_least_base.toml"}) {
     INFO(name);

@@ -37,6 +37,12 @@ TEST_CASE("blanks at the ends are cut off", "[names]") {
   CHECK(trimmed("\t a\n", " \t\n") == "a");
 }
 
+TEST_CASE("a message about a name goes on after a NUL character", "[names]") {
+  CHECK_THROWS_WITH(
+      refuse_name("no law is named", std::string_view("cyc\0loidal", 10), {"cycloidal"}),
+      Contains("'cyc\\x00loidal'; near: cycloidal"));
+}
+
 TEST_CASE("near_names ranks what was typed, at most three", "[names]") {
   const std::vector<std::string> known{"cubic", "cosine", "cycloidal", "cycloidal-cv50",
                                        "elliptic"};

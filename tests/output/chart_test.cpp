@@ -258,6 +258,7 @@ TEST_CASE("chart: the document is well-formed, self-contained and the same each 
           "0 0 " + root.attributes.at("width") + " " + root.attributes.at("height"));
     CHECK(svg.find("script") == std::string::npos);
     CHECK(svg.find("href") == std::string::npos);
+    CHECK(svg.find(" id=") == std::string::npos);  // which two figures of a page could share
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg.find("-0.00") == std::string::npos);

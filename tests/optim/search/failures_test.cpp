@@ -102,7 +102,9 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   const Found none = optimise(problem, {.starts = 1}).found;
   CHECK(none.assessment.verdict == Verdict::Failed);
   CHECK(none.status == Status::NonFiniteStart);
-  CHECK(none.assessment.reason == "the model is undefined at the start (cost)");
+  CHECK(none.assessment.reason ==
+        "the objective cost is undefined: it has no value at the start nor at any of 254 other "
+        "designs of the variables' ranges that were looked at");
   CHECK(optimise(problem).found.assessment.verdict == Verdict::Failed);
 }
 
