@@ -127,7 +127,8 @@ std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<do
 /// Neighbouring spans that were halved together, for the `times`-th time in a row.
 struct Halved {
   double from, to;
-  int times;
+  double promise;  ///< the largest of them
+  int times = 1;
 };
 
 /// Knots inside (0, 1), and what the last round halved to come to them.
@@ -136,11 +137,13 @@ struct DividedKnots {
   std::vector<Halved> last = {};
 };
 
-/// The place about which chosen spans are what was halved in the last round, at half its size;
-/// none where they are not, or where no knot or end lies there.
+/// The place about which chosen spans are what was halved in the last round, at half its size, and
+/// promise as much as it did; none where they are not, or where no knot or end lies there.
 std::optional<double> shrunk_about(const Halved& now, const Halved& before,
                                    const std::vector<double>& knots) {
   constexpr double kRounding = 1e-12;  // of sums of knots
+  constexpr double kKept = 0.75;       // where all derivatives have limits half of it is left
+  if (!(now.promise > kKept * before.promise)) return {};
   const double place = 2 * now.from - before.from;
   if (std::abs(2 * (now.to - now.from) - (before.to - before.from)) > kRounding) return {};
   if (place < now.from - kRounding || place > now.to + kRounding) return {};
@@ -156,8 +159,9 @@ std::optional<double> shrunk_about(const Halved& now, const Halved& before,
 /// Where the last round did the same at twice the size, about a place where a derivative grows
 /// without bound, further rounds would repeat that: twice as many of them as at the last time are
 /// taken at once.
-void halve(const std::vector<double>& ends, const DividedKnots& divided, DividedKnots& result) {
-  Halved own{ends.front(), ends.back(), 1};
+void halve(const std::vector<double>& ends, double promise, const DividedKnots& divided,
+           DividedKnots& result) {
+  Halved own{ends.front(), ends.back(), promise};
   std::optional<double> about;
   for (const Halved& before : divided.last) {
     about = shrunk_about(own, before, divided.knots);
@@ -194,19 +198,22 @@ DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise,
   const std::vector<bool> chosen = chosen_spans(promise, divided.knots);
   DividedKnots result{divided.knots};
   std::vector<double> ends;  // of chosen spans next to one another
+  double largest = 0;        // of what these promise
   double from = 0;
   for (std::size_t i = 0; i <= last; ++i) {
     const double to = i < last ? divided.knots[i] : 1;
     if (chosen[i] || (symmetric && chosen[last - i])) {
       if (ends.empty()) ends.push_back(from);
       ends.push_back(to);
+      largest = std::max(largest, promise[i]);
     } else if (!ends.empty()) {
-      halve(ends, divided, result);
+      halve(ends, largest, divided, result);
       ends.clear();
+      largest = 0;
     }
     from = to;
   }
-  if (!ends.empty()) halve(ends, divided, result);
+  if (!ends.empty()) halve(ends, largest, divided, result);
   std::vector<double>& knots = result.knots;
   std::ranges::sort(knots);
   const auto same = [](double a, double b) { return b - a < kSame; };
