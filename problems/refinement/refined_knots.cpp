@@ -98,10 +98,11 @@ std::vector<double> promises(const ProblemStatement& design, const std::vector<d
   return result;
 }
 
+constexpr double kShortest = 1.0 / 65536;  // a span: each order of derivatives divides by it
+
 /// Of the spans that are not short those that together promise most of what they all do.
 std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  constexpr double kMost = 0.85;             // the spans with the rest are many and gain little
-  constexpr double kShortest = 1.0 / 65536;  // each order of derivatives divides by the length
+  constexpr double kMost = 0.85;  // the spans with the rest are many and gain little
   double from = 0;
   for (std::size_t i = 0; i < promise.size(); ++i) {
     const double to = i < knots.size() ? knots[i] : 1;
@@ -123,26 +124,100 @@ std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<do
   return chosen;
 }
 
-/// Knots with one more in the middle of each span that promises much, and of its mirror image
-/// where the law is symmetric.
-std::vector<double> with_more(const std::vector<double>& knots, std::vector<double> promise,
-                              bool symmetric) {
-  if (symmetric) {
-    for (std::size_t i = 0; 2 * i < promise.size(); ++i) {
-      double& other = promise[promise.size() - 1 - i];
-      promise[i] = other = std::max(promise[i], other);
+/// Neighbouring spans that were halved together, for the `times`-th time in a row.
+struct Halved {
+  double from, to;
+  double promise;  ///< the largest of them
+  int times = 1;
+};
+
+/// Knots inside (0, 1), and what the last round halved to come to them.
+struct DividedKnots {
+  std::vector<double> knots;
+  std::vector<Halved> last = {};
+};
+
+/// The place about which chosen spans are what was halved in the last round, at half its size, and
+/// promise as much as it did; none where they are not, or where no knot or end lies there.
+std::optional<double> shrunk_about(const Halved& now, const Halved& before,
+                                   const std::vector<double>& knots) {
+  constexpr double kRounding = 1e-12;  // of sums of knots
+  constexpr double kKept = 0.75;       // where all derivatives have limits half of it is left
+  if (!(now.promise > kKept * before.promise)) return {};
+  const double place = 2 * now.from - before.from;
+  if (std::abs(2 * (now.to - now.from) - (before.to - before.from)) > kRounding) return {};
+  if (place < now.from - kRounding || place > now.to + kRounding) return {};
+  for (const double end : {0.0, 1.0}) {
+    if (std::abs(place - end) <= kRounding) return end;
+  }
+  const auto knot =
+      std::ranges::find_if(knots, [&](double k) { return std::abs(place - k) <= kRounding; });
+  return knot == knots.end() ? std::nullopt : std::optional(*knot);
+}
+
+/// (KN2) Adds a knot in the middle of each span between `ends`, which lie next to one another.
+/// Where the last round did the same at twice the size, about a place where a derivative grows
+/// without bound, further rounds would repeat that: twice as many of them as at the last time are
+/// taken at once.
+void halve(const std::vector<double>& ends, double promise, const DividedKnots& divided,
+           DividedKnots& result) {
+  Halved own{ends.front(), ends.back(), promise};
+  std::optional<double> about;
+  for (const Halved& before : divided.last) {
+    about = shrunk_about(own, before, divided.knots);
+    if (!about) continue;
+    own.times = 2 * before.times;
+    break;
+  }
+  double shortest = 1;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    shortest = std::min(shortest, ends[i] - ends[i - 1]);
+  while (own.times > 1 && std::ldexp(shortest, -own.times) < kShortest) --own.times;
+  for (int k = 0; k < own.times; ++k) {
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const double middle = 0.5 * (ends[i - 1] + ends[i]);
+      result.knots.push_back(k == 0 ? middle : *about + std::ldexp(middle - *about, -k));
     }
   }
-  const std::vector<bool> chosen = chosen_spans(promise, knots);
-  std::vector<double> result;
+  if (about) {  // the last of them halved this
+    own.from = *about + std::ldexp(own.from - *about, 1 - own.times);
+    own.to = *about + std::ldexp(own.to - *about, 1 - own.times);
+  }
+  result.last.push_back(own);
+}
+
+/// Knots with more in each span that promises much, and in its mirror image where the law is
+/// symmetric.
+DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise, bool symmetric) {
+  constexpr double kSame = 1e-12;  // two knots
+  const std::size_t last = promise.size() - 1;
+  if (symmetric) {
+    for (std::size_t i = 0; i <= last / 2; ++i)
+      promise[i] = promise[last - i] = std::max(promise[i], promise[last - i]);
+  }
+  const std::vector<bool> chosen = chosen_spans(promise, divided.knots);
+  DividedKnots result{divided.knots};
+  std::vector<double> ends;  // of chosen spans next to one another
+  double largest = 0;        // of what these promise
   double from = 0;
-  for (std::size_t i = 0; i < promise.size(); ++i) {
-    const double to = i < knots.size() ? knots[i] : 1;
-    const bool mirrored = symmetric && chosen[promise.size() - 1 - i];
-    if (chosen[i] || mirrored) result.push_back(0.5 * (from + to));
-    if (i < knots.size()) result.push_back(to);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double to = i < last ? divided.knots[i] : 1;
+    if (chosen[i] || (symmetric && chosen[last - i])) {
+      if (ends.empty()) ends.push_back(from);
+      ends.push_back(to);
+      largest = std::max(largest, promise[i]);
+    } else if (!ends.empty()) {
+      halve(ends, largest, divided, result);
+      ends.clear();
+      largest = 0;
+    }
     from = to;
   }
+  if (!ends.empty()) halve(ends, largest, divided, result);
+  std::vector<double>& knots = result.knots;
+  std::ranges::sort(knots);
+  const auto same = [](double a, double b) { return b - a < kSame; };
+  knots.erase(std::unique(knots.begin(), knots.end(), same), knots.end());
   return result;
 }
 
@@ -257,13 +332,13 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
 }
 
 /// The knots for the next round; none where no more are added, and then why.
-std::optional<std::vector<double>> more_knots(const ProblemStatement& design, RefinedKnots& result,
-                                              bool symmetric) {
+std::optional<DividedKnots> more_knots(const ProblemStatement& design, const DividedKnots& divided,
+                                       RefinedKnots& result, bool symmetric) {
   constexpr std::size_t kMostKnots = 300;  // at a jerk limit 86 do what 1000 even ones do
-  std::vector<double> more = with_more(result.knots, promises(design, result.knots), symmetric);
-  if (more.size() > kMostKnots) {
+  DividedKnots more = with_more(divided, promises(design, divided.knots), symmetric);
+  if (more.knots.size() > kMostKnots) {
     result.ended = fmt::format("more than {} would be needed", kMostKnots);
-  } else if (more.size() == result.knots.size()) {
+  } else if (more.knots.size() == divided.knots.size()) {
     result.ended = "shorter spans are not divided";
   }
   return result.ended.empty() ? std::optional(std::move(more)) : std::nullopt;
@@ -331,19 +406,20 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
   std::optional<ProblemStatement> design;  // to begin the next one at
   int starts = 1;                          // of a whole search
   std::optional<Certified> certified;
-  for (std::optional tried(even_knots(kAtFirst)); tried;) {
+  for (std::optional tried(DividedKnots{even_knots(kAtFirst)}); tried;) {
+    const std::vector<double>& knots = tried->knots;
     ProblemStatement own = stated;
-    set_knots(own, *tried);
+    set_knots(own, knots);
     optim::Optimum optimum =
         design ? searched_from(*design, own, result, search, stop) : search(own, Begin::AsStated);
     starts = std::max(starts, optimum.found.planned_starts);
     const optim::Assessment& a = optimum.found.assessment;
-    const KnotRound round{tried->size(), a.objective.value, a.verdict};
+    const KnotRound round{knots.size(), a.objective.value, a.verdict};
     result.rounds.push_back(round);
-    if (!is_taken(optimum, own, *tried, result, statement)) {
+    if (!is_taken(optimum, own, knots, result, statement)) {
       const char* why = "led to nothing better";
       if (stop()) why = "was ended before it led to anything better";
-      result.ended = fmt::format("the search with {} {}", tried->size(), why);
+      result.ended = fmt::format("the search with {} {}", knots.size(), why);
       break;
     }
     const optim::Found& found = result.optimum.found;
@@ -352,7 +428,7 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
     result.ended = reason_to_end(result, better, stop);
     if (!result.ended.empty()) break;
     const ProblemStatement at = BoundProblem(statement).at(result.optimum.options, found.x);
-    tried = more_knots(at, result, statement.free_is_symmetric);
+    tried = more_knots(at, *tried, result, statement.free_is_symmetric);
     design = optim::is_feasible(found.assessment) ? std::optional(at) : std::nullopt;
   }
   const bool is_whole = result.optimum.found.planned_starts == starts;
