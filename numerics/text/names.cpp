@@ -104,10 +104,9 @@ void refuse_name(const std::string& what, std::string_view name,
   const auto near = near_names(name, known);
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   const std::string names = fmt::format(" {}", fmt::join(known, ", "));
-  const std::string shown = in_message(name);
   throw std::invalid_argument(
-      near.empty() ? fmt::format("{} '{}'; {}", what, shown, all ? "use" + names : list)
-                   : fmt::format("{} '{}'; {} {}", what, shown, did_you_mean(near),
+      near.empty() ? fmt::format("{} '{}'; {}", what, in_message(name), all ? "use" + names : list)
+                   : fmt::format("{} '{}'; {} {}", what, in_message(name), did_you_mean(near),
                                  all ? "Use" + names : list));
 }
 

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "optim/search/interruptible.h"
+#include "optim/search/rescaling.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -44,6 +45,23 @@ bool improves(const Problem& problem, const Scales& scales, const Assessment& fr
   return better(problem, fresh, old);
 }
 
+/// The optimum of a linear problem is judged as an answer is, with proofs and in the scales of its
+/// place, where these are like those of the search; false where that does not show at once that it
+/// is the global one.
+bool judge_at_once(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
+                   Assessment& assessment) {
+  const bool is_optimum = tried.status == Status::Solved && solver.solves_linear_programs();
+  if (!setting.proves() || !is_optimum || tried.told.empty() || !is_linear(setting.problem))
+    return false;
+  Scales own = scales(setting.problem, tried.x);
+  if (differ(own, trail.scales)) return false;
+  Assessment judged = assess(setting.problem, own, tried.x, true, told_as(tried.told));
+  if (judged.verdict != Verdict::Certified || !judged.global) return false;
+  trail.scales = std::move(own);
+  assessment = std::move(judged);
+  return true;
+}
+
 }  // namespace
 
 std::string words_of(const std::exception_ptr& error, const std::string& who) {
@@ -76,6 +94,7 @@ void Trail::join(const Problem& problem, Trail next) {
     told = std::move(next.told);
     message = std::move(next.message);
   }
+  is_judged = is_better && next.is_judged;  // the scales are those of the next
   found.starts = work.starts + 1;
   found.planned_starts = work.planned_starts;
   found.iterations = work.iterations;
@@ -93,6 +112,7 @@ void Trail::take(std::vector<double> x, Scales its_scales, Assessment assessment
   found.assessment = std::move(assessment);
   scales = std::move(its_scales);
   told.clear();
+  is_judged = false;
 }
 
 FirstStart told_of(const FromStart& first) {
@@ -137,7 +157,9 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
   trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
   if (tried.x.empty()) return;
   tell(false);
-  reached.latest = assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
+  const bool is_judged = judge_at_once(tried, solver, setting, trail, reached.latest);
+  if (!is_judged)
+    reached.latest = assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
   if (improves(setting.problem, trail.scales, reached.latest, reached.best))
     reached.best = reached.latest;
   if (!found.x.empty() &&
@@ -145,6 +167,7 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
     return;
   found.x = tried.x;
   trail.told = tried.told;
+  trail.is_judged = is_judged;
   found.assessment = reached.latest;
   found.status = tried.status;
   found.solver = solver.name();

@@ -111,16 +111,22 @@ std::string solver_words(const Answer& answer) {
       found.why_solver);
 }
 
+std::string words_of_starts(const optim::Found& found) {
+  if (found.assessment.verdict == optim::Verdict::Infeasible)
+    return fmt::format("none of {} starts led to a design within the limits", found.starts);
+  if (found.agreed == 0 && is_feasible(found.assessment)) {
+    return fmt::format(
+        "none of {} starts ended at this objective: a look over the rest of the box led to it",
+        found.starts);
+  }
+  return fmt::format("{} of {} starts ended at this objective", found.agreed, found.starts);
+}
+
 std::string how(const Answer& answer) {
   const optim::Found& found = answer.optimum.found;
   std::string text = fmt::format("{} evaluations in {} solves, {:.3g} s; {}", found.evaluations,
                                  found.solves, answer.optimum.wall_s, solver_words(answer));
-  if (found.starts > 1) {
-    text +=
-        found.assessment.verdict == optim::Verdict::Infeasible
-            ? fmt::format("\nnone of {} starts led to a design within the limits", found.starts)
-            : fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
-  }
+  if (found.starts > 1) text += "\n" + words_of_starts(found);
   // Where all are settled, the verdict has these numbers.
   if (answer.optimum.combinations > 1 && !found.assessment.global) {
     text += fmt::format("\n{} combinations, {} problems solved", answer.optimum.combinations,

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 
 #include "kinematics/laws/free.h"
@@ -16,62 +15,12 @@
 #include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/study_worker.h"
+#include "problems/refinement/divided_knots.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
-
-/// Highest derivative of a polynomial piece, and its order.
-struct Top {
-  double value = 0;
-  int order = 0;
-};
-
-Top top_of(const Piece<double>& piece) {
-  double value = 0;
-  const int degree = static_cast<int>(piece.polynomial.size()) - 1;
-  if (degree >= 0) value = piece.polynomial.back();
-  for (int k = 2; k <= degree; ++k) value *= k;
-  return {value, degree};
-}
-
-const Piece<double>& piece_at(const Law<double>& law, double x) {
-  const auto& pieces = law.pieces();
-  const auto found = std::find_if(pieces.begin(), pieces.end(),
-                                  [&](const Piece<double>& piece) { return x <= piece.end; });
-  return found == pieces.end() ? pieces.back() : *found;
-}
-
-/// (KN1) How much each span between two knots could gain: the jumps of the highest derivative at
-/// its ends, by what they do to the acceleration within it, over that acceleration and the mean
-/// one.
-std::vector<double> promises(const Law<double>& law, const std::vector<double>& knots) {
-  std::vector<double> ends{0};
-  ends.insert(ends.end(), knots.begin(), knots.end());
-  ends.push_back(1);
-  std::vector<Top> tops;
-  std::vector<double> accelerations;
-  int degree = 0;
-  double mean = 0;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double middle = 0.5 * (ends[i] + ends[i + 1]);
-    tops.push_back(top_of(piece_at(law, middle)));
-    degree = std::max(degree, tops.back().order);
-    accelerations.push_back(std::abs(law(middle).a));
-    mean += accelerations.back() / static_cast<double>(ends.size() - 1);
-  }
-  const auto value = [&](std::size_t i) { return tops[i].order == degree ? tops[i].value : 0; };
-  std::vector<double> result(tops.size(), 0.0);
-  for (std::size_t i = 0; i < tops.size() && mean > 0; ++i) {
-    double jumps = 0;
-    if (i > 0) jumps += std::abs(value(i) - value(i - 1));
-    if (i + 1 < tops.size()) jumps += std::abs(value(i + 1) - value(i));
-    result[i] = jumps * std::pow(ends[i + 1] - ends[i], std::max(1, degree - 2)) /
-                (accelerations[i] + mean);
-  }
-  return result;
-}
 
 /// The laws of a design that are free: its own, or those of a program's segments.
 std::vector<Law<double>> free_laws(const ProblemStatement& design) {
@@ -89,59 +38,11 @@ std::vector<Law<double>> free_laws(const ProblemStatement& design) {
 }
 
 /// Of all free laws of a design.
-std::vector<double> promises(const ProblemStatement& design, const std::vector<double>& knots) {
+std::vector<double> promises_of(const ProblemStatement& design, const std::vector<double>& knots) {
   std::vector<double> result(knots.size() + 1, 0.0);
   for (const Law<double>& law : free_laws(design)) {
     const std::vector<double> own = promises(law, knots);
     for (std::size_t i = 0; i < own.size(); ++i) result[i] = std::max(result[i], own[i]);
-  }
-  return result;
-}
-
-/// Of the spans that are not short those that together promise most of what they all do.
-std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  constexpr double kMost = 0.85;             // the spans with the rest are many and gain little
-  constexpr double kShortest = 1.0 / 65536;  // each order of derivatives divides by the length
-  double from = 0;
-  for (std::size_t i = 0; i < promise.size(); ++i) {
-    const double to = i < knots.size() ? knots[i] : 1;
-    if (to - from < 2 * kShortest) promise[i] = 0;
-    from = to;
-  }
-  std::vector<std::size_t> order(promise.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return promise[a] > promise[b]; });
-  const double all = std::accumulate(promise.begin(), promise.end(), 0.0);
-  std::vector<bool> chosen(promise.size(), false);
-  double sum = 0;
-  for (const std::size_t i : order) {
-    if (!(sum < kMost * all)) break;
-    sum += promise[i];
-    chosen[i] = true;
-  }
-  return chosen;
-}
-
-/// Knots with one more in the middle of each span that promises much, and of its mirror image
-/// where the law is symmetric.
-std::vector<double> with_more(const std::vector<double>& knots, std::vector<double> promise,
-                              bool symmetric) {
-  if (symmetric) {
-    for (std::size_t i = 0; 2 * i < promise.size(); ++i) {
-      double& other = promise[promise.size() - 1 - i];
-      promise[i] = other = std::max(promise[i], other);
-    }
-  }
-  const std::vector<bool> chosen = chosen_spans(promise, knots);
-  std::vector<double> result;
-  double from = 0;
-  for (std::size_t i = 0; i < promise.size(); ++i) {
-    const double to = i < knots.size() ? knots[i] : 1;
-    const bool mirrored = symmetric && chosen[promise.size() - 1 - i];
-    if (chosen[i] || mirrored) result.push_back(0.5 * (from + to));
-    if (i < knots.size()) result.push_back(to);
-    from = to;
   }
   return result;
 }
@@ -257,13 +158,13 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
 }
 
 /// The knots for the next round; none where no more are added, and then why.
-std::optional<std::vector<double>> more_knots(const ProblemStatement& design, RefinedKnots& result,
-                                              bool symmetric) {
+std::optional<DividedKnots> more_knots(const ProblemStatement& design, const DividedKnots& divided,
+                                       RefinedKnots& result, bool symmetric) {
   constexpr std::size_t kMostKnots = 300;  // at a jerk limit 86 do what 1000 even ones do
-  std::vector<double> more = with_more(result.knots, promises(design, result.knots), symmetric);
-  if (more.size() > kMostKnots) {
+  DividedKnots more = with_more(divided, promises_of(design, divided.knots), symmetric);
+  if (more.knots.size() > kMostKnots) {
     result.ended = fmt::format("more than {} would be needed", kMostKnots);
-  } else if (more.size() == result.knots.size()) {
+  } else if (more.knots.size() == divided.knots.size()) {
     result.ended = "shorter spans are not divided";
   }
   return result.ended.empty() ? std::optional(std::move(more)) : std::nullopt;
@@ -331,19 +232,20 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
   std::optional<ProblemStatement> design;  // to begin the next one at
   int starts = 1;                          // of a whole search
   std::optional<Certified> certified;
-  for (std::optional tried(even_knots(kAtFirst)); tried;) {
+  for (std::optional tried(DividedKnots{even_knots(kAtFirst)}); tried;) {
+    const std::vector<double>& knots = tried->knots;
     ProblemStatement own = stated;
-    set_knots(own, *tried);
+    set_knots(own, knots);
     optim::Optimum optimum =
         design ? searched_from(*design, own, result, search, stop) : search(own, Begin::AsStated);
     starts = std::max(starts, optimum.found.planned_starts);
     const optim::Assessment& a = optimum.found.assessment;
-    const KnotRound round{tried->size(), a.objective.value, a.verdict};
+    const KnotRound round{knots.size(), a.objective.value, a.verdict};
     result.rounds.push_back(round);
-    if (!is_taken(optimum, own, *tried, result, statement)) {
+    if (!is_taken(optimum, own, knots, result, statement)) {
       const char* why = "led to nothing better";
       if (stop()) why = "was ended before it led to anything better";
-      result.ended = fmt::format("the search with {} {}", tried->size(), why);
+      result.ended = fmt::format("the search with {} {}", knots.size(), why);
       break;
     }
     const optim::Found& found = result.optimum.found;
@@ -352,7 +254,7 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
     result.ended = reason_to_end(result, better, stop);
     if (!result.ended.empty()) break;
     const ProblemStatement at = BoundProblem(statement).at(result.optimum.options, found.x);
-    tried = more_knots(at, result, statement.free_is_symmetric);
+    tried = more_knots(at, *tried, result, statement.free_is_symmetric);
     design = optim::is_feasible(found.assessment) ? std::optional(at) : std::nullopt;
   }
   const bool is_whole = result.optimum.found.planned_starts == starts;

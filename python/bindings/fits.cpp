@@ -280,8 +280,7 @@ FoundFit constants_fitted(const std::string& constants, const StatedProblem* mac
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
     if (fits.empty()) {
-      refuse(
-          "constants: no law of the catalogue reproduces them from fewer digits than were printed");
+      refuse("constants: no law of the catalogue gives them from fewer digits than were printed");
     }
   }
   return {std::move(fits)};
