@@ -199,7 +199,7 @@ TEST_CASE("a study that was made without NSGA-II is read without it", "[fronts]"
 
 TEST_CASE("without NSGA-II a front whose end has a twin goes on from the better one", "[fronts]") {
   // f1 has two equal minima, at x2 = -0.315 and 0.942, and f2 is less by 0.8 at the first.
-  const std::string text = R"(
+  const std::string text = R"toml(
 [machine]
 name = "m"
 [machine.parameters.x1]
@@ -220,7 +220,7 @@ upper = 2
 minimize = "f1"
 [[objectives]]
 minimize = "f2"
-)";
+)toml";
   const FrontStudy study(text, "front.toml", {.points = 8, .scouts = false});
   optim::DirectExecutor direct(study.space(), study.options().solve);
   const optim::Front front = study.run(direct);
