@@ -124,14 +124,16 @@ std::vector<MechanismResponse> turn_curves() {
             const auto force = turn.roller_force(turn.displacement(section, phi));
             return cam.roller().stress(force * pitch.speed() / pitch.y, pitch.curvature());
           }),
-      roller_curve<M>({"profile_x", "mm", "m", "the profile in the cam, along its zero line"},
-                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                        return turned_back(pitch.inside(cam.roller_radius), phi).first;
-                      }),
-      roller_curve<M>({"profile_y", "mm", "m", "the profile in the cam, across its zero line"},
-                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                        return turned_back(pitch.inside(cam.roller_radius), phi).second;
-                      })};
+      roller_curve<M>(
+          {"profile_x", "mm", "m", "the profile in the cam, along its zero line", {}, true},
+          [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+            return turned_back(pitch.inside(cam.roller_radius), phi).first;
+          }),
+      roller_curve<M>(
+          {"profile_y", "mm", "m", "the profile in the cam, across its zero line", {}, true},
+          [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+            return turned_back(pitch.inside(cam.roller_radius), phi).second;
+          })};
 }
 
 /// A number from formula(machine, surplus), for the surplus work that its cam is cut for.

@@ -54,11 +54,11 @@ std::vector<MechanismResponse> drawn_curve(const std::string& name, const char* 
   const auto on_drawing = [point](const auto& cam, const auto& f, const auto& x) {
     return on_cam(cam, point(cam, f), 2 * pi() * x);
   };
-  return {cam_curve<M>({name + "_x", "mm", "m", meaning},
+  return {cam_curve<M>({name + "_x", "mm", "m", meaning, {}, true},
                        [on_drawing](const auto& cam, const auto& f, const auto& x) {
                          return on_drawing(cam, f, x).first;
                        }),
-          cam_curve<M>({name + "_y", "mm", "m", meaning},
+          cam_curve<M>({name + "_y", "mm", "m", meaning, {}, true},
                        [on_drawing](const auto& cam, const auto& f, const auto& x) {
                          return on_drawing(cam, f, x).second;
                        })};

@@ -116,9 +116,10 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const Piece<double>& piece = law_->pieces()[section.piece];
   auto d = derivatives<6>(piece, x);
   d[1] = velocity_from_within(d[1], piece, x, still_);
+  d[0] = onto_ends(d[0]);
   if (may_jump_) d[0] = displacement_from_within(d[0], piece, x);
-  const auto f = formula_->plain({follower_motion(stretch, onto_ends(motion_series<3>(d))),
-                                  place_series<3, double>(section, x)});
+  const auto f = formula_->plain(
+      {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
   const double rate = 1 / stretch.length();
   return {without_traces(f.c[0]), f.c[1] * rate, 2 * f.c[2] * rate * rate};
 }
@@ -153,9 +154,10 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const auto& piece = law_->pieces()[sections[k]->piece];
     const double v = velocity_from_within(rows.v[k], piece, rows.x[k], still_);
-    const double s = may_jump_ ? displacement_from_within(rows.s[k], piece, rows.x[k]) : rows.s[k];
+    double s = onto_ends(rows.s[k]);
+    if (may_jump_) s = displacement_from_within(s, piece, rows.x[k]);
     const Motion<double> law{s, v, rows.a[k], rows.j[k]};
-    const auto m = follower_motion(cycle_.stretches[sections[k]->stretch], onto_ends(law));
+    const auto m = follower_motion(cycle_.stretches[sections[k]->stretch], law);
     rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
   }
   const std::vector<double> values = formula_->values(rows);
@@ -195,7 +197,10 @@ Series<Interval, N> MechanismTrace::over_motion(const Section& section,
                                                 const Expansion::Derivatives& motion,
                                                 const Interval& x, const Interval& ends) const {
   auto series = motion_series<N>(motion);
-  if (!boost::numeric::subset(series.s.c[0], ends)) series.s = clamped(series.s, ends);
+  Interval& s = series.s.c[0];
+  if (s.upper() < 0 && s.upper() >= -kBeyondEnds) s = {s.lower(), 0};
+  if (s.lower() > 1 && s.lower() <= 1 + kBeyondEnds) s = {1, s.upper()};
+  if (!boost::numeric::subset(s, ends)) series.s = clamped(series.s, ends);
   return formula_->enclosed(
       {follower_motion(cycle_.stretches[section.stretch], series), place_series<N>(section, x)});
 }

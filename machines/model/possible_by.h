@@ -7,7 +7,7 @@
 #include "machines/model/mechanism.h"
 #include "numerics/formula/formula.h"
 
-/// Which machines there are: the set of parameters at which every margin is above 0, by the
+/// Possible machines: the set of parameters at which every margin is above 0, by the
 /// margins' records (docs/theory.md, "Possible and impossible machines").
 namespace camlaw::problems {
 

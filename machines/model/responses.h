@@ -25,6 +25,7 @@ struct ResponseAbout {
   std::string stored;  ///< the one that the formula gives
   std::string meaning;
   std::vector<ShapeStatement> shapes = {};
+  bool is_coordinate = false;  ///< of a point of a curve of the cam, such as its profile
 };
 
 /// A number: formula(machine) -> Expression for a machine M.
@@ -80,9 +81,11 @@ MechanismResponse described(ResponseAbout about) {
           .meaning = std::move(about.meaning),
           .shapes = std::move(about.shapes),
           .possible_by = possible_machines<M>(),
-          .is_possible = [](std::span<const double> parameters) {
-            return broken_condition<M>(parameters) == nullptr;
-          }};
+          .is_possible =
+              [](std::span<const double> parameters) {
+                return broken_condition<M>(parameters) == nullptr;
+              },
+          .is_coordinate = about.is_coordinate};
 }
 
 }  // namespace detail

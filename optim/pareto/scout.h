@@ -12,7 +12,7 @@ namespace camlaw::optim {
 Outcome scout(const Task& task, const Problem& multi);
 
 /// Of `population` designs that fill the box evenly those that meet every limit and that no other
-/// one of them dominates: what scout() is replaced by where NSGA-II is not there.
+/// one of them dominates: used in place of scout() without NSGA-II.
 Outcome sample(const Task& task, const Problem& multi);
 
 }  // namespace camlaw::optim

@@ -87,9 +87,9 @@ Scouted scout_parts(Sweep& sweep) {
   }
   if (!tasks.empty() && !by_scouts) {
     sweep.front.remark =
-        "the problem is not known to be convex, and NSGA-II, which would look at it first, is not "
-        "there: its plug-in, camlaw-nsga2.so, is not installed; the best of a sample of the box "
-        "were taken instead, so that a part of the front may be missing";
+        "NSGA-II, which normally scouts such a problem, is not installed (plug-in "
+        "camlaw-nsga2.so); the best of an even sample were used instead, so part of the front may "
+        "be missing";
   }
   Scouted scouted(sweep.parts.size());
   const std::vector<Outcome> outcomes = sweep.carry_out(tasks);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include "optim/search/interruptible.h"
 #include "optim/search/rescaling.h"
@@ -45,21 +46,26 @@ bool improves(const Problem& problem, const Scales& scales, const Assessment& fr
   return better(problem, fresh, old);
 }
 
+/// An assessment with proofs, and the scales that it is in.
+struct Judged {
+  Scales scales;
+  Assessment assessment;
+};
+
 /// The optimum of a linear problem is judged as an answer is, with proofs and in the scales of its
-/// place, where these are like those of the search; false where that does not show at once that it
+/// place, where these are like those of the search; none where that does not show at once that it
 /// is the global one.
-bool judge_at_once(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
-                   Assessment& assessment) {
+std::optional<Judged> judged_at_once(const Attempt& tried, const Solver& solver,
+                                     const Setting& setting, const Scales& known) {
   const bool is_optimum = tried.status == Status::Solved && solver.solves_linear_programs();
   if (!setting.proves() || !is_optimum || tried.told.empty() || !is_linear(setting.problem))
-    return false;
-  Scales own = scales(setting.problem, tried.x);
-  if (differ(own, trail.scales)) return false;
-  Assessment judged = assess(setting.problem, own, tried.x, true, told_as(tried.told));
-  if (judged.verdict != Verdict::Certified || !judged.global) return false;
-  trail.scales = std::move(own);
-  assessment = std::move(judged);
-  return true;
+    return {};
+  Judged judged{scales(setting.problem, tried.x), {}};
+  if (differ(judged.scales, known)) return {};
+  judged.assessment = assess(setting.problem, judged.scales, tried.x, true, told_as(tried.told));
+  const bool is_global =
+      judged.assessment.verdict == Verdict::Certified && judged.assessment.global;
+  return is_global ? std::optional(std::move(judged)) : std::nullopt;
 }
 
 }  // namespace
@@ -157,9 +163,10 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
   trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
   if (tried.x.empty()) return;
   tell(false);
-  const bool is_judged = judge_at_once(tried, solver, setting, trail, reached.latest);
-  if (!is_judged)
-    reached.latest = assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
+  std::optional<Judged> judged = judged_at_once(tried, solver, setting, trail.scales);
+  reached.latest = judged
+                       ? judged->assessment
+                       : assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
   if (improves(setting.problem, trail.scales, reached.latest, reached.best))
     reached.best = reached.latest;
   if (!found.x.empty() &&
@@ -167,7 +174,8 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
     return;
   found.x = tried.x;
   trail.told = tried.told;
-  trail.is_judged = is_judged;
+  trail.is_judged = judged.has_value();
+  if (judged) trail.scales = std::move(judged->scales);
   found.assessment = reached.latest;
   found.status = tried.status;
   found.solver = solver.name();

@@ -33,14 +33,11 @@ constexpr std::array kGroups{kMotionGroup, kGeometryGroup, kLoadGroup, kContactG
 
 /// Whether a panel is a coordinate of a curve of the cam, which is drawn as that curve. Coordinates
 /// that a file states are curves like others: its path follows them.
-bool is_of_profile(const Panel& panel) {
-  static constexpr std::array<std::string_view, 7> kDrawn{
-      "profile", "pitch", "cutter", "contact", "centre", "flank", "roller_path"};
-  std::string_view name = panel.y.label;
-  if (!name.ends_with("_x") && !name.ends_with("_y")) return false;
-  name.remove_suffix(2);
-  return std::any_of(kDrawn.begin(), kDrawn.end(),
-                     [&](std::string_view drawn) { return name.ends_with(drawn); });
+bool is_of_profile(const Panel& panel, const ProblemStatement& design) {
+  const auto& all = design.mechanism->responses;
+  const auto own =
+      std::ranges::find_if(all, [&](const auto& r) { return r.name == panel.y.label; });
+  return own != all.end() && own->is_coordinate;
 }
 
 /// Whether the problem limits or seeks a curve.
@@ -153,7 +150,7 @@ std::string plot_html(const Panel& panel, std::size_t index, const PanelWords& w
 Figure design_figure(const ProblemStatement& design, int points) {
   Figure figure = curves_figure(design, points);
   std::erase_if(figure.panels, [&](const Panel& panel) {
-    return is_of_profile(panel) && !is_asked_for(panel.y.label, design);
+    return is_of_profile(panel, design) && !is_asked_for(panel.y.label, design);
   });
   draw_limits(design, figure);
   const bool shows_motion =

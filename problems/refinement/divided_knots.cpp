@@ -78,14 +78,14 @@ std::optional<double> shrunk_about(const Halved& now, const Halved& before,
 /// Where the last round did the same at twice the size, about a place where a derivative grows
 /// without bound, further rounds would repeat that: twice as many of them as at the last time are
 /// taken at once.
-void halve(const std::vector<double>& ends, double promise, const DividedKnots& divided,
+void halve(const std::vector<double>& ends, double promise, const DividedKnots& divided, int most,
            DividedKnots& result) {
   Halved own{ends.front(), ends.back(), promise};
   std::optional<double> about;
   for (const Halved& before : divided.last) {
     about = shrunk_about(own, before, divided.knots);
     if (!about) continue;
-    own.times = 2 * before.times;
+    own.times = std::min(2 * before.times, most);
     break;
   }
   double shortest = 1;
@@ -134,7 +134,14 @@ std::vector<double> promises(const Law<double>& law, const std::vector<double>& 
   return result;
 }
 
-DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise, bool symmetric) {
+int DividedKnots::halvings() const {
+  int most = 1;
+  for (const Halved& halved : last) most = std::max(most, halved.times);
+  return most;
+}
+
+DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise, bool symmetric,
+                       int most) {
   constexpr double kSame = 1e-12;  // two knots
   const std::size_t last = promise.size() - 1;
   if (symmetric) {
@@ -153,13 +160,13 @@ DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise,
       ends.push_back(to);
       largest = std::max(largest, promise[i]);
     } else if (!ends.empty()) {
-      halve(ends, largest, divided, result);
+      halve(ends, largest, divided, most, result);
       ends.clear();
       largest = 0;
     }
     from = to;
   }
-  if (!ends.empty()) halve(ends, largest, divided, result);
+  if (!ends.empty()) halve(ends, largest, divided, most, result);
   std::vector<double>& knots = result.knots;
   std::ranges::sort(knots);
   const auto same = [](double a, double b) { return b - a < kSame; };

@@ -20,6 +20,9 @@ struct Halved {
 struct DividedKnots {
   std::vector<double> knots;
   std::vector<Halved> last = {};
+
+  /// How often the spans were halved at once, where that was most often; 1 of the first knots.
+  int halvings() const;
 };
 
 /// (KN1) How much each span between two knots could gain: the jumps of the highest derivative at
@@ -28,7 +31,8 @@ struct DividedKnots {
 std::vector<double> promises(const Law<double>& law, const std::vector<double>& knots);
 
 /// Knots with more in each span that promises much, and in its mirror image where the law is
-/// symmetric.
-DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise, bool symmetric);
+/// symmetric. No span is halved more than `most` times at once.
+DividedKnots with_more(const DividedKnots& divided, std::vector<double> promise, bool symmetric,
+                       int most);
 
 }  // namespace camlaw::problems

@@ -120,17 +120,32 @@ bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
   return rise <= kRounding * std::abs(b.objective.value);
 }
 
-/// What is left to gain where each gain is the same share of the one before.
+/// Of gains that shrink by the same factor q with each halving of spans: q, if `first` halvings are
+/// followed by `then` with a gain of `share` of theirs, share = q^first (1 - q^then) / (1 -
+/// q^first).
+double shrinking_of(double share, int first, int then) {
+  double lower = 0, upper = 1;  // the share rises with q
+  for (int step = 0; step < 60; ++step) {
+    const double q = 0.5 * (lower + upper), before = std::pow(q, first);
+    (before * (1 - std::pow(q, then)) / (1 - before) < share ? lower : upper) = q;
+  }
+  return lower;
+}
+
+/// (KN3) What is left to gain where each halving of spans gains the same share of the one before.
 std::optional<double> left_of(const std::vector<KnotRound>& rounds) {
   if (rounds.size() < 3) return {};
-  const double a = rounds.end()[-3].objective, b = rounds.end()[-2].objective,
-               c = rounds.end()[-1].objective;
-  const double share = (c - b) / (b - a);
+  const KnotRound &before = rounds.end()[-2], &last = rounds.end()[-1];
+  const double a = rounds.end()[-3].objective, b = before.objective, c = last.objective;
   // Of gains that shrink by less the sum has more than ten times the error of one.
   constexpr double kShrinks = 0.9, kNothing = 1e-9;
   if (std::abs(c - b) <= kNothing * std::abs(c)) return 0.0;
-  if (!(share > 0 && share < kShrinks)) return {};
-  return std::abs(c - b) * share / (1 - share);
+  const double share = (c - b) / (b - a);
+  if (!(share > 0)) return {};
+  const double q = shrinking_of(share, before.halvings, last.halvings);
+  if (!(q < kShrinks)) return {};
+  const double then = std::pow(q, last.halvings);
+  return std::abs(c - b) * then / (1 - then);
 }
 
 void check_one_law(const ProblemStatement& statement) {
@@ -143,7 +158,7 @@ void check_one_law(const ProblemStatement& statement) {
 /// Why a round was the last one, in words; empty where another may follow.
 std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRound>& better,
                           const std::function<bool()>& stop) {
-  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;  // each with up to twice the knots
+  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;
   const optim::Found& found = result.optimum.found;
   // Where no design meets the limits, the one of least violation tells where knots may help.
   const bool is_vain = !optim::is_feasible(found.assessment) && result.rounds.size() >= kMostInVain;
@@ -161,7 +176,10 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
 std::optional<DividedKnots> more_knots(const ProblemStatement& design, const DividedKnots& divided,
                                        RefinedKnots& result, bool symmetric) {
   constexpr std::size_t kMostKnots = 300;  // at a jerk limit 86 do what 1000 even ones do
-  DividedKnots more = with_more(divided, promises_of(design, divided.knots), symmetric);
+  constexpr int kMostAtOnce = 16;          // all the halvings of a whole span down to the shortest
+  const std::vector<double> promise = promises_of(design, divided.knots);
+  DividedKnots more = with_more(divided, promise, symmetric, kMostAtOnce);
+  if (more.knots.size() > kMostKnots) more = with_more(divided, promise, symmetric, 1);
   if (more.knots.size() > kMostKnots) {
     result.ended = fmt::format("more than {} would be needed", kMostKnots);
   } else if (more.knots.size() == divided.knots.size()) {
@@ -240,7 +258,7 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
         design ? searched_from(*design, own, result, search, stop) : search(own, Begin::AsStated);
     starts = std::max(starts, optimum.found.planned_starts);
     const optim::Assessment& a = optimum.found.assessment;
-    const KnotRound round{knots.size(), a.objective.value, a.verdict};
+    const KnotRound round{knots.size(), a.objective.value, a.verdict, tried->halvings()};
     result.rounds.push_back(round);
     if (!is_taken(optimum, own, knots, result, statement)) {
       const char* why = "led to nothing better";

@@ -18,6 +18,7 @@ struct KnotRound {
   std::size_t knots;
   double objective;  ///< in its unit
   optim::Verdict verdict;
+  int halvings = 1;  ///< of spans at once that led to these knots
 };
 
 struct RefinedKnots {

@@ -38,10 +38,11 @@ std::vector<ProgramTiming::Segment> timed_segments(const Entry& program) {
 }
 
 /// The speed that a cycle's time makes, which no other statement contradicts.
-double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool keeps_times) {
+double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool has_range,
+                      bool keeps_times) {
   const double time = positive_of(cycle, "s");
   const double speed = 60 / time;
-  if (stated.varying != nullptr && keeps_times) {
+  if ((stated.varying != nullptr || has_range) && keeps_times) {
     refuse(cycle,
            "speed varies, and with it the time of a turn; drop cycle_time, since the program's "
            "times stay");
@@ -211,7 +212,7 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     if (!needs_time) refuse(*at, "the program has no times; drop it");
     timing.speed = positive_of(*at, kSpeedUnit);
   } else if (cycle != nullptr) {
-    timing.speed = speed_of_cycle(*cycle, stated, timing.stays);
+    timing.speed = speed_of_cycle(*cycle, stated, range != nullptr, timing.stays);
     if (speed) set_speed(*cycle, timing.speed, *speed, problem);
   } else if (timing.follows && stated.varying != nullptr) {
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);

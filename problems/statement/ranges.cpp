@@ -234,7 +234,6 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
     const bool is_curve = static_cast<bool>(limit.response.response->curve);
     side.is_size = limit.is_size || limit.response.part == Part::Magnitude;
     if (is_curve) side.response.part = Part::Value;
-    if (!side.of_range->curve) side.response.window.reset();  // which the number has
     sides.push_back(std::move(side));
   };
   if (limit.upper) add(true, *limit.upper);

@@ -463,7 +463,8 @@ TEST_CASE("the help of export explains every option", "[export]") {
         "--depth",        "--slave",    "--set",       "--unit",      "--master",
         "--cycle",        "--columns",  "--separator", "--lead",      "--allowances",
         "--compensation", "--drawing",  "--bore",      "--keyway",    "--form-tolerance"}) {
-    const std::size_t at = help.find(std::string("  ") + option + " ");
+    std::size_t at = help.find(std::string("  ") + option + " ");
+    if (at == std::string::npos) at = help.find(std::string(", ") + option + " ");  // "-o, --out"
     REQUIRE(at != std::string::npos);
     CHECK(help.find("\n  -", at) > at + 50);
   }

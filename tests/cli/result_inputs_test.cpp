@@ -135,7 +135,7 @@ TEST_CASE("a search replaces its own earlier result and no other's", "[program]"
   // A file that no search wrote stays.
   testing::write(result, "{\"mine\": 1}");
   CHECK_THAT(failed({"optimize", folder / "new/laws.toml", "--out", folder / "l"}, 2),
-             Contains("is not a camlaw result, and would be replaced"));
+             Contains("is not a camlaw result, and it would be replaced"));
   CHECK(read(result) == "{\"mine\": 1}");
 }
 

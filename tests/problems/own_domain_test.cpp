@@ -154,7 +154,7 @@ TEST_CASE("a displacement that overshoots its ends is not moved there", "[formul
   CHECK(std::isnan(evaluated(law + "[responses.own]\nformula = \"sqrt(s)\"\n").highest));
 }
 
-TEST_CASE("a curve that has a pole is told as infinite there", "[formula][problems]") {
+TEST_CASE("a curve that has a pole is reported as infinite there", "[formula][problems]") {
   const double inf = std::numeric_limits<double>::infinity();
   const auto own = [](const std::string& formula) {
     return evaluated(by_law("cycloidal", formula));

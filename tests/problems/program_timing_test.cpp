@@ -130,6 +130,10 @@ TEST_CASE("an axis keeps its times at another speed, and its angles change", "[p
   CHECK(up_angle(cut) == Approx(72));
   const char* const varied = "[variation.speed]\nplus = 1\n[[cases]]\nname = 'slow'\nspeed = 60\n";
   CHECK_THAT(complaint([&] { axis("cycle_time = '0.5 s'\n", varied); }), Contains("times_at"));
+  CHECK_THAT(complaint([&] {
+               axis("cycle_time = '0.5 s'\n", "[ranges.speed]\nlower = 60\nupper = 120\n");
+             }),
+             Contains("drop cycle_time"));
   CHECK_NOTHROW(axis("times_at = '120 rpm'\n", "[ranges.speed]\nlower = 60\nupper = 120\n"));
 }
 
