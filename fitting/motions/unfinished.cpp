@@ -61,12 +61,12 @@ bool is_unfinished(const FoundMotion& motion, const std::vector<LawFit>& ranking
 
 }  // namespace
 
-Unfinished unfinished_ends(const FoundMotion& motion, const std::vector<LawFit>& ranking) {
+OpenEnds unfinished_ends(const FoundMotion& motion, const std::vector<LawFit>& ranking) {
   if (ranking.empty()) return {};
   return {is_unfinished(motion, ranking, true), is_unfinished(motion, ranking, false)};
 }
 
-std::string unfinished_words(const Unfinished& ends, const MotionSamples& samples) {
+std::string unfinished_words(const OpenEnds& ends, const MotionSamples& samples) {
   if (!ends.any()) return "";
   const auto [first, last] = extent_of(samples);
   const auto at = [&](double place) {
