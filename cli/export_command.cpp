@@ -40,11 +40,10 @@ int run_export(ExportOptions options) {
   problems::set_in_design(design.statement, design, options.settings);
   take_bore(options, design.statement);
   const std::vector<std::string> words = record_words(design, review);
-  std::vector<std::string> unmet =
-      take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);
+  TakenCam taken = take_cam(options.cam, options.file, "--cam {}", options.slave, design.statement);
   const problems::ProblemStatement shown = design.statement;
   const ExportedText written =
-      exported_text(options, format, std::move(design), words, std::move(unmet));
+      exported_text(options, format, std::move(design), words, std::move(taken));
   say_first_law(options.file, shown);
   if (!options.out || (is_quiet() && !options.json)) {
     for (const std::string& limit : written.unmet) warn(fmt::format("{}: {}", options.file, limit));

@@ -107,6 +107,10 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--cam", &o.cam, "NAME",
        "the cam to write, if the file has several cams on one shaft; not needed for a --slave that "
        "is a curve of the shaft itself"},
+      {"--zero", &o.zero, "{shaft,cam}",
+       "with --cam: from whose zero a table's master is counted, and whose zero a keyway points "
+       "to: the shaft's, by which the cams of the shaft work together (the default), or the "
+       "cam's own"},
       set_option(o.settings),
       {"--json", &o.json, takes::kNothing,
        "print the report on the file that --out writes as JSON"}};

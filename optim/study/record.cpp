@@ -175,6 +175,7 @@ StudyRecord StudyRecord::create(const std::string& path, const StudySettings& se
   std::error_code ignored;
   if (fs::exists(place, ignored)) refuse_study(path, kThere);
   check_alone(path, place);
+  remove_left_beginnings(place);
   // Whatever ends the program, there is a whole study in its place or none; none of this one where
   // another process was faster.
   const auto begin = [&]() -> std::unique_ptr<File> {
@@ -199,6 +200,7 @@ StudyRecord StudyRecord::begin(const std::string& path, const StudySettings& set
                                const std::function<void(const StudyRecord&)>& check) {
   std::error_code ignored;
   if (!resume || !fs::exists(study_place(path), ignored)) return create(path, settings);
+  remove_left_beginnings(study_place(path));
   check(read(path));
   StudyRecord record = open(path);
   if (record.settings() != settings) record.put(settings);

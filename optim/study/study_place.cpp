@@ -3,7 +3,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,14 +43,61 @@ void refuse_study(const std::string& path, const std::string& why) {
   throw std::invalid_argument(fmt::format("{}: {}", path, why));
 }
 
-StudyBeginning::StudyBeginning(const fs::path& place)
-    : folder_((place.parent_path() / ".camlaw-XXXXXX").string()) {
-  if (mkdtemp(folder_.data()) == nullptr) throw std::runtime_error(std::strerror(errno));
+namespace {
+
+constexpr std::string_view kBeginning = ".camlaw-";
+constexpr std::string_view kRandom = "XXXXXX";  // mkdtemp's
+
+int open_folder(const fs::path& folder) {
+  return open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
+/// Whether an open folder still has its name.
+bool has_name(int folder, const std::string& name) {
+  struct stat opened {
+  }, named{};
+  return fstat(folder, &opened) == 0 && stat(name.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+fs::path folder_of(const fs::path& place) {
+  const fs::path folder = place.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+}  // namespace
+
+void remove_left_beginnings(const fs::path& place) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(place), ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_one =
+        name.starts_with(kBeginning) && name.size() == kBeginning.size() + kRandom.size();
+    const int folder = is_one ? open_folder(entry.path()) : -1;
+    if (folder < 0) continue;
+    if (flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), ignored);
+    close(folder);
+  }
+}
+
+StudyBeginning::StudyBeginning(const fs::path& place) {
+  // Until it is held, another process that begins a study here may take it for one that was left.
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries; ++i) {
+    folder_ = (folder_of(place) / fmt::format("{}{}", kBeginning, kRandom)).string();
+    if (mkdtemp(folder_.data()) == nullptr) throw std::runtime_error(std::strerror(errno));
+    held_ = open_folder(folder_);
+    if (held_ >= 0) flock(held_, LOCK_EX);
+    if (held_ >= 0 && has_name(held_, folder_)) return;
+    if (held_ >= 0) close(held_);
+  }
+  throw std::runtime_error("its folder is removed again and again");
 }
 
 StudyBeginning::~StudyBeginning() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
+  close(held_);
 }
 
 bool move_to(const std::string& from, const std::string& to) {

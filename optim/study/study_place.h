@@ -12,7 +12,7 @@ namespace camlaw::optim {
 
 /// Where a study is begun: in a folder of its own beside its place, in which nobody else's files
 /// are. It is gone afterwards, with all that is in it; only a program that is killed meanwhile
-/// leaves it. Throws std::runtime_error where it cannot be made.
+/// leaves it, for remove_left_beginnings. Throws std::runtime_error where it cannot be made.
 class StudyBeginning {
  public:
   explicit StudyBeginning(const std::filesystem::path& place);
@@ -24,7 +24,12 @@ class StudyBeginning {
 
  private:
   std::string folder_;
+  int held_ = -1;  ///< a descriptor with a lock, by which others see that the folder is in use
 };
+
+/// Removes the beginnings beside a study's place that no living process holds: programs that were
+/// killed have left them. Where the file system has no locks, nothing is removed.
+void remove_left_beginnings(const std::filesystem::path& place);
 
 /// Gives a file its name; false where another has come to have it. Throws std::runtime_error.
 bool move_to(const std::string& from, const std::string& to);

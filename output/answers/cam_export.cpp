@@ -11,11 +11,11 @@
 #include "numerics/text/units.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/buildable_output.h"
-#include "output/answers/judged_words.h"
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
 #include "output/answers/solid_export.h"
 #include "output/export/dxf.h"
+#include "output/export/interference.h"
 #include "output/export/plane_curve.h"
 #include "output/export/plate_flanks.h"
 #include "problems/statement/bind.h"
@@ -252,6 +252,15 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
       *o.step, curve.name(), chords.worst(), unit.name, size, unit.name, cycle / count));
 }
 
+/// How far the profile is from the path of the follower's point, mm, where that is the same all
+/// over the cycle, as under a roller.
+std::optional<double> roller_of_pitch(const problems::ProblemStatement& statement) {
+  const auto pitch = problems::cam_curves(statement, "pitch"),
+             profile = problems::cam_curves(statement, "profile");
+  if (pitch.empty() || profile.empty()) return {};
+  return problems::even_distance(pitch.front(), profile.front());
+}
+
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
@@ -263,6 +272,7 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
     if (format.format == ExportFormat::Gcode) {
       e.passes = tool_passes(o, e, curve, form, inner);
       e.curves.push_back(e.passes.back().path.exported());
+      e.tool_bound = tool_bound_of(o, e, curve);
     } else {
       for (std::string& note : problems::obstacles(curve.in(e.accuracy.unit))) {
         e.notes.push_back(std::move(note));
@@ -278,14 +288,39 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   e.notes.insert(e.notes.end(), more.begin(), more.end());
 }
 
-/// The radius of the tool, for who sets up the machine.
-std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement,
-                      const problems::LengthUnit& unit) {
-  if (o.curve && *o.curve != "cutter" && !o.tool) {
-    const std::string itself = "this is the curve itself: compensate for the tool";
-    if (!o.lead || *o.curve == "pitch") return itself;
+/// Four digits that are not above the number.
+std::string not_above(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 3);
+  return fmt::format("{:.4g}", std::floor(value / digit) * digit);
+}
+
+/// What the tool must be that a controller leads along the profile.
+std::string bound_words(const ToolBound& bound, const problems::LengthUnit& unit) {
+  const std::string itself = "this is the curve itself: compensate for the tool";
+  const std::string radius = fmt::format("{} {}", not_above(bound.radius / unit.mm), unit.name);
+  if (bound.by_lead) {
     return fmt::format("{}, whose radius must be below the lead's {:.6g} {}", itself,
-                       length_of(o.lead, "--lead", unit, 0, 1e-3, 1e4) / unit.mm, unit.name);
+                       bound.radius / unit.mm, unit.name);
+  }
+  if (!bound.cuts_at) return fmt::format("{}; every radius up to {} fits", itself, radius);
+  return fmt::format(
+      "{}, whose radius must be below {}, or it cuts into the profile near {:.4g} "
+      "deg{}",
+      itself, radius, *bound.cuts_at, bound.proved ? "" : ", by measurement");
+}
+
+/// The radius of the tool, for who sets up the machine.
+std::string tool_line(const ExportOptions& o, const Exported& e) {
+  const problems::ProblemStatement& statement = e.design.statement;
+  const problems::LengthUnit& unit = e.accuracy.unit;
+  if (e.tool_bound) return bound_words(*e.tool_bound, unit);
+  if (o.curve && *o.curve == "pitch") {
+    const auto roller = roller_of_pitch(statement);
+    if (!roller) return "this is the path of the follower's point, not of a tool";
+    return fmt::format(
+        "this is the path of the centre of a tool as large as the roller, radius {:.6g} {}: no "
+        "compensation",
+        *roller / unit.mm, unit.name);
   }
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
@@ -319,8 +354,22 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   if (format.format == ExportFormat::Dxf) {
     return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
   }
-  comments.push_back(tool_line(o, e.design.statement, e.accuracy.unit));
+  comments.push_back(tool_line(o, e));
   return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
+}
+
+/// Where a cam stands on its shaft, and from whose zero its files are to begin.
+std::optional<problems::ShaftPlace> placed_on_shaft(const ExportOptions& o,
+                                                    std::optional<problems::ShaftPlace> place) {
+  if (!o.zero) return place;
+  if (!place) {
+    throw std::invalid_argument("--zero is for a cam of several on one shaft, with --cam");
+  }
+  if (*o.zero != "shaft" && *o.zero != "cam") {
+    throw std::invalid_argument(fmt::format("--zero {}: use shaft or cam", *o.zero));
+  }
+  place->from_shaft = *o.zero == "shaft";
+  return place;
 }
 
 /// What was found by the search that the design is from.
@@ -335,18 +384,24 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 
 ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
                            problems::ReadDesign design, const std::vector<std::string>& review,
-                           std::vector<std::string> unmet) {
+                           TakenCam taken) {
   const std::vector<std::string> own = unmet_words(design.statement);
-  unmet.insert(unmet.end(), own.begin(), own.end());
+  taken.unmet.insert(taken.unmet.end(), own.begin(), own.end());
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
+             .on_shaft = placed_on_shaft(options, std::move(taken.on_shaft)),
              .accuracy = accuracy_of(options, format),
              .notes = notes_on(design, options.settings),
-             .unmet = std::move(unmet)};
+             .unmet = std::move(taken.unmet)};
   const auto note = [&](const std::vector<std::string>& words) {
     e.notes.insert(e.notes.end(), words.begin(), words.end());
   };
+  if (e.on_shaft) e.placed = {problems::phase_words(*e.on_shaft)};
+  if (format.format != ExportFormat::Table && format.drive == nullptr) {
+    for (std::string& words : shaft_words(e)) e.placed.push_back(std::move(words));
+  }
+  note(e.placed);
   note(e.unmet);
   const problems::Buildability built = problems::buildability(design.statement);
   if (std::string words = failure_text(built); !words.empty()) e.notes.push_back(std::move(words));

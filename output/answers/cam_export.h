@@ -6,6 +6,7 @@
 
 #include "output/answers/export_formats.h"
 #include "output/answers/export_output.h"
+#include "output/answers/judged_words.h"
 #include "output/document/document.h"
 
 /// A cam's curves, its motion or its law as the text of a file: what camlaw export writes, by the
@@ -21,10 +22,11 @@ struct ExportedText {
 };
 
 /// The design as the format has it; its statement is at the values that are wanted already. Whether
-/// it can be built, which limits it does not meet (`unmet`: further ones, of the shaft that its cam
-/// is on), and what `review` says of its record, is noted in the text.
+/// it can be built, which limits it does not meet, those of the shaft that its cam was `taken` from
+/// included, where on that shaft it stands, and what `review` says of its record, is noted in the
+/// text.
 ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
                            problems::ReadDesign design, const std::vector<std::string>& review,
-                           std::vector<std::string> unmet = {});
+                           TakenCam taken = {});
 
 }  // namespace camlaw::cli

@@ -150,6 +150,8 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
         "--compensation is for --curve profile or second-profile without --tool, with a --lead "
         "that is larger than the tool's radius");
   }
+  const bool json = format.has_law, placed = motion || json || solid || o.drawing;
+  only(o.zero, "--zero", placed, "table, drives, json, step, and dxf with --drawing");
   only(o.feed, "--feed", gcode, "gcode");
   only(o.clearance, "--clearance", gcode, "gcode");
   only(o.depth, "--depth", gcode, "gcode");
@@ -158,6 +160,10 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
     only(*option, name, !motion, "curves");
   }
   only(o.tool, "--tool", !inspection && !solid, "drawings and gcode");
+  if (o.tool && o.curve == "pitch") {
+    throw std::invalid_argument(
+        "--tool: the pitch curve is the path of the follower's point; use --curve cutter");
+  }
   if (solid && o.curve && !along_profile) {
     throw std::invalid_argument(
         fmt::format("--curve {}: step takes profile or second-profile", *o.curve));

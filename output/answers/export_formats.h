@@ -18,7 +18,7 @@ struct ExportOptions {
   std::string file;
   Text format, out, curve, tolerance, step, form, decimals, unit, tool, feed, clearance, depth,
       lead, compensation, allowances, bore, keyway, form_tolerance, slave, master, cycle, columns,
-      separator, cam, width, groove, blank;
+      separator, cam, zero, width, groove, blank;
   bool decimal_comma = false, drawing = false;
   std::vector<std::string> settings;
   bool json = false;  ///< what is said is for programs

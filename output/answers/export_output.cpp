@@ -84,6 +84,36 @@ std::vector<std::string> curve_lines(const Exported& e) {
   return lines;
 }
 
+/// Where the shaft's zero is in the axes of a cam: of a disc the direction, deg, of one that is
+/// developed x, mm.
+struct ShaftZero {
+  std::optional<double> direction = {}, along = {};
+};
+
+ShaftZero shaft_zero(const Exported& e) {
+  const auto profiles = problems::cam_curves(e.design.statement, "profile");
+  if (!e.on_shaft || profiles.empty()) return {};
+  const problems::PlaneCurve& profile = profiles.front();
+  const double phase = e.on_shaft->phase;
+  if (profile.is_about_centre()) {
+    return {.direction = problems::shaft_zero_direction(profile, phase)};
+  }
+  return {.along = problems::shaft_zero_along(profile, phase)};
+}
+
+Json shaft_json(const Exported& e) {
+  if (!e.on_shaft) return nullptr;
+  const ShaftZero zero = shaft_zero(e);
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  return {{"cam", e.on_shaft->cam},
+          {"phase_deg", e.on_shaft->phase},
+          {"shaft_zero_direction_deg", number(zero.direction)},
+          {"shaft_zero_x_mm", number(zero.along)},
+          {"zero", e.on_shaft->from_shaft ? "shaft" : "cam"}};
+}
+
 }  // namespace
 
 std::vector<std::string> comments_of(const Exported& e) {
@@ -129,8 +159,17 @@ Document export_document(const Exported& e) {
   for (const ExportedCurve& curve : e.curves) curves.push_back(curve_facts(curve, e));
   document.fact("title", e.design.statement.title);
   document.fact("provenance", provenance(e));
+  document.fact("on_shaft", shaft_json(e));
   document.fact("notes", e.notes);
   document.fact("curves", curves);
+  if (e.tool_bound) {
+    const ToolBound& bound = *e.tool_bound;
+    document.fact("tool_bound",
+                  Json{{"radius_mm", bound.radius},
+                       {"by_lead", bound.by_lead},
+                       {"cuts_at_deg", bound.cuts_at ? Json(*bound.cuts_at) : Json(nullptr)},
+                       {"proved", bound.proved}});
+  }
   if (e.motion) {
     const DriveMotion& m = *e.motion;
     document.fact("motion", Json{{"slave", m.slave},
@@ -156,8 +195,28 @@ Document export_document(const Exported& e) {
   return document;
 }
 
+std::vector<std::string> shaft_words(const Exported& e) {
+  std::vector<std::string> words;
+  const ShaftZero zero = shaft_zero(e);
+  if (zero.direction) {
+    words.push_back(
+        fmt::format("the shaft's zero is at {:.7g} deg from x in these axes, counterclockwise",
+                    *zero.direction));
+    words.push_back(
+        "cams of one shaft work together with their shaft zeros in line and their followers on "
+        "the same side");
+  }
+  if (zero.along) {
+    words.push_back(fmt::format("the shaft's zero is at x = {:.7g} {} in these axes",
+                                *zero.along / e.accuracy.unit.mm, e.accuracy.unit.name));
+  }
+  return words;
+}
+
 std::string warning_head(const Exported& e) {
   std::string head;
+  for (const std::string& words : e.placed)
+    head += fmt::format("# {}\n", problems::plain_text(words));
   for (const std::string& words : e.unmet)
     head += fmt::format("# {}\n", problems::plain_text(words));
   return head;

@@ -8,6 +8,7 @@
 #include "output/export/drives/drive_files.h"
 #include "output/export/gcode.h"
 #include "output/export/motion_table.h"
+#include "output/export/shaft_place.h"
 #include "output/export/solid/cam_solid.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
@@ -33,6 +34,16 @@ struct ExportedSolid {
   std::size_t faces = 0;  ///< 0 until then
 };
 
+/// What the radius of a tool must be below that a controller leads along a written profile.
+struct ToolBound {
+  double radius = 0;     ///< mm
+  bool by_lead = false;  ///< it is the lead's radius
+  /// Where a larger tool cuts into the profile, deg; none: no tool up to the radius does, which is
+  /// the lead's or that of the cam.
+  std::optional<double> cuts_at = {};
+  bool proved = false;
+};
+
 /// What is exported, and where it comes from.
 struct Exported {
   const problems::ReadDesign& design;
@@ -40,8 +51,11 @@ struct Exported {
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
   std::vector<problems::ToolPass> passes = {};  ///< of G-code
+  std::optional<ToolBound> tool_bound = {};     ///< of G-code along a profile
   std::optional<DriveMotion> motion = {};       ///< of drives
   std::optional<ExportedSolid> solid = {};
+  std::optional<problems::ShaftPlace> on_shaft = {};  ///< of a cam of several on one shaft
+  std::vector<std::string> placed = {};  ///< those of the notes that say where it stands there
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
   std::vector<std::string> unmet = {};  ///< those of the notes that name a limit that is not met
@@ -53,7 +67,11 @@ std::vector<std::string> comments_of(const Exported& exported);
 /// What is said of a file that is written: where it is from, its curves, and notes.
 Document export_document(const Exported& exported);
 
-/// Lines that begin with '#' and head a table whose design does not meet its limits; else empty.
+/// Of a cam on a shaft where the shaft's zero is in the axes of its curves; else nothing.
+std::vector<std::string> shaft_words(const Exported& exported);
+
+/// Lines that begin with '#' and head a table: where on its shaft a cam stands, and the limits that
+/// the design does not meet; else empty.
 std::string warning_head(const Exported& exported);
 
 /// Where it is from: the file, the problem, the mechanism, the verdict (null after changes).

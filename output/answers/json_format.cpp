@@ -3,7 +3,7 @@
 
 #include "output/answers/export_formats.h"
 #include "output/answers/export_output.h"
-#include "output/export/motion.h"
+#include "output/answers/motion_export.h"
 #include "problems/law_files/pieces_json.h"
 
 namespace camlaw::cli {
@@ -27,8 +27,7 @@ Json curve_json(const problems::ExportedCurve& curve, const Exported& e) {
 
 /// The motion that a controller would be given; null where the mechanism has none.
 Json motion_json(const Exported& e) {
-  const bool inches = e.accuracy.unit.mm != 1;
-  const auto motion = problems::motion_of(e.design.statement, {}, inches);
+  const auto motion = exported_motion(e, {});
   if (!motion) return nullptr;
   const auto table =
       problems::possible_table_of(*motion, {}, e.accuracy.decimals, {motion->master});

@@ -57,13 +57,15 @@ bool is_of_shaft(const std::string& name, const problems::Mechanism& shaft) {
 
 }  // namespace
 
-std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
-                                  const char* example, const std::optional<std::string>& slave,
-                                  problems::ProblemStatement& statement) {
+TakenCam take_cam(const std::optional<std::string>& name, const std::string& file,
+                  const char* example, const std::optional<std::string>& slave,
+                  problems::ProblemStatement& statement) {
   if (name) {
-    std::vector<std::string> unmet = unmet_words(statement);
-    statement = problems::cam_alone(statement, problems::find_cam(statement, *name));
-    return unmet;
+    const std::size_t cam = problems::find_cam(statement, *name);
+    const double phase = statement.constants[statement.mechanism->cams[cam].phase];
+    TakenCam taken{unmet_words(statement), problems::ShaftPlace{*name, phase}};
+    statement = problems::cam_alone(statement, cam);
+    return taken;
   }
   if (statement.cams.empty()) return {};
   if (slave && is_of_shaft(*slave, *statement.mechanism)) return {};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/answers/claim_output.h"
+#include "output/export/shaft_place.h"
 #include "problems/results/recorded_design.h"
 
 /// A design judged again before it is written to a file.
@@ -23,12 +24,17 @@ std::vector<std::string> record_words(const problems::ReadDesign& read, const Cl
 /// each: "limit not met: pressure_angle is 32.8 deg and must be at most 30 deg".
 std::vector<std::string> unmet_words(const problems::ProblemStatement& design);
 
-/// Of a file with several cams on one shaft the one of this name, in place of the statement;
-/// returns unmet_words of the shaft, whose limits are not those of one cam. Where none is named the
-/// statement stays if `slave` is a curve of the shaft itself, else throws std::invalid_argument;
-/// `example` says how one is named, {} being a name: "--cam {}".
-std::vector<std::string> take_cam(const std::optional<std::string>& name, const std::string& file,
-                                  const char* example, const std::optional<std::string>& slave,
-                                  problems::ProblemStatement& statement);
+/// Of a cam that was taken from its shaft unmet_words of the shaft, whose limits are not those of
+/// one cam, and where on the shaft it stands; nothing of a design that is no such cam.
+struct TakenCam {
+  std::vector<std::string> unmet = {};
+  std::optional<problems::ShaftPlace> on_shaft = {};
+};
+/// Of a file with several cams on one shaft the one of this name, in place of the statement. Where
+/// none is named the statement stays if `slave` is a curve of the shaft itself, else throws
+/// std::invalid_argument; `example` says how one is named, {} being a name: "--cam {}".
+TakenCam take_cam(const std::optional<std::string>& name, const std::string& file,
+                  const char* example, const std::optional<std::string>& slave,
+                  problems::ProblemStatement& statement);
 
 }  // namespace camlaw::cli

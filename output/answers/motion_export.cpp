@@ -44,7 +44,7 @@ problems::MasterUnit master_of(const ExportOptions& o, const problems::ExportedM
         "--cycle {}: a cycle has a whole number of increments, such as 65536", *o.cycle));
   }
   const char* heading = unit == "ms" ? "time [ms]" : "master [increments]";
-  return {heading, cycle / (motion.end() - motion.begin())};
+  return {heading, cycle / (motion.end() - motion.begin()), unit == "increments"};
 }
 
 std::string columns_of(const ExportOptions& o) {
@@ -168,6 +168,12 @@ std::string drive_text(const ExportOptions& o, const problems::DriveFormat& driv
   }
   e.motion = {motion.slave_heading(), path.knots.size(), drive.path, motion.unit, deviation,
               drive.description};
+  const bool fractions = std::any_of(
+      path.knots.begin(), path.knots.end(),
+      [](const problems::MotionKnot& knot) { return knot.master != std::round(knot.master); });
+  if (master.whole && fractions) {
+    e.notes.push_back("places of the master are fractions of an increment, as the drive has them");
+  }
   std::vector<std::string> comments = comments_of(e);
   comments.push_back(
       fmt::format("master: {}; slave: {}; derivatives are with respect to the master",
@@ -184,15 +190,34 @@ problems::LengthUnit unit_of(const ExportOptions& o) {
   throw std::invalid_argument(fmt::format("--unit {}: use mm or inch", unit));
 }
 
+Possible<problems::ExportedMotion> exported_motion(const Exported& e,
+                                                   const std::optional<std::string>& slave) {
+  auto motion = problems::motion_of(e.design.statement, slave, e.accuracy.unit.mm != 1);
+  if (!motion || !e.on_shaft || !e.on_shaft->from_shaft) return motion;
+  const bool advances = e.design.statement.mechanism->advances.has_value();
+  return problems::by_shaft(*motion, e.on_shaft->phase, advances);
+}
+
 std::string motion_text(const ExportOptions& o, const FormatRow& format, Exported& e) {
-  const problems::ExportedMotion motion =
-      problems::motion_of(e.design.statement, o.slave, e.accuracy.unit.mm != 1).value();
+  const problems::ExportedMotion motion = exported_motion(e, o.slave).value();
   const problems::MasterUnit master = master_of(o, motion);
+  if (e.on_shaft) {
+    const bool by_shaft = e.on_shaft->from_shaft && problems::turns_with_shaft(motion);
+    e.placed.push_back(by_shaft ? "the master is counted from the shaft's zero"
+                                : "the master is counted from the cam's own zero");
+    e.notes.push_back(e.placed.back());
+  }
   if (format.drive != nullptr) return drive_text(o, *format.drive, motion, master, e);
   const int decimals = e.accuracy.decimals;
-  return warning_head(e) +
-         problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
-                              style_of(o, decimals));
+  const problems::MotionTable table =
+      problems::table_of(motion, o.step, decimals, master, columns_of(o));
+  if (table.moved > 0) {
+    e.notes.push_back(
+        fmt::format("the rows stand at whole increments, at most {:.3g} from even steps; the slave "
+                    "is exact there",
+                    table.moved));
+  }
+  return warning_head(e) + problems::table_text(table, style_of(o, decimals));
 }
 
 }  // namespace camlaw::cli

@@ -12,6 +12,11 @@ namespace camlaw::cli {
 /// std::invalid_argument that names the option.
 std::string motion_text(const ExportOptions& options, const FormatRow& format, Exported& exported);
 
+/// The motion that `slave` names, by default that of the follower: of a cam on a shaft over the
+/// angle of the shaft, unless its own zero is asked for.
+Possible<problems::ExportedMotion> exported_motion(const Exported& exported,
+                                                   const std::optional<std::string>& slave);
+
 /// "mm" by default.
 problems::LengthUnit unit_of(const ExportOptions& options);
 

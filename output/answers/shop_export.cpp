@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "machines/model/known_names.h"
 #include "numerics/text/units.h"
 #include "output/answers/motion_export.h"
 #include "output/export/inspection.h"
+#include "output/export/largest_tool.h"
 #include "output/export/tool_path.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/parameters.h"
@@ -119,6 +122,7 @@ std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exp
   const BoreSizes bore = bore_sizes(o, settings.unit);
   settings.bore_radius = bore.radius;
   settings.keyway = bore.keyway;
+  settings.on_shaft = e.on_shaft;
   settings.title = comments_of(e);
   return problems::shop_shapes(e.design.statement, settings);
 }
@@ -134,6 +138,33 @@ void check_lead_holds_tool(const problems::ProblemStatement& design, double lead
       "that the controller cannot lead the tool inside this arc; use a larger lead, or state a "
       "smaller tool with --set 'cutter_radius={3:.6g} {2}'",
       lead, tool, unit.name, lead / 2));
+}
+
+/// Throws where the machine's own tool cuts into the profile along which a controller leads it.
+void check_own_tool_fits(const problems::ProblemStatement& design, const ToolBound& bound,
+                         const problems::LengthUnit& unit) {
+  if (!problems::parameter_called(*design.mechanism, "cutter_radius")) return;
+  const double tool = problems::constant_of(design, "cutter_radius");
+  if (tool < bound.radius) return;
+  const std::string where =
+      bound.cuts_at ? fmt::format("would cut into the profile near {:.4g} deg", *bound.cuts_at)
+                    : "is larger than a hollow arc of the written path";
+  throw std::invalid_argument(fmt::format(
+      "--compensation: the tool, cutter_radius = {0:.6g} {1}, {2}: its radius must be below "
+      "{3:.4g} {1}; state a smaller tool with --set 'cutter_radius={4:.4g} {1}'",
+      tool / unit.mm, unit.name, where, bound.radius / unit.mm, bound.radius / unit.mm / 2));
+}
+
+/// The greatest distance of a curve from the cam's centre or, developed, of its ends, mm: no larger
+/// tool is used on a cam.
+double largest_radius(const problems::PlaneCurve& curve) {
+  constexpr int kPlaces = 360;
+  double most = 0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const auto place = optim::even_place(curve.begin(), curve.end(), kPlaces, i);
+    most = std::max(most, curve.at(place).at.norm());
+  }
+  return most;
 }
 
 std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Exported& e,
@@ -156,6 +187,41 @@ std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Export
   if (o.compensation) check_lead_holds_tool(design, radius, unit);
   for (problems::ToolPass& pass : passes) pass.path.add_lead(design, radius);
   return passes;
+}
+
+std::optional<ToolBound> tool_bound_of(const ExportOptions& o, const Exported& e,
+                                       const problems::PlaneCurve& curve) {
+  if (!curve.name().ends_with("profile")) return {};
+  const problems::LengthUnit& unit = e.accuracy.unit;
+  const bool left = problems::outside_is_left(curve);
+  const auto allowances = allowances_of(o.allowances, unit);
+  const double allowance = allowances.empty() ? 0 : allowances.front();
+  double hollow_arc = std::numeric_limits<double>::infinity(), deviation = 0;
+  for (const problems::ToolPass& pass : e.passes) {
+    const problems::ExportedCurve& written = pass.path.exported();
+    hollow_arc = std::min(hollow_arc, unit.mm * problems::least_hollow_arc(written, left));
+    deviation = std::max(deviation, unit.mm * written.worst());
+  }
+  const double less = allowance + deviation;
+  const double lead = o.lead ? length_of(o.lead, "--lead", unit, 0, 1e-3, 1e4) : 0;
+  const double most = o.lead ? lead + less : largest_radius(curve);
+  const problems::LargestTool fits = problems::largest_tool(curve, most);
+  ToolBound bound{.radius = std::min(fits.radius - less, hollow_arc),
+                  .by_lead = false,
+                  .cuts_at = fits.cuts_at,
+                  .proved = fits.proved};
+  constexpr double kRounded = 1e-9;  // of the lead, to which what is less is added and taken off
+  if (o.lead && bound.radius >= (1 - kRounded) * lead) {
+    bound = {.radius = lead, .by_lead = true, .cuts_at = {}, .proved = fits.proved};
+  }
+  if (!(bound.radius > 0)) {
+    throw std::invalid_argument(
+        fmt::format("no tool fits beside the {} near {:.4g} deg: its "
+                    "hollow is too sharp there",
+                    curve.name(), fits.cuts_at.value_or(0)));
+  }
+  if (o.compensation) check_own_tool_fits(e.design.statement, bound, unit);
+  return bound;
 }
 
 std::string inspection_table(const ExportOptions& o, const Exported& e,

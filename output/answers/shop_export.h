@@ -36,6 +36,12 @@ std::vector<problems::ToolPass> tool_passes(const ExportOptions& options, const 
                                             problems::CurveForm form,
                                             const problems::ExportAccuracy& accuracy);
 
+/// What the radius of a tool must be below that is led along these passes of the profile (EX9);
+/// none where they are not along a profile. Throws std::invalid_argument where no tool fits, and
+/// with --compensation where the machine's own tool does not.
+std::optional<ToolBound> tool_bound_of(const ExportOptions& options, const Exported& exported,
+                                       const problems::PlaneCurve& curve);
+
 /// The table for a coordinate measuring machine.
 std::string inspection_table(const ExportOptions& options, const Exported& exported,
                              const problems::PlaneCurve& profile);

@@ -78,6 +78,7 @@ std::string solid_text(const ExportOptions& o, Exported& e) {
   const BoreSizes bore = bore_sizes(o, unit);
   settings.bore_radius = bore.radius;
   settings.keyway = bore.keyway;
+  if (e.on_shaft && e.on_shaft->from_shaft) settings.phase = e.on_shaft->phase;
   problems::ExportAccuracy inner = e.accuracy;
   inner.tolerance -= kMoved;
   problems::CamSolid cam = problems::cam_solid(design, settings, inner);

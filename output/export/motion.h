@@ -16,6 +16,7 @@ namespace camlaw::problems {
 struct MasterUnit {
   std::string heading;  ///< "cam_angle [deg]", "time [ms]", "master [increments]"
   double per_place = 1;
+  bool whole = false;  ///< it has whole numbers only: a table's rows stand at these
 };
 
 struct ExportedMotion {

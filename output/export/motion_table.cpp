@@ -41,24 +41,54 @@ bool keeps_places(const MotionTable& table, int decimals) {
   });
 }
 
-std::vector<optim::Place> table_places(const ExportedMotion& motion,
-                                       const std::optional<std::string>& step) {
-  const int count =
-      count_steps(motion.end() - motion.begin(), table_step_of(motion, step), motion.place_unit);
-  return optim::even_places(motion.begin(), motion.end(), count);
+/// Where the rows stand, and how far that is from even places, in the master's unit.
+struct TablePlaces {
+  std::vector<optim::Place> places;
+  double moved = 0;
+};
+
+/// The same at whole numbers of the master. Throws std::invalid_argument where there are fewer of
+/// these than rows.
+void make_whole(const ExportedMotion& motion, const MasterUnit& master, TablePlaces& rows) {
+  const double begin = motion.begin(), cycle = master.per_place * (motion.end() - begin);
+  const auto steps = static_cast<double>(rows.places.size() - 1);
+  if (steps > cycle) {
+    throw std::invalid_argument(
+        fmt::format("--step: {:.0f} steps do not fit on the {:.0f} increments of a cycle; use a "
+                    "larger --step, or a --cycle of more increments",
+                    steps, cycle));
+  }
+  for (optim::Place& place : rows.places) {
+    const double even = master.per_place * (place.angle - begin), whole = std::round(even);
+    constexpr double kRounding = 1e-9;  // increments: an even place is one within this
+    if (std::abs(whole - even) <= kRounding) continue;
+    rows.moved = std::max(rows.moved, std::abs(whole - even));
+    place.angle = begin + whole / master.per_place;
+  }
 }
 
-Possible<MotionTable> table_at(const ExportedMotion& motion,
-                               const std::vector<optim::Place>& places, int decimals,
+TablePlaces table_places(const ExportedMotion& motion, const std::optional<std::string>& step,
+                         const MasterUnit& master) {
+  const int count =
+      count_steps(motion.end() - motion.begin(), table_step_of(motion, step), motion.place_unit);
+  TablePlaces rows{optim::even_places(motion.begin(), motion.end(), count)};
+  if (master.whole) make_whole(motion, master, rows);
+  return rows;
+}
+
+Possible<MotionTable> table_at(const ExportedMotion& motion, const TablePlaces& rows, int decimals,
                                const MasterUnit& master) {
+  const std::vector<optim::Place>& places = rows.places;
   MotionTable table{master.heading, motion.slave_heading(), {}, motion.trace->values(places)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!std::isfinite(table.values[i])) {
       return Impossible{fmt::format("{} has no value at {} = {:.6g}", motion.slave_heading(),
                                     motion.master, places[i].angle)};
     }
-    table.places.push_back(master.per_place * places[i].angle);
+    const double at = master.per_place * places[i].angle;
+    table.places.push_back(master.whole ? std::round(at) : at);
   }
+  table.moved = rows.moved;
   close_table(table);
   for (double& value : table.values) value = rounded(motion.slave_factor * value, decimals);
   return table;
@@ -115,15 +145,15 @@ Possible<MotionTable> possible_motion_table(const ProblemStatement& statement,
 Possible<MotionTable> possible_table_of(const ExportedMotion& motion,
                                         const std::optional<std::string>& step, int decimals,
                                         const MasterUnit& master) {
-  return table_at(motion, table_places(motion, step), decimals, master);
+  return table_at(motion, table_places(motion, step, master), decimals, master);
 }
 
 MotionTable table_of(const ExportedMotion& motion, const std::optional<std::string>& step,
                      int decimals, const MasterUnit& master, const std::string& columns) {
-  const auto places = table_places(motion, step);
-  MotionTable table = table_at(motion, places, decimals, master).value();
+  const TablePlaces rows = table_places(motion, step, master);
+  MotionTable table = table_at(motion, rows, decimals, master).value();
   for (const char letter : columns.substr(1)) {
-    table.more.push_back(derivative_column(motion, places, letter, master));
+    table.more.push_back(derivative_column(motion, rows.places, letter, master));
   }
   return table;
 }

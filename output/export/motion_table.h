@@ -23,9 +23,11 @@ struct TableColumn {
 
 struct MotionTable {
   std::string master, slave;           ///< with units: "cam_angle [deg]", "displacement [mm]"
-  std::vector<double> places, values;  ///< at even places, ends included
-  bool closed = false;                 ///< the last value is the first
+  std::vector<double> places, values;  ///< at even places, ends included; of a master that has
+                                       ///< whole numbers only at the nearest of these
+  bool closed = false;  ///< the last value is the first
   std::vector<TableColumn> more = {};
+  double moved = 0;  ///< how far a row is from its even place at most, in the master's unit
 };
 
 /// The table of a mechanism's motion. `slave` names one of its curves; none: the curve

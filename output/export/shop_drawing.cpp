@@ -83,6 +83,22 @@ void draw_way(const PlaneCurve& profile, const Reach& reach, double mark, Drawin
   }
 }
 
+/// The place that is under the frame's y axis when the shaft is at its zero: within the cam, clear
+/// of the mark of its own zero; of a developed cam below it.
+void draw_shaft_zero(const PlaneCurve& profile, const ShaftPlace& place, const Reach& reach,
+                     double mark, Drawing& drawing) {
+  constexpr double kFrom = 0.6, kTo = 0.8;  // of the least radius; a zero mark begins at 0.85
+  constexpr double kBelow = 3;              // marks
+  const bool round = profile.is_about_centre();
+  const Vector2d way = round ? shaft_zero_way(profile, place.phase) : Vector2d(0, 1);
+  const Vector2d foot =
+      round ? Vector2d(kFrom * reach.least * way)
+            : Vector2d(shaft_zero_along(profile, place.phase), reach.low.y() - kBelow * mark);
+  const double length = round ? (kTo - kFrom) * reach.least : (kBelow - 1) * mark;
+  drawing.line("SHAFT_ZERO", foot, foot + length * way);
+  drawing.text("SHAFT_ZERO", foot + Vector2d(mark / 2, 0), 1.2 * mark, "shaft 0 deg");
+}
+
 /// "turns clockwise as drawn", "moves to the left as drawn"; empty where neither is known.
 std::string sense_line(const ProblemStatement& design, const PlaneCurve& profile) {
   if (profile.is_about_centre()) {
@@ -119,8 +135,11 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
   }
   if (bore) lines.push_back(fmt::format("bore {} in diameter", length(2 * bore->radius)));
   if (s.keyway) {
-    lines.push_back(fmt::format("keyway {} wide, {} deep, at the zero mark",
-                                length(s.keyway->width), length(s.keyway->depth)));
+    const char* where = !s.on_shaft              ? "the zero mark"
+                        : s.on_shaft->from_shaft ? "the mark of the shaft's zero"
+                                                 : "the mark of the cam's zero";
+    lines.push_back(fmt::format("keyway {} wide, {} deep, at {}", length(s.keyway->width),
+                                length(s.keyway->depth), where));
   }
   for (std::size_t i = 0; i < design.mechanism->parameters.size(); ++i) {
     if (!is_listed(design, i)) continue;
@@ -170,7 +189,9 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   const Vector2d zero = profile.at({begin}).at;
   if (profile.is_about_centre()) {
     if (bore) {
-      const BoreOutline outline = outline_of(*bore, zero, reach.least, "the profile");
+      const bool at_shaft = s.on_shaft && s.on_shaft->from_shaft;
+      const Vector2d towards = at_shaft ? shaft_zero_way(profile, s.on_shaft->phase) : zero;
+      const BoreOutline outline = outline_of(*bore, towards, reach.least, "the profile");
       drawing.add("SHAFT", outline.arc);
       for (const DrawnLine& line : outline.keyway) drawing.add("SHAFT", line);
     }
@@ -183,6 +204,7 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
       profile.is_about_centre() ? Vector2d(0.85 * zero) : Vector2d(zero - Vector2d(0, 4 * mark));
   drawing.line("ZERO_MARK", inwards, zero);
   drawing.text("ZERO_MARK", inwards + Vector2d(mark / 2, 0), 1.2 * mark, "0 deg");
+  if (s.on_shaft) draw_shaft_zero(profile, *s.on_shaft, reach, mark, drawing);
   draw_follower(design, mark, drawing);
   std::vector<std::string> lines = s.title;
   for (std::string& line : dimension_lines(design, s, bore, reach, profile)) {

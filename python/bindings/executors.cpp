@@ -14,6 +14,7 @@
 #include "optim/study/parcel_executor.h"
 #include "optim/study/workers.h"
 #include "python/bindings/module.h"
+#include "python/bindings/running.h"
 
 namespace camlaw::python {
 namespace {
@@ -32,7 +33,7 @@ class Desk {
       texts.emplace_back(bytes.c_str(), bytes.size());
     }
     {
-      const nb::gil_scoped_release released;
+      const Unlocked released;
       for (std::string& text : texts) text = service_(text, {}).value_or("");
     }
     nb::list answers;

@@ -29,6 +29,7 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
       {"depth", &options.depth},
       {"slave", &options.slave},
       {"cam", &options.cam},
+      {"zero", &options.zero},
       {"unit", &options.unit},
       {"master", &options.master},
       {"cycle", &options.cycle},
@@ -70,9 +71,9 @@ nb::tuple exported(const problems::ReadDesign& read, const std::string& file,
                                                 ? cli::record_words(design, cli::reviewed(design))
                                                 : std::vector<std::string>{};
     cli::take_bore(options, design.statement);
-    std::vector<std::string> unmet =
+    cli::TakenCam taken =
         cli::take_cam(options.cam, file, "cam=\"{}\"", options.slave, design.statement);
-    return cli::exported_text(options, format, std::move(design), review, std::move(unmet));
+    return cli::exported_text(options, format, std::move(design), review, std::move(taken));
   });
   nb::list unmet;
   for (const std::string& limit : written.unmet) unmet.append(limit);

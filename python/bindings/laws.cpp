@@ -150,7 +150,7 @@ double read_value(std::string_view text, const Parameter& parameter, const std::
 
 MemberLaw law_by_name(const std::string& text, const std::vector<std::string>& settings,
                       const std::string& folder) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   Member member = problems::find_any_law(text, folder, read_value);
   for (const std::string& setting : settings) set_argument(member, setting, read_value);
   return MemberLaw(std::move(member));
@@ -230,7 +230,7 @@ LawState law_state_of(const MemberLaw& law) {
 }
 
 Member member_of(const LawState& state) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   const auto& [name, pieces, formula, source, aliases] = state;
   if (!pieces) return find_law(name);
   const problems::Json file = problems::parse_json(*pieces);

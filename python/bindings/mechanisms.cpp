@@ -12,7 +12,7 @@
 namespace camlaw::python {
 
 std::string formula_of(const problems::Mechanism& mechanism, const std::string& response) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   return cli::json_of(cli::formula_document(mechanism, response))["formula"].get<std::string>();
 }
 

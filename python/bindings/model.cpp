@@ -8,6 +8,7 @@
 #include "python/bindings/batch.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
+#include "python/bindings/running.h"
 
 /// A problem as plain functions with exact derivatives, for other people's optimisers.
 namespace camlaw::python {
@@ -150,7 +151,7 @@ Matrix values_at(const Model& model, const Designs& x) {
                  std::span(result).subspan(i * columns, columns));
   };
   if (rows == 1) {  // an optimiser asks for thousands in turn: none is worth a thread of its own
-    const nb::gil_scoped_release released;
+    const Unlocked released;
     look(0);
   } else {
     run_whole([&](const Work& work) {
@@ -169,7 +170,7 @@ Matrix jacobian_at(const Model& model, const Point& x) {
   check_size(x.shape(0), model);
   std::vector<double> result(model.outputs().size() * model.size());
   {
-    const nb::gil_scoped_release released;
+    const Unlocked released;
     model.jacobian({x.data(), model.size()}, result);
   }
   return matrix_of(std::move(result), model.outputs().size(), model.size());
@@ -191,7 +192,7 @@ void add_model(nb::module_& module) {
   nb::class_<Model>(module, "Model")
       .def("__init__",
            [](Model* self, const StatedProblem& problem) {
-             const nb::gil_scoped_release released;
+             const Unlocked released;
              new (self) Model(problem.statement);
            })
       .def_prop_ro("objectives", &Model::objectives)

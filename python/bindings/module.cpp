@@ -7,6 +7,7 @@
 #include "numerics/own_files.h"
 #include "numerics/text/units.h"
 #include "output/document/short_version.h"
+#include "python/bindings/running.h"
 
 NB_MODULE(_camlaw, module) {
   using namespace camlaw::python;
@@ -19,6 +20,14 @@ NB_MODULE(_camlaw, module) {
   module.def("quantity", &camlaw::parse_quantity, nb::arg("text"), nb::arg("unit"),
              nb::arg("listed"), nb::arg("what"),
              "The value of a text such as '30 mm' in a unit. Raises InputError.");
+  module.def(
+      "end_calls", &end_calls,
+      "Stops all work of other threads and waits for it: what Python does first at its end.");
+  nb::module_::import_("atexit").attr("register")(module.attr("end_calls"));
+#ifdef NDEBUG
+  // Threads that end with the process keep what they use.
+  nb::set_leak_warnings(false);
+#endif
   add_errors(module);
   add_laws(module);
   add_problems(module);

@@ -9,6 +9,7 @@
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
+#include "python/bindings/running.h"
 
 namespace camlaw::python {
 
@@ -50,7 +51,7 @@ ProblemState problem_state_of(const StatedProblem& problem) {
 }
 
 StatedProblem problem_of(const ProblemState& state) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   const auto& [text, source, settings, law_files, tables, constants, starts, laws, parts] = state;
   problems::HeldFiles files{problems::laws_from_json(problems::parse_json(law_files)), tables};
   StatedProblem result{problems::read_problem(text, source, std::move(files))};

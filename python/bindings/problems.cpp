@@ -31,6 +31,7 @@
 #include "python/bindings/mechanisms.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problem_state.h"
+#include "python/bindings/running.h"
 
 namespace camlaw::python {
 namespace {
@@ -41,7 +42,7 @@ using problems::ProblemStatement;
 /// `laws`: those that the text names as files without there being any.
 StatedProblem problem_of_text(const std::string& text, const std::string& source,
                               const std::map<std::string, const MemberLaw*>& laws) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   problems::HeldFiles files;
   for (const auto& [name, law] : laws) {
     const std::string file = problems::law_text(law->law, law->member.label());
@@ -52,7 +53,7 @@ StatedProblem problem_of_text(const std::string& text, const std::string& source
 
 /// The files that a problem's text names, as texts by these names.
 std::map<std::string, std::string> held_files(const StatedProblem& problem) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   std::map<std::string, std::string> texts = problem.statement.files.tables;
   for (const auto& [name, law] : problem.statement.files.laws) {
     texts.emplace(name, problems::law_text(law.law(), law.label()));
@@ -61,12 +62,12 @@ std::map<std::string, std::string> held_files(const StatedProblem& problem) {
 }
 
 StatedProblem problem_file(const std::string& path) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   return {problems::read_problem_file(path)};
 }
 
 StatedProblem problem_with(const StatedProblem& problem, const std::vector<std::string>& settings) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   StatedProblem result = problem;
   problems::set_values(result.statement, settings);
   return result;

@@ -240,7 +240,7 @@ StoredResult result_of_text(const std::string& text, const std::string& path) {
 }
 
 StoredResult result_file(const std::string& path) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   return result_of_text(problems::file_text(path, "result"), path);
 }
 
@@ -318,7 +318,7 @@ ResultState result_state_of(const StoredResult& result) {
 }
 
 StoredResult result_from(const ResultState& state) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   const auto& [facts, has_design, file, text, html, combinations] = state;
   StoredResult result;
   if (has_design) {

@@ -3,15 +3,106 @@
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
+#include <pthread.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "optim/crew/crew.h"
 
 namespace camlaw::python {
+
+namespace {
+
+thread_local int own_calls = 0;
+
+/// What end_calls() has to know of the calls of all threads.
+struct LibraryCalls {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int inside = 0;                         ///< of all threads
+  std::vector<std::atomic<bool>*> stops;  ///< of the work that runs
+  std::atomic<bool> ending{false};
+  std::thread::id ender;
+};
+
+/// Never destroyed: threads that sleep for good may still look at it.
+LibraryCalls& calls() {
+  static LibraryCalls* const all = [] {
+    // A process that is forked has none of the other threads.
+    pthread_atfork(nullptr, nullptr, [] {
+      LibraryCalls& inherited = calls();
+      new (&inherited) LibraryCalls;
+      inherited.inside = own_calls;
+    });
+    return new LibraryCalls;
+  }();
+  return *all;
+}
+
+}  // namespace
+
+/// Work that end_calls() asks to stop.
+class StoppedAtEnd {
+ public:
+  explicit StoppedAtEnd(Work& work) : stop_(&work.stop_) {
+    const std::lock_guard lock(calls().mutex);
+    calls().stops.push_back(stop_);
+    if (calls().ending && std::this_thread::get_id() != calls().ender) *stop_ = true;
+  }
+  StoppedAtEnd(const StoppedAtEnd&) = delete;
+  StoppedAtEnd& operator=(const StoppedAtEnd&) = delete;
+  ~StoppedAtEnd() {
+    const std::lock_guard lock(calls().mutex);
+    std::erase(calls().stops, stop_);
+  }
+
+ private:
+  std::atomic<bool>* stop_;
+};
+
+LibraryCall::LibraryCall() {
+  if (own_calls == 0 && is_ending()) {
+    PyEval_SaveThread();
+    sleep_for_good();
+  }
+  const std::lock_guard lock(calls().mutex);
+  ++calls().inside, ++own_calls;
+}
+
+LibraryCall::~LibraryCall() {
+  const std::lock_guard lock(calls().mutex);
+  --calls().inside, --own_calls;
+  calls().changed.notify_all();
+}
+
+bool is_ending() { return calls().ending && std::this_thread::get_id() != calls().ender; }
+
+void sleep_for_good() {
+  {
+    const std::lock_guard lock(calls().mutex);
+    calls().inside -= own_calls;
+    own_calls = 0;
+    calls().changed.notify_all();
+  }
+  for (;;) pause();
+}
+
+void end_calls() {
+  constexpr std::chrono::seconds kLongest(30);  // work looks at its stop within about a second
+  const Unlocked released;
+  std::unique_lock lock(calls().mutex);
+  calls().ender = std::this_thread::get_id();
+  calls().ending = true;
+  for (std::atomic<bool>* stop : calls().stops) *stop = true;
+  calls().changed.wait_for(lock, kLongest, [] { return calls().inside <= own_calls; });
+}
+
 namespace {
 
 /// Looks at Python; whether something was thrown there, which it keeps.
@@ -43,7 +134,7 @@ class Joined {
   ~Joined() {
     if (!thread_.joinable()) return;
     stop_ = true;
-    const nb::gil_scoped_release released;
+    const Unlocked released;
     thread_.join();
   }
 
@@ -97,7 +188,9 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
     throw std::invalid_argument(fmt::format("time_limit: {} s is not above zero", *time_limit));
   }
   const optim::Deadline deadline(time_limit, nullptr);
+  const LibraryCall call;
   Work work;
+  const StoppedAtEnd running(work);
   std::exception_ptr failure;
   std::optional<nb::python_error> raised;
   std::thread thread([&] {
@@ -112,8 +205,10 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
   for (bool ended = false; !ended;) {
     if (deadline.passed()) work.stop_ = true;
     {
-      const nb::gil_scoped_release released;
+      const Unlocked released;
       ended = work.wait(deadline.passed() ? std::nullopt : deadline.left());
+      // What ends with Python is never asked for again.
+      if (is_ending()) thread.join();
     }
     if (raised) {  // nothing is told to who has stopped it
       ignore_interrupts();

@@ -33,6 +33,7 @@ class Work {
 
  private:
   friend bool run_beside(const std::function<void(Work&)>&, nb::handle, std::optional<double>);
+  friend class StoppedAtEnd;
   struct Told {
     std::optional<double> done;
     std::string words;
@@ -60,10 +61,46 @@ class Work {
 bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
                 std::optional<double> time_limit = {});
 
+/// A call of the library that may lose the interpreter's lock. When Python ends, its threads that
+/// ask for the lock are ended within this call, which C++ does not survive: end_calls() therefore
+/// stops all work and waits for the calls of other threads. A thread that calls the library after
+/// that, or would go on from such a call, sleeps instead until the process is gone.
+class LibraryCall {
+ public:
+  LibraryCall();
+  LibraryCall(const LibraryCall&) = delete;
+  LibraryCall& operator=(const LibraryCall&) = delete;
+  ~LibraryCall();
+};
+
+/// Whether Python ends, and this thread is not the one that ends it.
+bool is_ending();
+/// Sleeps until the process is gone; without the lock.
+[[noreturn]] void sleep_for_good();
+/// Stops all work and waits until no other thread is within a LibraryCall, at most half a minute:
+/// what Python does first when it ends. With the lock.
+void end_calls();
+
+/// What a thread does without the interpreter's lock, within a LibraryCall.
+class Unlocked {
+ public:
+  Unlocked() : state_(PyEval_SaveThread()) {}
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+  ~Unlocked() {
+    if (is_ending()) sleep_for_good();
+    PyEval_RestoreThread(state_);
+  }
+
+ private:
+  LibraryCall call_;
+  PyThreadState* state_;
+};
+
 /// Does work of some milliseconds that is always short, while other threads of Python go on.
 template <class Job>
 std::invoke_result_t<const Job&> without_lock(const Job& job) {
-  const nb::gil_scoped_release released;
+  const Unlocked released;
   return job();
 }
 

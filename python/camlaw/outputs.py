@@ -135,6 +135,7 @@ _OPTIONS = {
     "depth",
     "slave",
     "cam",
+    "zero",
     "unit",
     "master",
     "cycle",

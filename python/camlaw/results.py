@@ -254,7 +254,7 @@ class Result(Answer):
         format: csv, dxf, step, svg, json, gcode, inspection, table, or a drive's: beckhoff-points,
         beckhoff-motion, codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch,
         cutter, all. cam: of several cams on one shaft, the one to export; none for a slave that is a
-        curve of the shaft itself. tolerance: how far the exact curve may be from what is written. step:
+        curve of the shaft itself. zero: shaft or cam, where that cam's tables and keyways begin. tolerance: how far the exact curve may be from what is written. step:
         even steps of the angle instead of a tolerance. form: lines, arcs, spline. docs/exports.md explains
         decimals, tool, feed, clearance, depth, width, slave and others; drawing and decimal_comma are True or
         False. Warns of each limit that the design does not meet.

@@ -2,6 +2,7 @@
 // pareto and front, as a user runs them.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <chrono>
@@ -265,6 +266,32 @@ TEST_CASE("a study that is killed at any moment goes on to the same front", "[pr
     // What a program was about to begin when it was killed is left, apart from all studies.
     CHECK((name.ends_with(".db") || name.ends_with(".toml") || name.starts_with(".camlaw-")));
   }
+}
+
+TEST_CASE("what a killed program has left beside a study is removed by the next one",
+          "[program][study]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const auto left = [&](const char* name) {
+    fs::create_directory(folder / name);
+    std::ofstream(folder / (std::string(name) + "/study.db")) << "begun";
+  };
+  left(".camlaw-aB3xY9"), left(".camlaw-held00"), left(".camlaw-notes"), left("camlaw-aB3xY9");
+  // One that a living process holds is that process's.
+  const int held = open((folder / ".camlaw-held00").c_str(), O_RDONLY | O_DIRECTORY);
+  REQUIRE(held >= 0);
+  REQUIRE(flock(held, LOCK_EX) == 0);
+  Words words = pareto(file, {"--points", "3", "--json"});
+  words.insert(words.end(), {"--db", folder / "s.db"});
+  done(words);
+  CHECK(!fs::exists(folder / ".camlaw-aB3xY9"));
+  CHECK(fs::exists(folder / ".camlaw-held00/study.db"));
+  CHECK(fs::exists(folder / ".camlaw-notes/study.db"));
+  CHECK(fs::exists(folder / "camlaw-aB3xY9/study.db"));
+  close(held);
+  words.push_back("--resume");
+  done(words);
+  CHECK(!fs::exists(folder / ".camlaw-held00"));
 }
 
 TEST_CASE("a study that is asked to end stops with what it has", "[program]") {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A shaft's flywheel and balancing cam, through the program's commands.
+#include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 
 #include "problems/statement/parameters.h"
+#include "tests/cli/dxf_reader.h"
 #include "tests/cli/program_runner.h"
 #include "tests/paths.h"
 #include "tests/problems/shaft_fixture.h"
@@ -112,7 +115,150 @@ TEST_CASE("of several cams a curve of the shaft is exported without naming one",
   CHECK_THAT(done_unmet({"export", kFlywheel, "--format", "table", "--slave", "surplus_work"}),
              Contains("angle [deg],surplus_work [J]"));
   CHECK_THAT(done_unmet({"export", kFlywheel, "--cam", "stamp", "--format", "table"}),
+             Contains("shaft_angle [deg],displacement [mm]"));
+}
+
+namespace {
+
+const std::string kGripper = testing::source("problems/shaft/gripper_path.toml");
+const Words kPhases{"--set", "across.phase=40 deg", "--set", "lift.phase=-15.5 deg"};
+
+Words of_gripper(const std::string& cam, Words more) {
+  Words words{"export", kGripper, "--cam", cam};
+  words.insert(words.end(), kPhases.begin(), kPhases.end());
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// A cam as its drawing has it: the places of its roller, where its keyway is, how it turns.
+struct DrawnCam {
+  std::vector<Eigen::Vector2d> roller;
+  double keyway = 0;  ///< deg from x
+  double sense = 0;   ///< 1: counterclockwise
+};
+
+DrawnCam drawn(const std::string& cam, const Words& more = {}) {
+  const Folder folder;
+  Words words = of_gripper(
+      cam, {"--drawing", "--bore", "25 mm", "--keyway", "8 x 3.3 mm", "--out", folder / "cam.dxf"});
+  words.insert(words.end(), more.begin(), more.end());
+  run(words);
+  const std::string text = read_by_ezdxf(folder / "cam.dxf");
+  DrawnCam result;
+  const auto sides = entities(text, "LINE SHAFT");
+  REQUIRE(sides.size() == 3);
+  const auto& bottom = sides[1];
+  result.keyway = std::atan2(bottom[1] + bottom[3], bottom[0] + bottom[2]) * 180 / std::numbers::pi;
+  result.sense = text.find("turns counterclockwise as drawn") != std::string::npos ? 1 : -1;
+  CHECK_THAT(text, Contains("the cam's zero lies at shaft angle") && Contains("SHAFT_ZERO"));
+  for (const Words& row : csv_of(done_unmet(
+           of_gripper(cam, {"--format", "csv", "--curve", "pitch", "--tolerance", "0.0005 mm"})))) {
+    if (row.size() > 4 && row[0] == "pitch curve") {
+      result.roller.emplace_back(std::stod(row[2]), std::stod(row[3]));
+    }
+  }
+  REQUIRE(result.roller.size() > 100);
+  return result;
+}
+
+/// The height of the roller above the shaft on the frame's y axis: the cam is turned until its
+/// keyway stands at an angle, deg, of the frame.
+double height_at(const DrawnCam& cam, double keyway) {
+  const double turn = (keyway - cam.keyway) * std::numbers::pi / 180;
+  const double c = std::cos(turn), s = std::sin(turn);
+  const auto turned = [&](const Eigen::Vector2d& p) {
+    return Eigen::Vector2d(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+  };
+  for (std::size_t i = 0; i + 1 < cam.roller.size(); ++i) {
+    const Eigen::Vector2d a = turned(cam.roller[i]), b = turned(cam.roller[i + 1]);
+    if (a.x() * b.x() > 0 || a.y() < 0) continue;
+    return a.y() + (b.y() - a.y()) * a.x() / (a.x() - b.x());
+  }
+  return NAN;
+}
+
+/// The rows of a table: master and slave.
+std::vector<std::pair<double, double>> table_of(const std::string& text) {
+  std::vector<std::pair<double, double>> rows;
+  for (const Words& row : csv_of(text)) {
+    if (row.size() == 2 && std::isdigit(static_cast<unsigned char>(row[0].front()))) {
+      rows.emplace_back(std::stod(row[0]), std::stod(row[1]));
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+// SH9
+TEST_CASE("two cams that are keyed to one shaft move their followers as on the shaft",
+          "[program][shaft][export]") {
+  for (const std::string cam : {"across", "lift"}) {
+    INFO(cam);
+    const DrawnCam made = drawn(cam);
+    // What the file says of the cam at the shaft's angle, which knows nothing of drawings.
+    const auto by_shaft = table_of(done_unmet(
+        {"export", kGripper, "--set", kPhases[1], "--set", kPhases[3], "--slave",
+         cam == "across" ? "path_x" : "path_y", "--format", "table", "--step", "5 deg"}));
+    const double least = cam == "across" ? 80 : 70;  // base and roller
+    REQUIRE(by_shaft.size() == 73);
+    for (const auto& [angle, lift] : by_shaft) {
+      INFO(angle);
+      CHECK(height_at(made, 90 + made.sense * angle) - least == Approx(lift).margin(0.01));
+    }
+    // The table of the cam alone is over the same angle.
+    const auto own =
+        table_of(done_unmet(of_gripper(cam, {"--format", "table", "--step", "5 deg"})));
+    REQUIRE(own.size() == 73);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      CHECK(own[i].second == Approx(by_shaft[i].second).margin(1e-6));
+    }
+  }
+  // Keyed at its own zero the cam runs by its phase too early.
+  const DrawnCam own = drawn("across", {"--zero", "cam"});
+  const auto by_cam =
+      table_of(done_unmet(of_gripper("across", {"--format", "table", "--zero", "cam"})));
+  CHECK(height_at(own, 90 + own.sense * 60) - 80 == Approx(by_cam.at(60).second).margin(0.01));
+}
+
+TEST_CASE("every file of a cam on a shaft says where its zero lies", "[program][shaft][export]") {
+  const Folder folder;
+  const std::string words = "the cam's zero lies at shaft angle 40 deg";
+  for (const Words& more :
+       {Words{"--format", "csv"}, Words{"--format", "dxf"}, Words{"--format", "svg"},
+        Words{"--format", "json"}, Words{"--format", "inspection"},
+        Words{"--format", "gcode", "--set", "across.cutter_radius=5 mm"},
+        Words{"--format", "table"}, Words{"--format", "beckhoff-points"},
+        Words{"--format", "lenze"}, Words{"--format", "codesys"}}) {
+    INFO(more[1]);
+    Words all = of_gripper("across", more);
+    std::string text = run(all).out;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    CHECK_THAT(text, Contains(words));
+    all.insert(all.end(), {"--out", folder / ("cam." + more[1])});
+    CHECK_THAT(run(all).out, Contains(words));
+    all.push_back("--json");
+    const ParsedJson place = json_of(all).at("on_shaft");
+    CHECK(place.at("cam") == "across");
+    CHECK(place.at("phase_deg") == 40);
+    CHECK(place.at("zero") == "shaft");
+    // The follower goes round clockwise in the axes of a cam that turns counterclockwise.
+    CHECK(place.at("shaft_zero_direction_deg").get<double>() == Approx(130));
+  }
+  CHECK_THAT(done_unmet(of_gripper("across", {"--format", "table"})),
+             Contains("shaft_angle [deg],displacement [mm]"));
+  CHECK_THAT(done_unmet(of_gripper("across", {"--format", "table", "--zero", "cam"})),
              Contains("cam_angle [deg],displacement [mm]"));
+  const ParsedJson file = ParsedJson::parse(done_unmet(of_gripper("across", {"--format", "json"})));
+  CHECK(file.at("motion").at("master") == "shaft_angle [deg]");
+  CHECK_THAT(failed(of_gripper("across", {"--format", "table", "--zero", "key"}), 2),
+             Contains("use shaft or cam"));
+  CHECK_THAT(failed(of_gripper("across", {"--format", "csv", "--zero", "cam"}), 2),
+             Contains("--zero is for table"));
+  CHECK_THAT(failed({"export", testing::source("problems/cams/roller_least_base.toml"), "--format",
+                     "table", "--zero", "cam"},
+                    2),
+             Contains("several on one shaft"));
 }
 
 }  // namespace camlaw::cli::shaft_export_test

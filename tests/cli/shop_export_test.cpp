@@ -291,6 +291,102 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
   CHECK_THAT(failed(lead("500 mm"), 2), Contains("use a smaller lead"));
 }
 
+namespace {
+
+/// A cam whose profile has a hollow: a short stroke between two dwells over few degrees.
+std::string hollow_cam(const Folder& folder) {
+  const std::string file = folder / "hollow.toml";
+  std::ofstream(file) << R"toml(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+base_radius = "25 mm"
+roller_radius = "6 mm"
+offset = "4 mm"
+cutter_radius = "5 mm"
+[[program.segments]]
+name = "rise"
+angle = "70 deg"
+law = "modified-sine"
+[[program.segments]]
+name = "return"
+angle = "80 deg"
+law = "poly-3-4-5"
+[[program.segments]]
+name = "low"
+)toml";
+  return file;
+}
+
+/// How deep a tool beside a closed profile of many points cuts into it, by the points alone: each
+/// is tried against all others.
+double gouge(const std::vector<Vector2d>& profile, double radius) {
+  const std::size_t n = profile.size();
+  double deepest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2d along = (profile[(i + 1) % n] - profile[(i + n - 1) % n]).normalized();
+    Vector2d out(-along.y(), along.x());
+    if (out.dot(profile[i]) < 0) out = -out;
+    const Vector2d centre = profile[i] + radius * out;
+    for (const Vector2d& p : profile) deepest = std::max(deepest, radius - (p - centre).norm());
+  }
+  return deepest;
+}
+
+}  // namespace
+
+// EX9
+TEST_CASE("a program along the profile says how large a compensated tool may be",
+          "[export][shop]") {
+  const Folder folder;
+  const std::string file = hollow_cam(folder);
+  const PlaneCurve exact =
+      problems::cam_curves(problems::read_problem_file(file), "profile").front();
+  constexpr int kSteps = 2880;
+  std::vector<Vector2d> points;
+  for (int i = 0; i < kSteps; ++i) {
+    points.push_back(exact.at({exact.begin() + (exact.end() - exact.begin()) * i / kSteps}).at);
+  }
+  const Words along{"export", file, "--format", "gcode", "--curve", "profile"};
+  const auto with = [&](Words more) {
+    Words words = along;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  for (const Words& more : {Words{}, Words{"--lead", "36 mm", "--compensation", "1"}}) {
+    const std::string text = done(with(more));
+    const std::string begin = "whose radius must be below ";
+    REQUIRE(text.find(begin) != std::string::npos);
+    const double bound = std::stod(text.substr(text.find(begin) + begin.size()));
+    CHECK(bound < 36);
+    CHECK(gouge(points, bound) < 2e-3);
+    CHECK(gouge(points, 1.05 * bound) > 5e-3);
+    CHECK_THAT(text, Contains("or it cuts into the profile near"));
+    Words words = with(more);
+    words.insert(words.end(), {"--out", folder / "cam.nc", "--json"});
+    const ParsedJson told = json_of(words).at("tool_bound");
+    CHECK(told.at("radius_mm").get<double>() == Approx(bound).epsilon(1e-3));
+    CHECK(told.at("proved") == true);
+  }
+  // A lead that is smaller than every hollow is the bound, as before.
+  CHECK_THAT(done(with({"--lead", "9 mm"})), Contains("must be below the lead's 9 mm"));
+  // The machine's own tool is known.
+  CHECK_THAT(
+      failed(with({"--lead", "36 mm", "--compensation", "1", "--set", "cutter_radius=26 mm"}), 2),
+      Contains("cut"));
+}
+
+TEST_CASE("a program along the pitch curve is for a tool as large as the roller",
+          "[export][shop]") {
+  const Folder folder;
+  const std::string file = hollow_cam(folder);
+  const std::string text = done({"export", file, "--format", "gcode", "--curve", "pitch"});
+  CHECK_THAT(text, Contains("a tool as large as the roller, radius 6 mm: no compensation") &&
+                       !Contains("curve itself"));
+  CHECK_THAT(failed({"export", file, "--format", "gcode", "--curve", "pitch", "--tool", "5 mm"}, 2),
+             Contains("--curve cutter"));
+}
+
 TEST_CASE("a tool's radius without a unit is in the unit of the file", "[export][shop]") {
   const std::string flat = testing::source("problems/cams/flat_least_base.toml");
   CHECK_THAT(done({"export", flat, "--format", "gcode", "--unit", "inch", "--tool", "0.25"}),

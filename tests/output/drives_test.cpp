@@ -135,6 +135,27 @@ TEST_CASE("A cycle has a whole number of increments", "[exports][drives]") {
   CHECK_THAT(exported_file(file, options), Contains("1000.5"));
 }
 
+TEST_CASE("A table in increments stands at whole increments, where its slave is exact",
+          "[exports][drives]") {
+  const std::string file = testing::source("problems/cams/roller_least_base.toml");
+  const ExportedMotion motion = motion_of(read_problem_file(file), {}).value();
+  const MasterUnit master{"master [increments]", 4095.0 / 360, true};
+  const MotionTable table = table_of(motion, "60 deg", 9, master);
+  CHECK(table.places == std::vector<double>{0, 683, 1365, 2048, 2730, 3413, 4095});
+  CHECK(table.moved == Approx(0.5));
+  for (std::size_t i = 0; i < table.places.size(); ++i) {
+    const double exact = motion.at({table.places[i] * 360 / 4095, i == 6})[0];
+    CHECK(table.values[i] == Approx(exact).margin(1e-8));
+  }
+  CHECK(table_of(motion, "60 deg", 9, {"master [increments]", 4096.0 * 3 / 360, true}).moved == 0);
+  CHECK_THROWS_WITH(table_of(motion, {}, 9, {"master [increments]", 100.0 / 360, true}),
+                    Contains("do not fit on the 100 increments"));
+  cli::ExportOptions options;
+  options.format = "table";
+  options.master = "increments", options.cycle = "4095", options.step = "60 deg";
+  CHECK_THAT(exported_file(file, options), !Contains("682.5") && Contains("683.000000,"));
+}
+
 namespace {
 
 /// A slide that a program moves: `responses` are its own.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "output/export/interference.h"
+#include "output/export/shaft_place.h"
 #include "output/export/tool_path.h"
 
 namespace camlaw::problems {
@@ -146,7 +147,9 @@ CamSolid barrel_solid(const ProblemStatement& design, const SolidSettings& setti
   body.to = body.from + settings.width;
   body.loops.push_back({DrawnArc{{0, 0}, outside, 0, 180}, DrawnArc{{0, 0}, outside, 180, 360}});
   if (const auto bore = bore_of(design, settings.bore_radius, settings.keyway)) {
-    body.loops.push_back(loop_of(outline_of(*bore, {1, 0}, size.floor, "the groove's floor")));
+    const double turn = settings.phase ? shaft_zero_along(profile, *settings.phase) / radius : 0;
+    body.loops.push_back(loop_of(
+        outline_of(*bore, {std::cos(turn), std::sin(turn)}, size.floor, "the groove's floor")));
   }
   result.solid.groove = {std::move(lower.surface), std::move(upper.surface)};
   return result;
@@ -196,7 +199,8 @@ CamSolid cam_solid(const ProblemStatement& design, const SolidSettings& settings
   }
   const PlaneCurve& profile = sides.front();
   if (const auto bore = bore_of(design, settings.bore_radius, settings.keyway)) {
-    const Vector2d zero = profile.at({profile.begin()}).at;
+    const Vector2d zero = settings.phase ? shaft_zero_way(profile, *settings.phase)
+                                         : profile.at({profile.begin()}).at;
     body.loops.push_back(loop_of(outline_of(*bore, zero, least_distance(profile), "the profile")));
   }
   return result;

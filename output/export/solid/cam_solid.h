@@ -24,7 +24,8 @@ struct GrooveSize {
 struct SolidSettings {
   double width = 0;                        ///< mm, along the cam's axis
   std::optional<double> bore_radius = {};  ///< mm; else the machine's own, if it has one above 0
-  std::optional<Keyway> keyway = {};       ///< towards the profile's place at cam angle 0
+  std::optional<Keyway> keyway = {};       ///< towards the profile's place at cam angle 0, or:
+  std::optional<double> phase = {};        ///< to the zero of a shaft on which the cam has it, deg
   std::optional<GrooveSize> groove = {};   ///< none: the profile is the cam's edge
   std::string curve = "profile";           ///< the option of the kind of curve: or "second-profile"
 };
