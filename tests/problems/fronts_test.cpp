@@ -227,7 +227,7 @@ minimize = "f2"
   REQUIRE(front.points.size() >= 8);
   // At f1 = -0.9, its least: x1 = 0 and sin = -1 at x2 = -pi / 10, f2 = 4 + 4 / 3 pi / 10.
   CHECK(front.points.front().costs[0] == Approx(-0.9).epsilon(1e-5));
-  CHECK(front.points.front().costs[1] == Approx(4.41888).epsilon(1e-3));
+  CHECK(front.points.front().costs[1] == Approx(4.41888).epsilon(3e-3));
   CHECK_THAT(front.remark, Catch::Contains("sample"));
 }
 

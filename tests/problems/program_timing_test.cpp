@@ -9,6 +9,7 @@
 #include "optim/cycle/extremes.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
+#include "problems/sensitivity/design_numbers.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/ranges.h"
@@ -343,6 +344,8 @@ TEST_CASE("over a range of speeds an axis has the program of each", "[program_ti
         Approx(torque / (0.08 * 0.08)).epsilon(1e-6));
   CHECK(made.constraints[1].response.function().value(made.start()) ==
         Approx(torque / (0.1 * 0.1)).epsilon(1e-6));
+  CHECK_NOTHROW(design_numbers(
+      problem, design_parameters(problem)));  // of a limit over a part of the cycle too
   const ConstraintStatement& limit = problem.constraints.front();
   const auto worst = worst_in_ranges(problem, limit.response, {});
   REQUIRE(worst.size() == 1);
@@ -359,6 +362,79 @@ TEST_CASE("over a range of speeds an axis has the program of each", "[program_ti
                                  [](const auto& c) { return c.lower == 0.0; });
   REQUIRE(room != roomy.constraints.end());
   CHECK(room->response.function().value(roomy.start()) == Approx(1 - 250 * 0.16 / 60));
+}
+
+TEST_CASE("a design without values is not nearer to a limit than one with them",
+          "[program_timing]") {
+  // At most designs of the box the times take more than a turn, and the energy has no value. Its
+  // least, 9.306 J, is at the longest time and the least ratio, at any of the lower speeds.
+  const ProblemStatement problem = read_problem(R"toml(
+mechanism = "linear-servo-axis"
+[constants]
+stroke = "160 mm"
+feed = "40 mm"
+gear_inertia = 0.6
+gear_efficiency = 0.83
+mass = "23 kg"
+load_force = "-70 N"
+friction_force = "35 N"
+viscous_friction = 60
+motor_inertia = 1.1
+continuous_torque = 2
+maximum_torque = 6
+corner_speed = 1500
+maximum_speed = 4000
+end_torque = 1.5
+[program]
+matched = "velocity"
+[[program.segments]]
+name = "out"
+time = "210 ms"
+law = "parabolic"
+to = 1
+[[program.segments]]
+name = "dw"
+angle = "3 deg"
+[[program.segments]]
+name = "back"
+time = "330 ms"
+law = "modified-sine"
+to = 0.25
+[[program.segments]]
+name = "back2"
+angle = "40 deg"
+law = "cosine"
+to = 0
+[[program.segments]]
+name = "rest"
+[variables.speed]
+lower = "20 rpm"
+upper = "95 rpm"
+start = "50 rpm"
+[variables.out_time]
+lower = "120 ms"
+upper = "400 ms"
+[variables.gear_ratio]
+lower = 0.5
+upper = 6
+[objective]
+maximize = "speed"
+[[cases]]
+name = "full"
+mass = "30 kg"
+[[cases]]
+name = "empty"
+mass = "9 kg"
+load_force = "120 N"
+[[constraints]]
+response = "regenerated_energy"
+upper = 8
+)toml",
+                                                "f.toml");
+  const optim::Assessment a = optim::optimise(BoundProblem(problem).space()).found.assessment;
+  CHECK(a.verdict == optim::Verdict::Infeasible);
+  REQUIRE_FALSE(a.blamed.empty());
+  CHECK(a.blamed.front() == "full.regenerated_energy");
 }
 
 TEST_CASE("a program at a speed that varies leaves room for its last segment", "[program_timing]") {
