@@ -7,7 +7,7 @@ Option json_switch(bool& on) { return {"--json", &on, takes::kNothing, "print JS
 
 Option set_option(std::vector<std::string>& settings) {
   return {"--set", &settings, takes::kSetting,
-          "set a constant, or where a variable starts: name=value, such as --set 'stroke=30 mm'"};
+          "set a constant or the start of a variable: name=value, such as --set 'stroke=30 mm'"};
 }
 
 Option start_option(std::optional<std::string>& result) {

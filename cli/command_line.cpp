@@ -50,8 +50,10 @@ CLI::Option* added(CLI::App& app, const Option& option) {
 class HelpText : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
-    const std::string text = CLI::Formatter::make_option_opts(option);
-    return text.substr(0, text.find(" Excludes:"));
+    std::string text = CLI::Formatter::make_option_opts(option);
+    text = text.substr(0, text.find(" Excludes:"));
+    text = text.substr(0, text.find(" REQUIRED"));  // brackets in the usage mark what is not
+    return text == " " + option->get_name() ? "" : text;
   }
 };
 
@@ -70,9 +72,9 @@ std::string with_near_commands(const CommandTree& program, const std::string& wo
     if (command.is_listed) listed.push_back(command.name);
   }
   const auto near = near_names(word, known);
-  return fmt::format("there is no command '{}'; {}", word,
-                     near.empty() ? fmt::format("there are {}", fmt::join(listed, ", "))
-                                  : fmt::format("did you mean {}?", fmt::join(near, ", ")));
+  return fmt::format(
+      "there is no command '{}'; {}", word,
+      near.empty() ? fmt::format("there are {}", fmt::join(listed, ", ")) : did_you_mean(near));
 }
 
 /// What to say of words that a command does not take.
@@ -87,7 +89,7 @@ std::string extra_words(const CLI::App& command, const std::vector<std::string>&
   return fmt::format("{} does not take '{}'{}", command.get_name(), fmt::join(extras, " "),
                      !is_option     ? "; a value with blanks needs quotes"
                      : near.empty() ? ""
-                                    : fmt::format("; near: {}", fmt::join(near, ", ")));
+                                    : "; " + did_you_mean(near));
 }
 
 std::string usage_error(const CommandTree& program, const CLI::App& app,
@@ -111,7 +113,8 @@ std::string usage_error(const CommandTree& program, const CLI::App& app,
   if (!commands.empty() && !commands.front()->remaining().empty()) {
     what = extra_words(*commands.front(), commands.front()->remaining());
   }
-  return fmt::format("{}; '{} --help' shows the usage", what, called);
+  return fmt::format("{}{} '{} --help' shows the usage", what, what.ends_with('?') ? "" : ";",
+                     called);
 }
 
 }  // namespace

@@ -18,9 +18,10 @@ namespace fs = std::filesystem;
 using problems::Json;
 
 [[noreturn]] void refuse_replacing(const fs::path& file, const std::string& what) {
-  throw std::invalid_argument(fmt::format(
-      "'{}' is {}, and would be replaced; choose another folder for --out, or move the file away",
-      file.string(), what));
+  throw std::invalid_argument(
+      fmt::format("'{}' is {}, and it would be replaced; choose another folder for --out, or move "
+                  "the file away",
+                  file.string(), what));
 }
 
 std::string text_in(const Json& object, const char* key) {
@@ -51,7 +52,7 @@ bool is_of(const Json& design, const problems::ProblemStatement& statement) {
 /// Throws unless the result is of this problem; the name that the problem's file had then.
 std::string checked_source(const fs::path& file, const problems::ProblemStatement& statement) {
   const Json result = object_in(file);
-  if (!result.contains("verdict")) refuse_replacing(file, "no result of camlaw");
+  if (!result.contains("verdict")) refuse_replacing(file, "not a camlaw result");
   const auto design = result.find("design");
   if (design == result.end() || !design->is_object()) return "";  // it found nothing
   const std::string source = text_in(*design, "source"), place = text_in(*design, "path");
@@ -80,7 +81,7 @@ void keep_other_results(const std::vector<fs::path>& files,
       sources.insert(checked_source(file, statement));
     } else if (const std::string origin = origin_of(file);
                origin.empty() || !sources.contains(origin)) {
-      refuse_replacing(file, "no law that was found for this problem");
+      refuse_replacing(file, "not a law found for this problem");
     }
   }
 }

@@ -99,7 +99,7 @@ void add_cut_short(const optim::Deadline& deadline, const optim::ProofTime& time
 
 int run_evaluate(const EvaluateOptions& options) {
   if (!options.sensitivity && (!options.over.empty() || options.samples)) {
-    throw std::invalid_argument("--over and --samples go with --sensitivity");
+    throw std::invalid_argument("--over and --samples need --sensitivity");
   }
   keep_plain_outputs({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);

@@ -102,7 +102,7 @@ Command examples_command() {
       .help = "List the problem files that come with the program, and copy one",
       .options = {{"NAME", &options->name, "EXAMPLE",
                    "the example to copy; without it, all are listed"},
-                  {"--out", &options->out, takes::kFolder,
+                  {"-o,--out", &options->out, takes::kFolder,
                    "copy it into this folder instead of the current one; existing files are kept"},
                   json_switch(options->json)},
       .examples = {{"camlaw examples", "all of them, with a sentence each"},

@@ -45,8 +45,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        "beckhoff-points, beckhoff-motion, codesys, lenze, rockwell, siemens; by default the "
        "extension "
        "of --out decides"},
-      {"--out", &o.out, takes::kFile,
-       "write to this file, which is replaced where it is there, instead of standard output"},
+      {"-o,--out", &o.out, takes::kFile,
+       "write to this file, replacing it if it exists, instead of to standard output"},
       {"--curve", &o.curve, curve_words(),
        "profile, second-profile (of conjugate cams), pitch, cutter (cutter-centre path) or all; "
        "the default is all, for gcode cutter"},

@@ -61,7 +61,8 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   if (file.more) file.more([&](std::string_view piece) { return bool(stream << piece); });
   stream.close();
   if (!stream)
-    fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk did not take all of it");
+    fail_to_write(file.path,
+                  errno != 0 ? std::strerror(errno) : "it could not be written completely");
 }
 
 /// Pipes, terminals, sockets and what the system offers as files: no renaming there.

@@ -107,16 +107,16 @@ void fit_constants(const FitCommand& options) {
   if (const auto law = law_of(options)) {
     fits = problems::fit_constants(question, *law);
     if (fits.empty()) {
-      throw std::invalid_argument(
-          fmt::format("--law {}: no coefficients with which this law gives any of these constants "
-                      "were found",
-                      *options.law));
+      throw std::invalid_argument(fmt::format(
+          "--law {}: no coefficients were found with which this law has any of these constants",
+          *options.law));
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
     if (fits.empty()) {
       throw std::invalid_argument(
-          "--constants: no law of the catalogue explains them with fewer digits than are printed");
+          "--constants: no law of the catalogue reproduces them from fewer digits than were "
+          "printed");
     }
   }
   options.answers();
@@ -181,7 +181,7 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
   check_centre_alone(options);
   if (problems::goes_round(table)) {
     throw std::invalid_argument(
-        "x and y run round as a cam's profile does: state its follower, --mechanism FILE, and the "
+        "x and y go round as on a cam's profile: state its follower, --mechanism FILE, and the "
         "unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
@@ -350,7 +350,7 @@ Command fit_command() {
            workers_option(options->workers),
            time_limit_option(options->limits, "what is known"),
            json_switch(options->json),
-           {"--out", &options->out, takes::kFolder,
+           {"-o,--out", &options->out, takes::kFolder,
             "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
             "cam)"}},
       .examples = {{"camlaw fit problems/cams/worn_cam.csv --mechanism disc-cam-roller "

@@ -189,7 +189,7 @@ Command pareto_command() {
                       time_limit_option(options->limits),
                       memory_option(options->limits),
                       json_switch(options->json),
-                      {"--out", &options->out, takes::kFolder,
+                      {"-o,--out", &options->out, takes::kFolder,
                        "folder for front.json, front.csv, front.svg and, without --db, study.db"}},
           .examples =
               {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",

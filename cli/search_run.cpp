@@ -347,7 +347,7 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
           {"--table", &options.table, takes::kNothing,
            "list the result for each law and each other choice"},
           json_switch(options.json),
-          {"--out", &options.out, takes::kFolder, "folder for " + files}};
+          {"-o,--out", &options.out, takes::kFolder, "folder for " + files}};
 }
 
 }  // namespace camlaw::cli

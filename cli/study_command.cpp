@@ -30,7 +30,7 @@ struct StudyOutput {
 };
 
 StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::path& out) {
-  SpineCutter<double> cutter;
+  problems::CutterGivens cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
   Figure trade_off = trade_off_figure(study);
@@ -99,7 +99,7 @@ Command study_command() {
                        .takes = "{spine-cutter,sheet-delivery}",
                        .help = "the machine: spine-cutter or sheet-delivery",
                        .required = true},
-                      {"--out", &options->out, takes::kFolder,
+                      {"-o,--out", &options->out, takes::kFolder,
                        "folder for study.csv, study.json and the pictures"},
                       {"--set", &options->settings, takes::kSetting,
                        "set an input: name=value, such as --set 'h=0.8 mm'"},

@@ -201,7 +201,7 @@ Command sweep_command() {
            time_limit_option(options->limits),
            memory_option(options->limits),
            json_switch(options->json),
-           {"--out", &options->out, takes::kFolder,
+           {"-o,--out", &options->out, takes::kFolder,
             "folder for sweep.json, sweep.csv and, without --db, study.db; Parquet is written from "
             "Python alone"}},
       .examples =

@@ -19,7 +19,7 @@ struct Expansion {
 
 /// Encloses a piece over short stretches, many times: in plain numbers with an error bound beside
 /// each, which is several times faster than interval arithmetic and as safe (docs/theory.md,
-/// "Enclosing a stretch"). The piece's formula counts, wherever its ends are.
+/// "Bounds of a law over an interval"). The piece's formula counts, wherever its ends are.
 class PieceExpander {
  public:
   explicit PieceExpander(Piece<Interval> piece);

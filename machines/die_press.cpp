@@ -13,130 +13,106 @@ namespace {
 /// Line contact as the die-press paper computes it: the coefficients of Poisson's ratio 0.3,
 /// rounded. Equations (Jn) are those of docs/theory.md, "Die press". Of two steel cylinders with
 /// radii R1 and R2 under the line load w.
-template <class T>
 struct PublishedLineContact {
-  T youngs_modulus;  ///< E, Pa
-  T poisson_ratio;   ///< mu; only (J3) has it, 0.42 and 1.52 stand for 0.3
-  T radius;          ///< R1, m
-  T other_radius;    ///< R2, m
+  Expression youngs_modulus;  ///< E, Pa
+  Expression poisson_ratio;   ///< mu; only (J3) has it, 0.42 and 1.52 stand for 0.3
+  Expression radius;          ///< R1, m
+  Expression other_radius;    ///< R2, m
 
   /// 1 / R1 + 1 / R2, 1/m.
-  T curvature() const { return number<T>(1) / radius + number<T>(1) / other_radius; }
+  Expression curvature() const { return 1 / radius + 1 / other_radius; }
   /// (J1) Contact stress, Pa: sigma = 0.42 sqrt(w E (R1 + R2) / (R1 R2)). NaN for a load below 0.
-  template <class X>
-  X stress(const X& line_load) const {
-    using std::sqrt;
-    return ratio<T>(42, 100) * sqrt(youngs_modulus * curvature() * line_load);
+  Expression stress(const Expression& line_load) const {
+    return ratio(42, 100) * sqrt(youngs_modulus * curvature() * line_load);
   }
   /// (J2) Half the contact's width, m: a = 1.52 sqrt(w R1 R2 / ((R1 + R2) E)).
-  template <class X>
-  X half_width(const X& line_load) const {
-    using std::sqrt;
+  Expression half_width(const Expression& line_load) const {
     return width_factor() * sqrt(line_load / (youngs_modulus * curvature()));
   }
   /// (J3) Elastic approach, m: delta = 2 (1 - mu^2) / (pi E) w (ln(4 R1 R2 / a^2) + 0.815), with
   /// (J2) put in: 4 R1 R2 / a^2 = 4 (R1 + R2) E / (1.52^2 w). For a load above 0.
-  template <class X>
-  X approach(const X& line_load) const {
-    using std::log;
-    const T plane = number<T>(1) - poisson_ratio * poisson_ratio;
-    const T factor = number<T>(2) * plane / (pi<T>() * youngs_modulus);
-    const T scale =
-        number<T>(4) * (radius + other_radius) * youngs_modulus / (width_factor() * width_factor());
-    return factor * (line_load * (log(number<X>(1) / line_load * scale) + ratio<T>(815, 1000)));
+  Expression approach(const Expression& line_load) const {
+    const Expression plane = 1 - poisson_ratio * poisson_ratio;
+    const Expression factor = 2 * plane / (pi() * youngs_modulus);
+    const Expression scale =
+        4 * (radius + other_radius) * youngs_modulus / (width_factor() * width_factor());
+    return factor * (line_load * (log(1 / line_load * scale) + ratio(815, 1000)));
   }
 
  private:
-  static T width_factor() { return ratio<T>(152, 100); }
+  static Expression width_factor() { return ratio(152, 100); }
 };
 
 /// The contact of cam and rollers in the drive of a flat die-cutting press: a cam parts two rollers
 /// on wedging levers that raise the platen, a spring keeps them on the cam.
 ///
-/// Fields in SI units; T is a scalar, most often Expression, X is T or a series over it. Source:
-/// "Study of the elastic deformation amount of the flat die-cutting press parts being in constant
-/// contact", Ukrainian Academy of Printing. The first three fields are a load as the paper gives
-/// it, a force on the cam and a spring force; stroke and what follows it make the load from a law.
-/// The paper prints no mass, stroke, speed or spring: those here give the cosine law an inertia
-/// force of 754 N, near its printed 750 N.
-template <class T>
+/// Fields in SI units. Source: "Study of the elastic deformation amount of the flat die-cutting
+/// press parts being in constant contact", Ukrainian Academy of Printing. The first three fields
+/// are a load as the paper gives it, a force on the cam and a spring force; stroke and what follows
+/// it make the load from a law. The paper prints no mass, stroke, speed or spring: those here give
+/// the cosine law an inertia force of 754 N, near its printed 750 N.
 struct DiePress {
-  Given<T> given = {};
-  T cam_force = given({"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9});
-  T spring_force =
+  Given given = {};
+  Expression cam_force =
+      given({"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9});
+  Expression spring_force =
       given({"spring_force", "F_s", "N", "N", "given force of the spring", 354.08, 0, 1e9});
-  T load_factor = given(
+  Expression load_factor = given(
       {"load_factor", "k", "1", "1", "fraction of the spring's force in the load", 0.8, 0, 10});
-  T roller_radius =
+  Expression roller_radius =
       given({"roller_radius", "R1", "mm", "m", "radius of the roller", 50, 1e-3, 1e5});
-  T segment_radius =
+  Expression segment_radius =
       given({"segment_radius", "R2", "mm", "m", "radius of the cam's segment", 350, 1e-3, 1e5});
-  T face_width = given(
+  Expression face_width = given(
       {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 30, 1e-3, 1e4});
-  T youngs_modulus = given(
+  Expression youngs_modulus = given(
       {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4});
-  T poisson_ratio =
+  Expression poisson_ratio =
       given({"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5});
-  T stroke = given({"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5});
-  T angular_speed = given({"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6});
-  T mass =
+  Expression stroke = given({"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5});
+  Expression angular_speed =
+      given({"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6});
+  Expression mass =
       given({"mass", "m", "kg", "kg", "moving mass, referred to the rollers' path", 220, 0, 1e6});
-  T spring_rate = given({"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6});
-  T spring_preload = given({"spring_preload", "F_0", "N", "N",
-                            "force of the spring at the lowest position", 700, 0, 1e9});
+  Expression spring_rate =
+      given({"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6});
+  Expression spring_preload = given({"spring_preload", "F_0", "N", "N",
+                                     "force of the spring at the lowest position", 700, 0, 1e9});
 
-  PublishedLineContact<T> published() const {
+  PublishedLineContact published() const {
     return {youngs_modulus, poisson_ratio, roller_radius, segment_radius};
   }
-  LineContact<T> exact() const { return {youngs_modulus, poisson_ratio}; }
+  LineContact exact() const { return {youngs_modulus, poisson_ratio}; }
 
   /// (J4) Load of the contact, N: F = F_k + k F_s.
-  T load() const { return cam_force + load_factor * spring_force; }
+  Expression load() const { return cam_force + load_factor * spring_force; }
   /// Line load, N/m: w = F / b.
-  template <class X>
-  X line_load(const X& force) const {
-    return force / face_width;
-  }
+  Expression line_load(const Expression& force) const { return force / face_width; }
   /// (J5) Force between cam and roller from a law whose stretch takes half a turn, N:
   /// F = m h (omega / pi)^2 s'' + c h s + F_0. Below 0 the roller leaves the cam.
-  template <class X>
-  X running_force(const Motion<X>& motion) const {
-    const T frequency = angular_speed / pi<T>();
+  Expression running_force(const Motion<Expression>& motion) const {
+    const Expression frequency = angular_speed / pi();
     return mass * stroke * frequency * frequency * motion.a + spring_rate * stroke * motion.s +
            spring_preload;
   }
 
   /// (J1) to (J3) from a force, in SI units.
-  template <class X>
-  X stress(const X& force) const {
-    return published().stress(line_load(force));
-  }
-  template <class X>
-  X half_width(const X& force) const {
+  Expression stress(const Expression& force) const { return published().stress(line_load(force)); }
+  Expression half_width(const Expression& force) const {
     return published().half_width(line_load(force));
   }
-  template <class X>
-  X approach(const X& force) const {
+  Expression approach(const Expression& force) const {
     return published().approach(line_load(force));
   }
   /// The same after Hertz, (K2) to (K4).
-  template <class X>
-  X exact_stress(const X& force) const {
-    return exact().pressure(line_load(force), constant<X>(published().curvature()));
+  Expression exact_stress(const Expression& force) const {
+    return exact().pressure(line_load(force), published().curvature());
   }
-  template <class X>
-  X exact_half_width(const X& force) const {
-    return exact().half_width(line_load(force), constant<X>(published().curvature()));
+  Expression exact_half_width(const Expression& force) const {
+    return exact().half_width(line_load(force), published().curvature());
   }
-  template <class X>
-  X exact_approach(const X& force) const {
+  Expression exact_approach(const Expression& force) const {
     return exact().approach(line_load(force), roller_radius, segment_radius);
-  }
-
- private:
-  template <class X>
-  static X constant(const T& value) {
-    return X(number<X>(0) + value);
   }
 };
 

@@ -9,36 +9,41 @@ namespace camlaw::problems {
 namespace {
 
 /// A stack that works between two deflections.
-template <class T>
 struct DiscSprings {
-  Given<T> given = {};
-  T outer_diameter = given({"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5});
-  T inner_diameter = given({"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5});
-  T thickness = given({"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4});
-  T cone_height = given({"cone_height", "h_0", "mm", "m",
-                         "free height of a disc minus its thickness", 1.4, 1e-4, 1e4});
-  T parallel = given({"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true});
-  T series = given({"series", "i", "1", "1", "packets in series", 10, 1, 10000, true});
-  T preload_deflection =
+  Given given = {};
+  Expression outer_diameter =
+      given({"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5});
+  Expression inner_diameter =
+      given({"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5});
+  Expression thickness = given({"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4});
+  Expression cone_height = given({"cone_height", "h_0", "mm", "m",
+                                  "free height of a disc minus its thickness", 1.4, 1e-4, 1e4});
+  Expression parallel =
+      given({"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true});
+  Expression series = given({"series", "i", "1", "1", "packets in series", 10, 1, 10000, true});
+  Expression preload_deflection =
       given({"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5});
-  T working_deflection = given(
+  Expression working_deflection = given(
       {"working_deflection", "s_2", "mm", "m", "greatest deflection of the stack", 10.5, 0, 1e5});
-  T youngs_modulus = given({"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4});
-  T poisson_ratio = given({"poisson_ratio", "mu", "1", "1", "Poisson's ratio", 0.3, 0, 0.5});
-  T density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
-  T thickness_ratio =
+  Expression youngs_modulus =
+      given({"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4});
+  Expression poisson_ratio =
+      given({"poisson_ratio", "mu", "1", "1", "Poisson's ratio", 0.3, 0, 0.5});
+  Expression density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
+  Expression thickness_ratio =
       given({"thickness_ratio", "r_t", "1", "1",
              "reduced thickness over thickness; below 1 with contact flats", 1, 0.5, 1});
-  T surface_friction = given({"surface_friction", "w_M", "1", "1",
-                              "fraction of force lost between nested discs", 0.01, 0, 0.5});
-  T edge_friction = given({"edge_friction", "w_R", "1", "1",
-                           "fraction of force lost at the loaded edges", 0.03, 0, 0.5});
+  Expression surface_friction =
+      given({"surface_friction", "w_M", "1", "1", "fraction of force lost between nested discs",
+             0.01, 0, 0.5});
+  Expression edge_friction = given({"edge_friction", "w_R", "1", "1",
+                                    "fraction of force lost at the loaded edges", 0.03, 0, 0.5});
 
-  DiscSpring<T> spring() const {
+  DiscSpring spring() const {
     return {outer_diameter, inner_diameter, thickness,      cone_height,
             youngs_modulus, poisson_ratio,  thickness_ratio};
   }
-  DiscSpringStack<T> stack() const {
+  DiscSpringStack stack() const {
     return {spring(), parallel, series, surface_friction, edge_friction};
   }
   auto conditions() const { return stack().conditions(); }
@@ -46,8 +51,7 @@ struct DiscSprings {
 
 enum class At { Preload, Working };
 
-template <class T>
-const T& deflection(const DiscSprings<T>& springs, At at) {
+const Expression& deflection(const DiscSprings& springs, At at) {
   return at == At::Preload ? springs.preload_deflection : springs.working_deflection;
 }
 
@@ -92,12 +96,10 @@ std::vector<MechanismResponse> disc_forces() {
               [](const auto& stack, const auto& s) { return stack.work(s); })};
 }
 
-template <class T>
-T stress_lower_inner(const DiscSpringStack<T>& stack, const T& s) {
+Expression stress_lower_inner(const DiscSpringStack& stack, const Expression& s) {
   return stack.spring.stress_lower_inner(s / stack.series);
 }
-template <class T>
-T stress_lower_outer(const DiscSpringStack<T>& stack, const T& s) {
+Expression stress_lower_outer(const DiscSpringStack& stack, const Expression& s) {
   return stack.spring.stress_lower_outer(s / stack.series);
 }
 

@@ -10,36 +10,39 @@ namespace camlaw::problems {
 namespace {
 
 /// A spring that works between two deflections, no longer than its least gaps ask for.
-template <class T>
 struct WorkingSpring {
-  Given<T> given = {};
-  T wire_diameter = given({"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3});
-  T mean_diameter =
+  Given given = {};
+  Expression wire_diameter =
+      given({"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3});
+  Expression mean_diameter =
       given({"mean_diameter", "D", "mm", "m", "mean diameter of the coils", 24, 1e-3, 1e4});
-  T active_coils = given({"active_coils", "n", "1", "1", "active coils", 8.5, 0.1, 1e4});
-  T end_coils = given({"end_coils", "n_e", "1", "1", "inactive coils at the ends", 2, 0, 100});
-  T preload_deflection =
+  Expression active_coils = given({"active_coils", "n", "1", "1", "active coils", 8.5, 0.1, 1e4});
+  Expression end_coils =
+      given({"end_coils", "n_e", "1", "1", "inactive coils at the ends", 2, 0, 100});
+  Expression preload_deflection =
       given({"preload_deflection", "s_1", "mm", "m", "least deflection", 10, 0, 1e5});
-  T working_deflection =
+  Expression working_deflection =
       given({"working_deflection", "s_2", "mm", "m", "greatest deflection", 30, 0, 1e5});
-  T shear_modulus = given({"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4});
-  T youngs_modulus = given({"youngs_modulus", "E", "GPa", "Pa",
-                            "Young's modulus, above the shear modulus", 206, 1e-3, 1e4});
-  T density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
-  T gap_factor = given({"gap_factor", "k_a", "1", "1",
-                        "gaps between coils at the working deflection over the least permitted "
-                        "ones; 1.5 if the deflection varies",
-                        1, 0, 1000});
-  T seating = given({"seating", "nu", "1", "1",
-                     "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1, 10});
+  Expression shear_modulus =
+      given({"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4});
+  Expression youngs_modulus = given({"youngs_modulus", "E", "GPa", "Pa",
+                                     "Young's modulus, above the shear modulus", 206, 1e-3, 1e4});
+  Expression density = given({"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5});
+  Expression gap_factor =
+      given({"gap_factor", "k_a", "1", "1",
+             "gaps between coils at the working deflection over the least permitted "
+             "ones; 1.5 if the deflection varies",
+             1, 0, 1000});
+  Expression seating = given({"seating", "nu", "1", "1",
+                              "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1, 10});
 
-  HelicalSpring<T> coil() const {
+  HelicalSpring coil() const {
     return {wire_diameter, mean_diameter, active_coils,  shear_modulus,
             density,       end_coils,     youngs_modulus};
   }
   auto conditions() const { return coil().conditions(); }
-  T gaps() const { return gap_factor * coil().least_gaps(); }
-  T free_length() const { return coil().free_length(working_deflection, gap_factor); }
+  Expression gaps() const { return gap_factor * coil().least_gaps(); }
+  Expression free_length() const { return coil().free_length(working_deflection, gap_factor); }
 };
 
 using S = optim::Shape;

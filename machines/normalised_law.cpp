@@ -15,12 +15,11 @@ namespace camlaw::problems {
 namespace {
 
 /// What a law is looked at with: undamped followers of up to three natural periods.
-template <class T>
 struct Followers {
-  Given<T> given = {};
-  T first = given(ratio("period_ratio", "tau", 2));
-  T second = given(ratio("period_ratio_2", "tau_2", 3));
-  T third = given(ratio("period_ratio_3", "tau_3", 4));
+  Given given = {};
+  Expression first = given(ratio("period_ratio", "tau", 2));
+  Expression second = given(ratio("period_ratio_2", "tau_2", 3));
+  Expression third = given(ratio("period_ratio_3", "tau_3", 4));
 
  private:
   static constexpr MachineParameter ratio(const char* name, const char* symbol, double value) {
@@ -79,7 +78,7 @@ MechanismResponse convex_number(ResponseAbout about, Proof proof, Parts parts, F
 MechanismResponse mean_square_of(const char* name, const char* meaning, int order) {
   return convex_number(
       {name, "1", "1", meaning}, "DS11",
-      []<class T>(const Followers<T>&) { return std::array<T, 0>{}; },
+      [](const Followers&) { return std::array<Expression, 0>{}; },
       [order](const auto&, const auto& law) { return mean_square(law, order); },
       [order](const Binding& binding, auto general) {
         return mean_square_kernel(binding.law, order, std::move(general));
@@ -139,8 +138,8 @@ Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Wave part) {
 
 /// What matters of a follower, counted from 0: its period ratio.
 auto ratio_of(int which) {
-  return [which]<class T>(const Followers<T>& f) {
-    return std::array<T, 1>{which == 0 ? f.first : which == 1 ? f.second : f.third};
+  return [which](const Followers& f) {
+    return std::array<Expression, 1>{which == 0 ? f.first : which == 1 ? f.second : f.third};
   };
 }
 

@@ -91,7 +91,7 @@ const Mechanism& find_mechanism(std::string_view name) {
   if (const Mechanism* known = known_mechanism(name)) return *known;
   std::vector<std::string> names;
   for (const Listed& listed : kListed) names.emplace_back(listed.name);
-  refuse_name("no mechanism is called", name, names, "'camlaw mechanisms' lists all");
+  refuse_name("there is no mechanism", name, names, "'camlaw mechanisms' lists all");
 }
 
 std::shared_ptr<const Mechanism> listed(const Mechanism& mechanism) {

@@ -7,26 +7,23 @@
 #include "machines/model/responses.h"
 #include "machines/model/usual_problem.h"
 #include "machines/model/why_impossible.h"
-#include "numerics/scalar/by_side.h"
-#include "numerics/scalar/extremes.h"
-#include "numerics/scalar/where_positive.h"
+#include "numerics/formula/expression.h"
 
 /// Axes that a servo motor moves through a gear, by a program instead of a cam (docs/theory.md,
-/// "Servo axes"). SI units; T is double or Expression, X is T or a series over it.
+/// "Servo axes"). SI units.
 namespace camlaw::problems {
 namespace {
 
 /// What the motor's shaft gives.
-template <class T>
 struct ServoMotor {
-  T inertia;            ///< J_M, kg m^2, with a brake
-  T continuous_torque;  ///< M_0, N m, root mean square that its heat allows
-  T maximum_torque;     ///< M_max, N m, up to the corner speed
-  T corner_speed;       ///< omega_c, rad/s
-  T maximum_speed;      ///< omega_max, rad/s
-  T end_torque;         ///< M_e, N m, at the maximum speed
+  Expression inertia;            ///< J_M, kg m^2, with a brake
+  Expression continuous_torque;  ///< M_0, N m, root mean square that its heat allows
+  Expression maximum_torque;     ///< M_max, N m, up to the corner speed
+  Expression corner_speed;       ///< omega_c, rad/s
+  Expression maximum_speed;      ///< omega_max, rad/s
+  Expression end_torque;         ///< M_e, N m, at the maximum speed
 
-  static ServoMotor given_by(Given<T>& given) {
+  static ServoMotor given_by(Given& given) {
     return {given({"motor_inertia", "J_M", "kg cm2", "kg m2",
                    "moment of inertia of the motor, with a brake", 1.6, 1e-6, 1e8}),
             given({"continuous_torque", "M_0", "N m", "N m",
@@ -42,92 +39,77 @@ struct ServoMotor {
                    1e7})};
   }
   auto conditions() const {
-    return std::to_array<Condition<T>>(
+    return std::to_array<Condition>(
         {{corner_speed, "corner_speed must be 0 or above", true},
          {maximum_speed - corner_speed, "corner_speed must be below maximum_speed"}});
   }
   /// (SV7) Greatest torque at a speed of either sense, N m: M_max up to the corner speed, from
   /// there on the line down to M_e at the maximum speed.
-  template <class X>
-  X available_torque(const X& speed) const {
-    const T slope = (maximum_torque - end_torque) / (maximum_speed - corner_speed);
-    const X line = maximum_torque - slope * (absolute(speed) - corner_speed);
-    return lesser_of(X(number<X>(0) + maximum_torque), line);
+  Expression available_torque(const Expression& speed) const {
+    const Expression slope = (maximum_torque - end_torque) / (maximum_speed - corner_speed);
+    const Expression line = maximum_torque - slope * (absolute(speed) - corner_speed);
+    return lesser_of(maximum_torque, line);
   }
 };
 
 /// Where the load is, and how it moves: m or rad, and seconds.
-template <class X>
 struct AxisMotion {
-  X s, v, a, j;
+  Expression s, v, a, j;
 };
 
 /// Motor, gear and load of an axis; what is said of the load is in kg, N and m, or in kg m^2, N m
 /// and rad.
-template <class T>
 struct ServoDrive {
-  ServoMotor<T> motor;
-  T turns;         ///< k, angle of the motor per travel of the load: rad/m, or 1
-  T gear_inertia;  ///< J_G, kg m^2, at the motor's shaft
-  T efficiency;    ///< eta, of gear and all that the load drives or is driven by
-  T load_inertia;  ///< m, or J_L
-  T load;          ///< F_L, constant, against motion to greater displacements
-  T friction;      ///< F_C, against the motion, whatever its speed
-  T viscosity;     ///< d, friction by velocity
+  ServoMotor motor;
+  Expression turns;         ///< k, angle of the motor per travel of the load: rad/m, or 1
+  Expression gear_inertia;  ///< J_G, kg m^2, at the motor's shaft
+  Expression efficiency;    ///< eta, of gear and all that the load drives or is driven by
+  Expression load_inertia;  ///< m, or J_L
+  Expression load;          ///< F_L, constant, against motion to greater displacements
+  Expression friction;      ///< F_C, against the motion, whatever its speed
+  Expression viscosity;     ///< d, friction by velocity
 
   /// (SV2) What the gear gives the load: F = m a + d v + F_C sgn v + F_L.
-  template <class X>
-  X output(const AxisMotion<X>& y) const {
-    return load_inertia * y.a + viscosity * y.v + along(y.v, X(number<X>(0) + friction)) + load;
+  Expression output(const AxisMotion& y) const {
+    return load_inertia * y.a + viscosity * y.v + along(y.v, friction) + load;
   }
   /// Motor and gear, at the motor's shaft.
-  T own_inertia() const { return motor.inertia + gear_inertia; }
+  Expression own_inertia() const { return motor.inertia + gear_inertia; }
   /// (SV3) The load's inertia at the motor's shaft, kg m^2: m / k^2.
-  T reflected_inertia() const { return load_inertia / (turns * turns); }
+  Expression reflected_inertia() const { return load_inertia / (turns * turns); }
   /// (SV4) Torque on the motor's shaft, N m: (J_M + J_G) k a + M + M_R, where M = F / k and M_R is
   /// what the gear's losses add to M eta^-1 where the motor drives the load and leave of it, M eta,
   /// where the load drives the motor. At rest neither drives.
-  template <class X>
-  X motor_torque(const AxisMotion<X>& y) const {
-    const X lossless = output(y) / turns;
-    const X driving = (number<T>(1) / efficiency - number<T>(1)) * lossless;
-    const X driven = (efficiency - number<T>(1)) * lossless;
-    const X losses = by_side(y.v, X(greater_of(driving, driven)), X(lesser_of(driving, driven)));
+  Expression motor_torque(const AxisMotion& y) const {
+    const Expression lossless = output(y) / turns;
+    const Expression driving = (1 / efficiency - 1) * lossless;
+    const Expression driven = (efficiency - 1) * lossless;
+    const Expression losses = by_side(y.v, greater_of(driving, driven), lesser_of(driving, driven));
     return own_inertia() * turns * y.a + lossless + unless_zero(y.v, losses);
   }
   /// (SV5) What of it accelerates, without losses: (J_M + J_G + m / k^2) k a.
-  template <class X>
-  X acceleration_torque(const AxisMotion<X>& y) const {
+  Expression acceleration_torque(const AxisMotion& y) const {
     return (own_inertia() + reflected_inertia()) * turns * y.a;
   }
   /// (SV6) Power of the motor's shaft, W; below 0 the load drives the motor.
-  template <class X>
-  X motor_power(const AxisMotion<X>& y) const {
-    return motor_torque(y) * (turns * y.v);
-  }
-  template <class X>
-  X available_torque(const AxisMotion<X>& y) const {
-    return motor.available_torque(X(turns * y.v));
+  Expression motor_power(const AxisMotion& y) const { return motor_torque(y) * (turns * y.v); }
+  Expression available_torque(const AxisMotion& y) const {
+    return motor.available_torque(turns * y.v);
   }
   /// (SV8) What is left of the available torque, N m. Below 0 the motor does not follow.
-  template <class X>
-  X torque_reserve(const AxisMotion<X>& y) const {
+  Expression torque_reserve(const AxisMotion& y) const {
     return available_torque(y) - absolute(motor_torque(y));
   }
   /// (SV9) Torque over what is available; not a number where nothing is.
-  template <class X>
-  X torque_utilisation(const AxisMotion<X>& y) const {
-    const X available = available_torque(y);
-    return where_positive(available, X(absolute(motor_torque(y)) / available));
+  Expression torque_utilisation(const AxisMotion& y) const {
+    const Expression available = available_torque(y);
+    return where_positive(available, absolute(motor_torque(y)) / available);
   }
   /// (SV11) Inertia of gear and load at the motor's shaft over the motor's own.
-  T inertia_ratio() const { return (gear_inertia + reflected_inertia()) / motor.inertia; }
+  Expression inertia_ratio() const { return (gear_inertia + reflected_inertia()) / motor.inertia; }
   /// (SV12) The k that needs the least torque for an acceleration of the load, without losses:
   /// there the reflected inertia is that of motor and gear.
-  T matched_turns() const {
-    using std::sqrt;
-    return sqrt(load_inertia / own_inertia());
-  }
+  Expression matched_turns() const { return sqrt(load_inertia / own_inertia()); }
 };
 
 /// Parameters of any axis.
@@ -158,76 +140,78 @@ inline constexpr MachineParameter kStroke{
 }  // namespace axes
 
 /// An axis that turns its load. Fields in SI units.
-template <class T>
 struct ServoAxis {
-  Given<T> given = {};
-  T stroke = given(axes::kStroke);             ///< S, rad, of the load
-  T cycle_speed = given(axes::kSpeed);         ///< omega, rad/s, 2 pi per cycle
-  T gear_ratio = given(axes::kGearRatio);      ///< i, turns of the motor per turn of the load
-  T gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
-  T efficiency = given(axes::kEfficiency);     ///< eta
-  T load_inertia =
+  Given given = {};
+  Expression stroke = given(axes::kStroke);         ///< S, rad, of the load
+  Expression cycle_speed = given(axes::kSpeed);     ///< omega, rad/s, 2 pi per cycle
+  Expression gear_ratio = given(axes::kGearRatio);  ///< i, turns of the motor per turn of the load
+  Expression gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
+  Expression efficiency = given(axes::kEfficiency);     ///< eta
+  Expression load_inertia =
       given({"load_inertia", "J_L", "kg m2", "kg m2",
              "moment of inertia of everything that turns with the load", 0.02, 0, 1e6});
-  T load = given({"load_torque", "M_L", "N m", "N m",
-                  "constant torque of the load that opposes motion to greater displacements", 0,
-                  -1e9, 1e9});
-  T friction = given({"friction_torque", "M_C", "N m", "N m",
-                      "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
-  T viscosity = given({"viscous_friction", "d", "N m s", "N m s",
-                       "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
-  ServoMotor<T> motor = ServoMotor<T>::given_by(given);
+  Expression load = given(
+      {"load_torque", "M_L", "N m", "N m",
+       "constant torque of the load that opposes motion to greater displacements", 0, -1e9, 1e9});
+  Expression friction =
+      given({"friction_torque", "M_C", "N m", "N m",
+             "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
+  Expression viscosity =
+      given({"viscous_friction", "d", "N m s", "N m s",
+             "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
+  ServoMotor motor = ServoMotor::given_by(given);
 
   auto conditions() const { return motor.conditions(); }
-  ServoDrive<T> drive() const {
+  ServoDrive drive() const {
     return {motor, gear_ratio, gear_inertia, efficiency, load_inertia, load, friction, viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
-  T matched_ratio() const { return drive().matched_turns(); }
+  Expression matched_ratio() const { return drive().matched_turns(); }
 };
 
 /// An axis that moves its load along a line, by a screw, a pinion or a belt. Fields in SI units.
-template <class T>
 struct LinearServoAxis {
-  Given<T> given = {};
-  T stroke =
+  Given given = {};
+  Expression stroke =
       given({"stroke", "S", "mm", "m", "travel of the load at displacement 1", 200, 1e-6, 1e6});
-  T feed = given({"feed", "p", "mm", "m",
-                  "travel of the load per turn of the screw, the pinion or the belt's pulley", 100,
-                  1e-3, 1e5});
-  T cycle_speed = given(axes::kSpeed.by_default(60));  ///< omega, rad/s, 2 pi per cycle
-  T gear_ratio = given(axes::kGearRatio.by_default(3).meaning_that(
+  Expression feed =
+      given({"feed", "p", "mm", "m",
+             "travel of the load per turn of the screw, the pinion or the belt's pulley", 100, 1e-3,
+             1e5});
+  Expression cycle_speed = given(axes::kSpeed.by_default(60));  ///< omega, rad/s, 2 pi per cycle
+  Expression gear_ratio = given(axes::kGearRatio.by_default(3).meaning_that(
       "turns of the motor per turn of the screw or pinion"));
-  T gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
-  T efficiency = given(axes::kEfficiency);     ///< eta
-  T mass =
+  Expression gear_inertia = given(axes::kGearInertia);  ///< J_G, kg m^2, at the motor's shaft
+  Expression efficiency = given(axes::kEfficiency);     ///< eta
+  Expression mass =
       given({"mass", "m", "kg", "kg", "mass of everything that moves with the load", 10, 0, 1e6});
-  T load = given({"load_force", "F_L", "N", "N",
-                  "constant force of the load that opposes motion to greater displacements", 0,
-                  -1e9, 1e9});
-  T friction = given({"friction_force", "F_C", "N", "N",
-                      "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
-  T viscosity = given({"viscous_friction", "d", "N s/m", "N s/m",
-                       "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
-  ServoMotor<T> motor = ServoMotor<T>::given_by(given);
+  Expression load = given(
+      {"load_force", "F_L", "N", "N",
+       "constant force of the load that opposes motion to greater displacements", 0, -1e9, 1e9});
+  Expression friction =
+      given({"friction_force", "F_C", "N", "N",
+             "friction of the load, which opposes its motion at any speed", 0, 0, 1e9});
+  Expression viscosity =
+      given({"viscous_friction", "d", "N s/m", "N s/m",
+             "viscous friction of the load, per unit of its velocity", 0, 0, 1e9});
+  ServoMotor motor = ServoMotor::given_by(given);
 
   auto conditions() const { return motor.conditions(); }
   /// k = 2 pi i / p.
-  ServoDrive<T> drive() const {
-    const T turns = number<T>(2) * pi<T>() * gear_ratio / feed;
+  ServoDrive drive() const {
+    const Expression turns = 2 * pi() * gear_ratio / feed;
     return {motor, turns, gear_inertia, efficiency, mass, load, friction, viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
-  T matched_ratio() const { return drive().matched_turns() * feed / (number<T>(2) * pi<T>()); }
+  Expression matched_ratio() const { return drive().matched_turns() * feed / (2 * pi()); }
 };
 
 /// (SV1) The load's motion in time: s = S s(x), v = S s' / t_c, a = S s'' / t_c^2, ..., with the
 /// time of a cycle t_c = 2 pi / omega.
-template <class Axis, class X>
-AxisMotion<X> axis_motion(const Axis& axis, const Motion<X>& motion) {
-  using T = decltype(axis.stroke);
-  const T rate = axis.cycle_speed / (number<T>(2) * pi<T>());
-  const T first = axis.stroke * rate, second = first * rate, third = second * rate;
+template <class Axis>
+AxisMotion axis_motion(const Axis& axis, const Motion<Expression>& motion) {
+  const Expression rate = axis.cycle_speed / (2 * pi());
+  const Expression first = axis.stroke * rate, second = first * rate, third = second * rate;
   return {axis.stroke * motion.s, first * motion.v, second * motion.a, third * motion.j};
 }
 
@@ -242,7 +226,7 @@ constexpr AxisWords kTurning{"deg", "rad", "output_torque", "N m",
 constexpr AxisWords kLinear{"mm", "m", "output_force", "N",
                             "force that screw or pinion exerts on the load"};
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
   const std::string unit = w.place_stored;
   const auto curve = [](ResponseAbout about, auto formula) {
@@ -297,7 +281,7 @@ std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
 }
 
 /// A number from the mean of integrand(drive, motion) over the cycle: formula(axis, mean).
-template <template <class> class M, class Integrand, class F>
+template <class M, class Integrand, class F>
 MechanismResponse servo_mean(ResponseAbout about, Integrand integrand, F formula) {
   return mean_number<M>(
       std::move(about),
@@ -307,7 +291,7 @@ MechanismResponse servo_mean(ResponseAbout about, Integrand integrand, F formula
       formula);
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> servo_numbers() {
   const auto square = [](const auto& drive, const auto& y) {
     const auto torque = drive.motor_torque(y);
@@ -316,8 +300,7 @@ std::vector<MechanismResponse> servo_numbers() {
   const auto power = [](const auto& drive, const auto& y) { return drive.motor_power(y); };
   const auto taken_back = [](const auto& drive, const auto& y) {
     const auto given = drive.motor_power(y);
-    using X = std::decay_t<decltype(given)>;
-    return greater_of(number<X>(0), X(-given));
+    return greater_of(0, -given);
   };
   return {
       servo_mean<M>({"torque_rms", "N m", "N m", "root mean square of the motor torque"}, square,
@@ -328,13 +311,11 @@ std::vector<MechanismResponse> servo_numbers() {
                     }),
       servo_mean<M>({"mean_power", "W", "W", "mean power of the motor's shaft"}, power,
                     [](const auto&, const auto& mean) { return mean; }),
-      servo_mean<M>({"regenerated_energy", "J", "J",
-                     "energy that the load returns to the motor's shaft in a cycle"},
-                    taken_back,
-                    [](const auto& axis, const auto& mean) {
-                      using T = std::decay_t<decltype(mean)>;
-                      return number<T>(2) * pi<T>() / axis.cycle_speed * mean;
-                    }),
+      servo_mean<M>(
+          {"regenerated_energy", "J", "J",
+           "energy that the load returns to the motor's shaft in a cycle"},
+          taken_back,
+          [](const auto& axis, const auto& mean) { return 2 * pi() / axis.cycle_speed * mean; }),
       number_response<M>(
           {"inertia_ratio", "1", "1",
            "inertia of gear and load, referred to the motor's shaft, over the motor's own"},
@@ -345,7 +326,7 @@ std::vector<MechanismResponse> servo_numbers() {
           [](const auto& axis) { return axis.matched_ratio(); })};
 }
 
-template <template <class> class M>
+template <class M>
 Mechanism servo_mechanism(const char* name, const char* title, const AxisWords& words,
                           UsualProblem usual) {
   std::vector<MechanismResponse> responses = servo_curves<M>(words);

@@ -53,34 +53,32 @@ MechanismResponse curve(ResponseAbout about, F formula) {
 
 std::vector<MechanismResponse> cutter_curves() {
   const std::vector<std::string> speeds{"block_speed", "depth", "cutter_diameter"};
-  return {curve({"cam_pressure_angle",
-                 "deg",
-                 "rad",
-                 "pressure angle on the cam",
-                 {{{"law", "cam_radius"}, Shape::Quasilinear, "DS8"}}},
-                [](const auto& m, const auto& motion) {
-                  using std::atan;
-                  return atan(m.pressure_scale() * motion.v);
-                }),
-          curve({"required_cam_radius", "mm", "m",
-                 "cam radius that the permissible pressure angle requires, with the sign of s'"},
-                [](const auto& m, const auto& motion) { return m.radius_scale() * motion.v; }),
-          curve({"inertia_force",
-                 "N",
-                 "N",
-                 "inertia force of the moved mass",
-                 {{speeds, Shape::Quasilinear, "DS7"}}},
-                [](const auto& m, const auto& motion) { return m.force_scale() * motion.a; }),
-          curve({"drive_torque",
-                 "N m",
-                 "N m",
-                 "torque of the inertia force on the cam's axis",
-                 {{speeds, Shape::Quasilinear, "DS7"}}},
-                [](const auto& m, const auto& motion) {
-                  return m.torque_scale() * (motion.v * motion.a);
-                }),
-          curve({"displacement", "mm", "m", "axial displacement of the cutter"},
-                [](const auto& m, const auto& motion) { return m.stroke * motion.s; })};
+  return {
+      curve({"cam_pressure_angle",
+             "deg",
+             "rad",
+             "pressure angle on the cam",
+             {{{"law", "cam_radius"}, Shape::Quasilinear, "DS8"}}},
+            [](const auto& m, const auto& motion) { return atan(m.pressure_scale() * motion.v); }),
+      curve({"required_cam_radius", "mm", "m",
+             "cam radius that the permissible pressure angle requires, with the sign of s'"},
+            [](const auto& m, const auto& motion) { return m.radius_scale() * motion.v; }),
+      curve({"inertia_force",
+             "N",
+             "N",
+             "inertia force of the moved mass",
+             {{speeds, Shape::Quasilinear, "DS7"}}},
+            [](const auto& m, const auto& motion) { return m.force_scale() * motion.a; }),
+      curve({"drive_torque",
+             "N m",
+             "N m",
+             "torque of the inertia force on the cam's axis",
+             {{speeds, Shape::Quasilinear, "DS7"}}},
+            [](const auto& m, const auto& motion) {
+              return m.torque_scale() * (motion.v * motion.a);
+            }),
+      curve({"displacement", "mm", "m", "axial displacement of the cutter"},
+            [](const auto& m, const auto& motion) { return m.stroke * motion.s; })};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/expression.h"
 #include "numerics/formula/formula_slopes.h"
+#include "numerics/formula/plain_values.h"
 #include "numerics/scalar/dual.h"
 
 /// One design of a disc cam with a roller: every response at 720 angles.
@@ -24,13 +25,13 @@ namespace {
 constexpr std::size_t kAngles = 720, kResponses = 19;
 
 /// The cam's responses and two curves, at a place of its motion.
-template <class T, class X>
-std::array<X, kResponses> responses(const RollerCam<T>& cam, const Motion<X>& motion) {
+std::array<Expression, kResponses> responses(const RollerCam& cam,
+                                             const Motion<Expression>& motion) {
   const auto follower = cam.follower();
   const auto roller = cam.roller();
   const auto f = cam.over_angle(motion);
   const auto w = cam.pitch_curve(f);
-  const X k = w.curvature(), force = cam.contact_force(f);
+  const Expression k = w.curvature(), force = cam.contact_force(f);
   const auto [px, py] = w.inside(cam.roller_radius).place();
   return {f.s,
           cam.angular_speed * f.ds,
@@ -65,30 +66,26 @@ struct Cycle {
     for (std::size_t i = 0; i < kAngles; ++i) x.push_back(static_cast<double>(i) / kAngles);
   }
 
-  /// Motion, then the cam's responses, as the compiler makes them of the cam's formulas.
-  void all(const RollerCam<double>& cam) {
-    evaluate(law, x, {s, v, a, j});
-    for (std::size_t i = 0; i < kAngles; ++i) {
-      double* to = &out[20 * i];
-      for (const double value : responses(cam, Motion<double>{s[i], v[i], a[i], j[i]})) {
-        *to++ = value;
-      }
-    }
-    benchmark::DoNotOptimize(out.data());
-    benchmark::ClobberMemory();
-  }
-
-  /// The same by the cam's recorded formulas, with one instruction set, a row for each response.
-  void all(const FormulaBlocks& blocks, std::size_t set, const RollerCam<double>& cam);
+  /// Motion, then the cam's responses by its recorded formulas, with one instruction set, a row for
+  /// each response.
+  void all(const FormulaBlocks& blocks, std::size_t set, const std::vector<double>& parameters);
 };
 
-/// Of a cam what a search moves.
-template <class T>
-std::vector<T> parameters(const RollerCam<T>& cam) {
-  return {cam.stroke,        cam.base_radius,    cam.roller_radius,  cam.angular_speed,
-          cam.mass,          cam.spring_rate,    cam.spring_preload, cam.face_width,
-          cam.cutter_radius, cam.youngs_modulus, cam.poisson_ratio};
+/// Of a usual cam what a search moves.
+std::vector<double> parameters() {
+  const PlainValues value;
+  const RollerCam cam;
+  std::vector<double> values;
+  for (const Expression& parameter :
+       {cam.stroke, cam.base_radius, cam.roller_radius, cam.angular_speed, cam.mass,
+        cam.spring_rate, cam.spring_preload, cam.face_width, cam.cutter_radius, cam.youngs_modulus,
+        cam.poisson_ratio}) {
+    values.push_back(value(parameter));
+  }
+  return values;
 }
+
+constexpr std::size_t kBaseRadius = 1;  // among them
 
 constexpr std::size_t kParameters = 11;
 
@@ -98,7 +95,7 @@ std::vector<Formula> formulas() {
   for (std::size_t k = 0; k < kResponses; ++k) {
     formulas.push_back(
         Formula::record(kParameters + 4, [&](std::span<const Expression> u) -> Expression {
-          RollerCam<Expression> cam;
+          RollerCam cam;
           cam.stroke = u[0], cam.base_radius = u[1], cam.roller_radius = u[2];
           cam.angular_speed = u[3], cam.mass = u[4], cam.spring_rate = u[5];
           cam.spring_preload = u[6], cam.face_width = u[7], cam.cutter_radius = u[8];
@@ -192,9 +189,9 @@ class CamGradients {
 /// The gradients' times, and the values' for comparison, all of them formula by formula.
 void print_gradient_table() {
   Cycle cycle;
-  const RollerCam<double> cam;
-  cycle.all(cam);
+  const std::vector<double> cam = parameters();
   const std::vector<Formula> all = formulas();
+  cycle.all(FormulaBlocks(all, kParameters), 0, cam);
   fmt::print(
       "gradients of the same, angle by angle and formula by formula\n\n| variables | forward, us "
       "| back, us | back over forward |\n|--:|--:|--:|--:|\n");
@@ -203,9 +200,8 @@ void print_gradient_table() {
     std::vector<double> forward, back, ratios;
     double sums[] = {0, 0};
     for (int i = 0; i < 15; ++i) {
-      forward.push_back(1e6 *
-                        processor_seconds([&] { sums[0] = gradients.forward(parameters(cam)); }));
-      back.push_back(1e6 * processor_seconds([&] { sums[1] = gradients.back(parameters(cam)); }));
+      forward.push_back(1e6 * processor_seconds([&] { sums[0] = gradients.forward(cam); }));
+      back.push_back(1e6 * processor_seconds([&] { sums[1] = gradients.back(cam); }));
       ratios.push_back(back.back() / forward.back());
     }
     if (!(std::abs(sums[0] - sums[1]) <= 1e-9 * std::abs(sums[0]))) {
@@ -217,12 +213,13 @@ void print_gradient_table() {
   fmt::print("\n");
 }
 
-void Cycle::all(const FormulaBlocks& blocks, std::size_t set, const RollerCam<double>& cam) {
+void Cycle::all(const FormulaBlocks& blocks, std::size_t set,
+                const std::vector<double>& parameters) {
   evaluate_by(*span_kernels()[set], law, x, {s, v, a, j});
   std::vector<std::span<double>> rows;
   for (std::size_t k = 0; k < kResponses; ++k) rows.push_back({&out[k * kAngles], kAngles});
   const std::array<std::span<const double>, 4> motion{s, v, a, j};
-  blocks.run(*block_kernels()[set], parameters(cam), motion, rows);
+  blocks.run(*block_kernels()[set], parameters, motion, rows);
   benchmark::DoNotOptimize(out.data());
   benchmark::ClobberMemory();
 }
@@ -231,30 +228,28 @@ void Cycle::all(const FormulaBlocks& blocks, std::size_t set, const RollerCam<do
 
 void print_cam_table() {
   Cycle cycle;
-  RollerCam<double> cam;
+  std::vector<double> cam = parameters();
   const FormulaBlocks blocks = recorded();
   const std::size_t sets = block_kernels().size();
   constexpr int kPasses = 50;
-  std::vector<double> compiled;
   std::vector<std::vector<double>> times(sets), ratios(sets);
   const auto microseconds = [](auto&& work) { return 1e6 * seconds(work, kPasses) / kPasses; };
   for (int i = 0; i < 41; ++i) {
-    cam.base_radius = 0.04 + 1e-5 * i;
-    compiled.push_back(microseconds([&] { cycle.all(cam); }));
+    cam[kBaseRadius] = 0.04 + 1e-5 * i;
     for (std::size_t k = 0; k < sets; ++k) {
       times[k].push_back(microseconds([&] { cycle.all(blocks, k, cam); }));
-      ratios[k].push_back(times[k].back() / compiled.back());
+      ratios[k].push_back(times[k].back() / times[0].back());
     }
   }
   fmt::print(
       "a disc cam with roller, 15 responses and two curves at 720 angles ({} moving steps, {} "
-      "registers)\n\n| by | us | quartiles | over compiled | ns a place |\n|---|--:|--:|--:|--:|\n",
+      "registers)\n\n| by | us | quartiles | over the first | ns a place "
+      "|\n|---|--:|--:|--:|--:|\n",
       blocks.program().steps.size(), blocks.program().registers);
   const auto row = [](const std::string& name, const std::vector<double>& us, double ratio) {
     fmt::print("| {} | {:.1f} | {:.1f} to {:.1f} | {:.2f} | {:.1f} |\n", name, median(us),
                quantile(us, 0.25), quantile(us, 0.75), ratio, 1e3 * median(us) / kAngles);
   };
-  row("the compiled formulas", compiled, 1);
   for (std::size_t k = 0; k < sets; ++k) {
     row(fmt::format("recorded, {}", block_kernels()[k]->instruction_set), times[k],
         median(ratios[k]));
@@ -264,14 +259,9 @@ void print_cam_table() {
 }
 
 void register_cams() {
-  benchmark::RegisterBenchmark("cams/roller", [](benchmark::State& state) {
-    Cycle cycle;
-    const RollerCam<double> cam;
-    for ([[maybe_unused]] const auto pass : state) cycle.all(cam);
-  })->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("cams/roller-recorded", [](benchmark::State& state) {
     Cycle cycle;
-    const RollerCam<double> cam;
+    const std::vector<double> cam = parameters();
     const FormulaBlocks blocks = recorded();
     for ([[maybe_unused]] const auto pass : state) cycle.all(blocks, 0, cam);
   })->Unit(benchmark::kMicrosecond);

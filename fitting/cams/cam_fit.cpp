@@ -15,19 +15,9 @@
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/recorded_motion.h"
 #include "numerics/tables/turn.h"
-#include "optim/fit/loss.h"
 
 namespace camlaw::problems {
 namespace {
-
-/// All laws, so that what departs does not pull them to itself.
-Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
-                       const LawFitOptions& options, double noise) {
-  LawFitOptions robust = options;
-  if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
-  robust.loss_scale = noise * optim::efficient_scale(robust.loss);
-  return rank_fits(motion.samples, laws, motion.guess, robust);
-}
 
 /// What it takes to tell all samples with a fault of the record, as (WR1) counts.
 FaultScore by_score(double noise) {
@@ -144,7 +134,7 @@ std::size_t same_motion_of(const MotionFit& fit, const FoundCycle& all) {
 /// found for the motions has them.
 void weigh_readings(const FoundCycle& all, const CycleReadings& readings, CamFit& fit) {
   if (readings.of.empty()) return;  // laws were not tried
-  const std::string& unit = fit.cam.samples.unit;
+  const MotionSamples& samples = fit.cam.samples;
   std::vector<Departure> named;
   for (std::size_t k = 0; k < fit.cycle.fits.size(); ++k) {
     MotionFit& motion = fit.cycle.fits[k];
@@ -154,9 +144,9 @@ void weigh_readings(const FoundCycle& all, const CycleReadings& readings, CamFit
     named.insert(named.end(), chosen.departures.begin(), chosen.departures.end());
     const std::vector<Reading> rivals = rivals_of(chosen, readings.of[own]);
     if (rivals.empty()) continue;
-    std::vector<std::string> words{reading_words(chosen, unit)};
+    std::vector<std::string> words{reading_words(chosen, samples)};
     for (const Reading& rival : rivals) {
-      if (words.size() <= kFewLaws) words.push_back(reading_words(rival, unit));
+      if (words.size() <= kFewLaws) words.push_back(reading_words(rival, samples));
       fit.others.push_back({k, rival});
     }
     motion.distrust += fmt::format("{}the samples can be read in {} ways: {}",

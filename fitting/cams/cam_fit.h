@@ -2,10 +2,10 @@
 #pragma once
 
 #include "fitting/cams/measured_cam.h"
-#include "fitting/cams/readings.h"
 #include "fitting/motions/departures.h"
 #include "fitting/motions/fault_fit.h"
 #include "fitting/motions/fitted_cycle.h"
+#include "fitting/motions/readings.h"
 
 /// From a measured cam to its motion program.
 namespace camlaw::problems {

@@ -67,7 +67,7 @@ const KnownFollower* follower_of(const Mechanism& mechanism) {
 const KnownFollower& follower_of(const ProblemStatement& machine) {
   if (const KnownFollower* known = follower_of(*machine.mechanism)) return *known;
   throw std::invalid_argument(
-      fmt::format("{} has no follower that a measured profile can be read for; there are {}",
+      fmt::format("a measured profile cannot be read for the follower of {}, but for those of {}",
                   machine.mechanism->name, fmt::join(measured_cams(), ", ")));
 }
 

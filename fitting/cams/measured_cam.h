@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "fitting/cams/measured_lift.h"
+#include "fitting/motions/departures.h"
 #include "fitting/motions/law_fit.h"
 #include "numerics/tables/sample_table.h"
 #include "numerics/tables/turn.h"
@@ -21,9 +22,6 @@ struct OutlyingPoint {
   double angle;     ///< of the cam while the follower touches there, deg
   double distance;  ///< from the smooth profile, mm, outwards
 };
-
-/// Of the stroke: what less departs from a cam than this is of no account.
-inline constexpr double kLeastDeparture = 2e-5;
 
 struct MeasuredCam {
   MeasuredLift lift;      ///< in mm, or rad of an arm

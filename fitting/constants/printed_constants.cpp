@@ -155,7 +155,7 @@ void read_value(PrintedConstant& constant, const std::string& text) {
     room =
         parse_quantity(without_blanks(std::string_view(text).substr(plus + 2)), unit, unit, what);
     if (!(room > 0) || !std::isfinite(room))
-      throw std::invalid_argument(what + ": how far it may be off is above zero and finite");
+      throw std::invalid_argument(what + ": its tolerance must be above zero and finite");
     // As many digits as that leaves certain.
     const double share = std::abs(constant.value) / (2 * room);
     constant.digits = share > 1 ? 1 + static_cast<int>(std::floor(std::log10(share))) : 1;

@@ -8,6 +8,9 @@
 /// Where measured samples depart from the law that was fitted to them: worn or damaged stretches.
 namespace camlaw::problems {
 
+/// Of the stroke: what less departs from a law than this is of no account.
+inline constexpr double kLeastDeparture = 2e-5;
+
 /// A stretch of neighbouring samples on one side of the law.
 struct Departure {
   double from, to;    ///< places

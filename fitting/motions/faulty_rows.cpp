@@ -51,9 +51,22 @@ struct Parting {
   std::size_t inner;  ///< the outermost of those that stay
 };
 
+/// What most neighbours are apart.
+double usual_step(const Remaining& left) {
+  std::vector<double> steps;
+  for (std::size_t k = left.first; k < left.last; ++k) {
+    const double step = left.at(k + 1) - left.at(k);
+    if (step > 0) steps.push_back(step);
+  }
+  return steps.empty() ? 0 : optim::median(steps);
+}
+
 std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_angle) {
   constexpr double kGap = 10;  // times the range of all others: a pause of the record is shorter
+  // Rows that go on beyond a turn in the same steps are no strays: they come round again.
+  constexpr double kApart = 3;
   const bool is_long = is_angle && left.range() > kLongestTurn;
+  const double apart = is_long ? kApart * usual_step(left) : 0;
   for (std::size_t k = 0; k < most; ++k) {
     const std::size_t inner = left.first + k + 1, outer = left.last - k - 1;
     if (outer <= inner) break;
@@ -61,8 +74,8 @@ std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_
                  after = left.at(outer + 1) - left.at(outer);
     const double within_begin = left.at(left.last) - left.at(inner),
                  within_end = left.at(outer) - left.at(left.first);
-    const bool fits_begin = is_long && within_begin <= kLongestTurn,
-               fits_end = is_long && within_end <= kLongestTurn;
+    const bool fits_begin = is_long && before > apart && within_begin <= kLongestTurn,
+               fits_end = is_long && after > apart && within_end <= kLongestTurn;
     const double own = is_angle ? kTurnDegrees : 0;  // a turn is not far for an angle
     if (fits_begin || before > kGap * std::max(within_begin, own / kGap))
       return Parting{true, inner};

@@ -33,7 +33,8 @@ struct MotionRecord {
 };
 
 /// Leaves out rows whose place a gap parts from all others that is ten times as long as these reach
-/// (of angles also those that make the record longer than a turn): at most one in twenty, or one.
+/// (of angles also those that make the record longer than a turn and stand three usual steps
+/// apart): at most one in twenty, or one.
 void leave_out_stray_places(MotionRecord& record);
 
 /// Leaves out rows whose value lies farther off the curve of their neighbours than chance explains

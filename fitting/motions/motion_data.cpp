@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "fitting/motions/further_turns.h"
+#include "fitting/motions/missing_marks.h"
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/assumed_units.h"
 #include "numerics/tables/columns.h"
@@ -69,6 +71,9 @@ MotionRecord motion_record(const SampleTable& table) {
   }
   MotionSamples& samples = record.samples;
   samples.lacking = own.left_out;
+  if (const std::string marks = marks_of_missing(value, own.lines); !marks.empty()) {
+    throw std::invalid_argument(fmt::format("{}: {}", table.source, marks));
+  }
   UnitValues places = in_unit(own, own.columns[0], {"deg", "s", "1"});
   const std::vector<std::string> lengths{"mm", "deg", "1"};
   const auto units_of = [&](int order) {
@@ -105,6 +110,7 @@ MotionRecord motion_record(const SampleTable& table) {
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
   leave_out_stray_places(record);
+  fold_further_turns(record);
   // A fit takes as long as there are samples; most records end with 10 000 means.
   constexpr std::size_t kMostMeans = 100000;
   Condensed means =
@@ -141,13 +147,13 @@ Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
     return Impossible{
         fmt::format("the angles go over {:.6g} deg; give at most one turn of 360 deg", range)};
   }
+  const double period = cycle_period(samples);
   if (samples.order != 0 || samples.place.size() < kEnough) {
-    result.motions.push_back({guess_motion(samples), samples});
+    result.motions.push_back({guess_motion(samples), samples, period == 0, period == 0});
     return result;
   }
   SegmentOptions options;
   options.least_noise = rounding_deviation(samples);
-  const double period = cycle_period(samples);
   if (period > 0) options.period = period;
   auto found = possible_segments(samples.place, samples.value, options);
   if (!found) return found.reason();
@@ -168,7 +174,7 @@ Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
                       [](const FoundSegment& one) { return one.kind != SegmentKind::Dwell; }) == 1;
     const bool has_before = i > 0 || period > 0, has_after = i + 1 < count || period > 0;
     if (is_only && period == 0) {  // all samples belong to it, far-off ones at its ends too
-      result.motions.push_back({{s.begin, s.end, s.from, s.to}, samples});
+      result.motions.push_back({{s.begin, s.end, s.from, s.to}, samples, true, true});
       break;
     }
     const double low = s.begin - (has_before && count > 1 ? beside((i + count - 1) % count) : 0);
@@ -178,7 +184,10 @@ Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
       result.segments[i].kind = SegmentKind::Dwell;
       continue;
     }
-    result.motions.push_back({{s.begin, s.end, s.from, s.to}, std::move(own)});
+    result.motions.push_back({{s.begin, s.end, s.from, s.to},
+                              std::move(own),
+                              period == 0 && i == 0,
+                              period == 0 && i + 1 == count});
   }
   if (result.motions.empty()) return Impossible{"samples: they show no motion"};
   return result;

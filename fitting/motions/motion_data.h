@@ -28,6 +28,8 @@ inline constexpr std::size_t kFewestOfMotion = 5;
 struct FoundMotion {
   MotionGuess guess;
   MotionSamples samples;  ///< those of the motion and half of the dwells beside it
+  /// Whether the record begins, or ends, with it: no rest beyond is known of.
+  bool begins_record = false, ends_record = false;
 };
 
 struct FoundCycle {

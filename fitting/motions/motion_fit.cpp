@@ -69,6 +69,7 @@ std::string curve_left(const MotionFit& fit) {
 
 std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const LawFit& best = fit.best();
+  if (fit.unfinished.any()) return unfinished_words(fit.unfinished, fit.motion.samples);
   if (!best.fit.reason_but_bounds.empty()) return best.fit.reason_but_bounds;
   if (!std::isfinite(best.criterion) && best.criterion > 0) {
     return fmt::format("{} samples are too few to tell laws apart",
@@ -78,6 +79,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   if (is_exact(best)) return "";
   if (!fit.untried.empty()) return untried_words(fit.untried);
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
+  if (std::string edge = edge_words(best); !edge.empty()) return edge;
   const bool is_drawn =
       options.loss == optim::Loss::None && draws(outliers_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
@@ -145,6 +147,7 @@ Possible<MotionFit> possible_motion_fit(const FoundMotion& motion, const std::ve
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
   result.outliers = outliers_of(result, kListed);
+  result.unfinished = unfinished_ends(motion, result.ranking);
   const AsGood others = as_good(result.ranking);
   for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
   result.is_told = others.is_told;

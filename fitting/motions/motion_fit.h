@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fitting/motions/motion_data.h"
+#include "fitting/motions/unfinished.h"
 #include "fitting/samples/outliers.h"
 #include "kinematics/law.h"
 #include "numerics/linear/statistics.h"
@@ -18,7 +19,8 @@ struct MotionFit {
   Outliers outliers = {};            ///< samples that it leaves farther off than chance explains
   /// Other motions that may be behind the samples, the likeliest first.
   std::vector<std::string> as_good = {};
-  bool is_told = true;  ///< the first kFewLaws of these leave hardly anything to the rest
+  bool is_told = true;       ///< the first kFewLaws of these leave hardly anything to the rest
+  OpenEnds unfinished = {};  ///< at which ends of the record it is still under way
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch

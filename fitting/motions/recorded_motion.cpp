@@ -10,6 +10,7 @@
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/motion_residuals.h"
+#include "fitting/motions/worn_lift.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/tables/turn.h"
 
@@ -78,7 +79,7 @@ std::optional<FoundCycle> as_one(const FoundCycle& several, const MotionSamples&
                           first->begin, end.end, first->from, end.to, first->begin_error,
                           end.end_error});
   one.segments.insert(one.segments.end(), last, segments.end());
-  one.motions = {{{first->begin, end.end, first->from, end.to}, samples}};
+  one.motions = {{{first->begin, end.end, first->from, end.to}, samples, true, true}};
   return one;
 }
 
@@ -150,7 +151,9 @@ void fit_with_rows_at_breaks(RecordedMotion& found, double period, const std::ve
 }  // namespace
 
 void distrust_all(FittedCycle& cycle, const std::string& why) {
-  for (MotionFit& fit : cycle.fits) fit.distrust = why;
+  for (MotionFit& fit : cycle.fits) {
+    if (!fit.unfinished.any()) fit.distrust = why;
+  }
 }
 
 void distrust_untried(FittedCycle& cycle, const std::vector<std::string>& names) {
@@ -168,6 +171,7 @@ bool are_tried(const FittedCycle& cycle) {
 
 bool is_doubtful(const FittedCycle& cycle) {
   return std::any_of(cycle.fits.begin(), cycle.fits.end(), [](const MotionFit& fit) {
+    if (fit.unfinished.any()) return false;  // it shows nothing of the others
     return !fit.distrust.empty() || fit.best().has_coefficients();
   });
 }
@@ -181,6 +185,7 @@ void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by
 RankedMotions ranked_motions(const FittedCycle& cycle) {
   RankedMotions result;
   for (const MotionFit& fit : cycle.fits) {
+    if (fit.unfinished.any()) continue;
     result.rankings.push_back(fit.ranking);
     result.samples.push_back(fit.motion.samples);
   }
@@ -229,6 +234,7 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   if (!are_tried(result.cycle)) return result;
   distrust_many_far(result, period);
   const RankedMotions motions = ranked_motions(result.cycle);
+  if (motions.rankings.empty()) return result;
   std::vector<FaultTest> tests = tested(motions, possible_faults(samples, period));
   if (is_doubtful(result.cycle)) {
     const LawFitOptions own = without_deadline(options.fit);
@@ -238,7 +244,10 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
     }
   }
   result.faults = seen_faults(std::move(tests));
-  if (!result.faults.empty()) {
+  if (result.faults.empty()) {
+    const double first = *std::min_element(samples.place.begin(), samples.place.end());
+    weigh_worn_stretches(laws, options.fit, first, result.cycle);
+  } else {
     distrust_all(result.cycle,
                  fault_words(result.faults, samples.unit, period > 0 && !options.fit_centre));
   }

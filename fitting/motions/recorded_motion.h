@@ -27,7 +27,8 @@ struct RecordedMotionOptions {
 RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member>& laws,
                                    const RecordedMotionOptions& options = {});
 
-/// Tells every motion of a cycle not to be trusted for a fault of the record.
+/// Tells every motion of a cycle not to be trusted for a fault of the record, but those that are
+/// unfinished, which have their own reason.
 void distrust_all(FittedCycle& cycle, const std::string& why);
 /// Tells every motion not to be trusted for laws that were not tried on the way to it.
 void distrust_untried(FittedCycle& cycle, const std::vector<std::string>& names);
@@ -38,7 +39,8 @@ bool are_tried(const FittedCycle& cycle);
 bool is_doubtful(const FittedCycle& cycle);
 /// Intervals of the laws' numbers with the error of the centre that was taken out.
 void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by);
-/// The laws that were tried for each motion, and its samples.
+/// The laws that were tried for each motion that is finished, and its samples: of others a law that
+/// is not behind them may leave what looks like a fault.
 RankedMotions ranked_motions(const FittedCycle& cycle);
 /// test_fault() of each.
 std::vector<FaultTest> tested(const RankedMotions& motions, std::vector<PossibleFault> faults);

@@ -148,9 +148,8 @@ const Family& find_family(std::string_view name) {
     const Family& family = *find_exact(one);
     if (one != family.name) one += fmt::format(" ({})", family.name);
   }
-  throw std::invalid_argument(
-      fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
-                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
+  throw std::invalid_argument(fmt::format("there is no law '{}'; {}'camlaw laws' lists all", name,
+                                          near.empty() ? "" : did_you_mean(near) + " "));
 }
 
 double read_plain_number(std::string_view text, const Parameter&, const std::string& what) {

@@ -6,8 +6,8 @@
 
 #include "kinematics/law.h"
 
-/// A motion over the whole cycle from a table of its displacement (docs/theory.md, "A table as the
-/// motion").
+/// A motion over the whole cycle from a table of its displacement (docs/theory.md, "Motion from a
+/// table").
 namespace camlaw {
 
 struct TableMotion {

@@ -15,7 +15,7 @@ namespace {
 using optim::Part;
 
 /// A curve from formula(turn, section, angle).
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse curve(ResponseAbout about, F formula) {
   return turn_response<M>(std::move(about), [formula](const auto& machine) {
     return [formula, turn = BalancedTurn(machine)](std::size_t section, const auto& phi) {
@@ -25,7 +25,7 @@ MechanismResponse curve(ResponseAbout about, F formula) {
 }
 
 /// One of the cam, from formula(cam, pitch, turn, section, angle).
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse roller_curve(ResponseAbout about, F formula) {
   return curve<M>(std::move(about),
                   [formula](const auto& turn, std::size_t section, const auto& phi) {
@@ -43,26 +43,26 @@ constexpr auto touching_torque = [](const auto& turn, std::size_t section, const
 };
 
 /// A torque over the greatest before balancing.
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse share(const char* name, const char* meaning, F torque) {
   return curve<M>({name, "1", "1", meaning},
                   [torque](const auto& turn, std::size_t section, const auto& phi) {
                     return torque(turn, section, phi) / turn.peak_torque();
                   });
 }
-template <template <class> class M>
+template <class M>
 MechanismResponse residual_fraction() {
   return share<M>("residual_fraction",
                   "residual torque over the greatest torque before balancing; its peak is 1 / K",
                   residual_torque);
 }
-template <template <class> class M>
+template <class M>
 MechanismResponse touching_fraction() {
   return share<M>("touching_fraction", "the same, if the rollers were always on the cam",
                   touching_torque);
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> turn_curves() {
   using At = std::size_t;
   return {
@@ -124,25 +124,27 @@ std::vector<MechanismResponse> turn_curves() {
             const auto force = turn.roller_force(turn.displacement(section, phi));
             return cam.roller().stress(force * pitch.speed() / pitch.y, pitch.curvature());
           }),
-      roller_curve<M>({"profile_x", "mm", "m", "the profile in the cam, along its zero line"},
-                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                        return turned_back(pitch.inside(cam.roller_radius), phi).first;
-                      }),
-      roller_curve<M>({"profile_y", "mm", "m", "the profile in the cam, across its zero line"},
-                      [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
-                        return turned_back(pitch.inside(cam.roller_radius), phi).second;
-                      })};
+      roller_curve<M>(
+          {"profile_x", "mm", "m", "the profile in the cam, along its zero line", {}, true},
+          [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+            return turned_back(pitch.inside(cam.roller_radius), phi).first;
+          }),
+      roller_curve<M>(
+          {"profile_y", "mm", "m", "the profile in the cam, across its zero line", {}, true},
+          [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+            return turned_back(pitch.inside(cam.roller_radius), phi).second;
+          })};
 }
 
 /// A number from formula(machine, surplus), for the surplus work that its cam is cut for.
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse balancing_number(ResponseAbout about, F formula) {
   return number_response<M>(std::move(about), [formula](const auto& machine) {
     return formula(machine, surplus_of(machine.designed()));
   });
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> balancing_numbers() {
   return {
       balancing_number<M>({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
@@ -193,13 +195,13 @@ std::vector<MechanismResponse> balancing_numbers() {
 }
 
 /// K = greatest torque before balancing over the greatest after.
-template <template <class> class M>
+template <class M>
 MechanismResponse balance(const char* name, const char* meaning, const MechanismResponse& share) {
   return peak_number<M>({name, "1", "1", meaning}, share, Part::Magnitude,
                         [](const auto&, const auto& peak) { return Expression(1.0) / peak; });
 }
 
-template <template <class> class M>
+template <class M>
 Mechanism balancing_cam(const char* name, const char* title, UsualProblem usual) {
   std::vector<MechanismResponse> responses = balancing_numbers<M>();
   responses.push_back(

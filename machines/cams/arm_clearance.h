@@ -19,14 +19,12 @@ struct ArmAndProfile {
 MechanismResponse arm_clearance(MechanismResponse response, ArmAndProfile of);
 
 /// Of a machine M with pitch_curve() and a pivot_distance.
-template <template <class> class M>
+template <class M>
 MechanismResponse arm_clearance_response() {
   const auto seen = [](const char* name, auto formula) {
     return cam_curve<M>({name, "mm", "m", ""}, formula);
   };
-  constexpr bool turns_back = requires(const M<double>& cam, const CamPoint<double>& p) {
-    cam.placed(p, 0.0);
-  };
+  constexpr bool turns_back = requires(const M& cam, const CamPoint& p) { cam.placed(p, 0.0); };
   const auto& all = parameters_of<M>();
   const auto pivot = std::find_if(all.begin(), all.end(),
                                   [](const auto& p) { return p.name == "pivot_distance"; });

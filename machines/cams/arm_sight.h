@@ -17,7 +17,7 @@
 #include "optim/problem/curve.h"
 
 /// An arm and the profile of its cam, as they pass one another over the cycle (docs/theory.md,
-/// "What a cam leaves room for").
+/// "Springs, walls and clearances").
 namespace camlaw::problems::arm {
 
 using optim::Bounds, optim::Curve, optim::Function, optim::Place, optim::Trace;
@@ -28,7 +28,8 @@ inline constexpr double kTurn = 360;
 
 /// Distance of (x, y) from the line between the roller's centre (cx, cy) and the pivot (d, 0).
 /// Where the arm runs through the cam, depths count: a point beside that line on the other side
-/// than the cam's centre is at a distance below 0.
+/// than the cam's centre is at a distance below 0. It decides by plain numbers which end of the arm
+/// is nearest, and is a template in the scalar therefore.
 template <class T>
 T distance_from_arm(const T& x, const T& y, const T& cx, const T& cy, const T& d, bool depths) {
   using std::sqrt;

@@ -2,25 +2,23 @@
 #pragma once
 
 #include "machines/cams/roller_contact.h"
-#include "numerics/scalar/absolute.h"
-#include "numerics/scalar/by_side.h"
+#include "numerics/formula/expression.h"
 
 /// Of two flanks or cams the one that bears the force between them (docs/theory.md, "Form
 /// closure").
 namespace camlaw {
 
 /// (M27) What (M7) is for the outer flank of a groove, -r_r k: it is undercut where this reaches 1.
-template <class T, class X>
-X outer_undercut(const RollerContact<T>& roller, const X& k) {
+inline Expression outer_undercut(const RollerContact& roller, const Expression& k) {
   return roller.undercut(-k);
 }
 
 /// (M28) Greatest pressure, Pa, in a groove, on the flank that bears the force N, N: with the pitch
 /// curve's curvature k, 1/m, the inner one where N is above 0 and the outer one, whose pitch curve
 /// bends the other way, below. NaN where that flank is undercut.
-template <class T, class X>
-X groove_stress(const RollerContact<T>& roller, const X& force, const X& k) {
-  return unless_zero(force, roller.stress(absolute(force), by_side(force, k, X(-k))));
+inline Expression groove_stress(const RollerContact& roller, const Expression& force,
+                                const Expression& k) {
+  return unless_zero(force, roller.stress(absolute(force), by_side(force, k, -k)));
 }
 
 }  // namespace camlaw

@@ -96,7 +96,7 @@ std::vector<std::string> masses() { return {"mass", "inertia"}; }
 
 BuildableCheck stress(const char* name, const char* response, const char* after, Closure closure) {
   BuildableCheck check{.name = name,
-                       .fault = "the contact pressure is higher than the material bears",
+                       .fault = "the contact pressure exceeds what the material can carry",
                        .response = response,
                        .is_upper = true,
                        .bound = allowable_pressure,

@@ -8,10 +8,10 @@
 /// of both.
 namespace camlaw::problems {
 
-/// Of a machine M with over_angle(), from of_pressed(machine, f, formula) -> X, which is
+/// Of a machine M with over_angle(), from of_pressed(machine, f, formula), which is
 /// formula(PressedRoller) of the roller that bears at the motion f. They count while these
 /// undercuts are at most 1.
-template <template <class> class M, class OfPressed>
+template <class M, class OfPressed>
 std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& undercuts,
                                                OfPressed of_pressed) {
   std::vector<MechanismResponse> all;
@@ -50,9 +50,9 @@ std::vector<MechanismResponse> crown_responses(const std::vector<std::string>& u
   return all;
 }
 
-/// Of a machine M with over_angle(), from of_film(machine, f, formula) -> X, which is
+/// Of a machine M with over_angle(), from of_film(machine, f, formula), which is
 /// formula(RollerFilm) of the roller that bears at the motion f, on its cam by the name given.
-template <template <class> class M, class OfFilm>
+template <class M, class OfFilm>
 std::vector<MechanismResponse> film_responses(const std::vector<std::string>& undercuts,
                                               const std::string& cam_name, OfFilm of_film) {
   std::vector<MechanismResponse> all;

@@ -11,8 +11,8 @@
 namespace camlaw::problems {
 
 /// The profile under a roller is its pitch curve less the roller; other cams say themselves.
-template <class Cam, class X>
-CamPoint<X> profile_of(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+CamPoint profile_of(const Cam& cam, const FollowerMotion& f) {
   if constexpr (requires { cam.profile(f); }) {
     return cam.profile(f);
   } else {
@@ -20,8 +20,8 @@ CamPoint<X> profile_of(const Cam& cam, const FollowerMotion<X>& f) {
   }
 }
 
-template <class Cam, class X>
-CamPoint<X> cutter_of(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+CamPoint cutter_of(const Cam& cam, const FollowerMotion& f) {
   if constexpr (requires { cam.cutter(f); }) {
     return cam.cutter(f);
   } else {
@@ -31,8 +31,8 @@ CamPoint<X> cutter_of(const Cam& cam, const FollowerMotion<X>& f) {
 }
 
 /// Where a point of the frame lies on the cam at phi: a disc has turned.
-template <class Cam, class X>
-std::pair<X, X> on_cam(const Cam& cam, const CamPoint<X>& p, const X& phi) {
+template <class Cam>
+std::pair<Expression, Expression> on_cam(const Cam& cam, const CamPoint& p, const Expression& phi) {
   if constexpr (requires { cam.placed(p, phi); }) {
     return cam.placed(p, phi);
   } else {
@@ -41,39 +41,36 @@ std::pair<X, X> on_cam(const Cam& cam, const CamPoint<X>& p, const X& phi) {
 }
 
 /// The follower's trace point on the pitch curve.
-template <class Cam, class X>
-CamPoint<X> trace_point(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+CamPoint trace_point(const Cam& cam, const FollowerMotion& f) {
   const auto w = cam.pitch_curve(f);
   return {w.x, w.y, w.x1, w.y1};
 }
 
 /// NAME_x and NAME_y of point(cam, f) as it lies on the cam.
-template <template <class> class M, class Point>
+template <class M, class Point>
 std::vector<MechanismResponse> drawn_curve(const std::string& name, const char* meaning,
                                            Point point) {
   const auto on_drawing = [point](const auto& cam, const auto& f, const auto& x) {
-    using X = std::decay_t<decltype(x)>;
-    return on_cam(cam, point(cam, f), X(number<X>(2) * pi<X>() * x));
+    return on_cam(cam, point(cam, f), 2 * pi() * x);
   };
-  return {cam_curve<M>({name + "_x", "mm", "m", meaning},
+  return {cam_curve<M>({name + "_x", "mm", "m", meaning, {}, true},
                        [on_drawing](const auto& cam, const auto& f, const auto& x) {
                          return on_drawing(cam, f, x).first;
                        }),
-          cam_curve<M>({name + "_y", "mm", "m", meaning},
+          cam_curve<M>({name + "_y", "mm", "m", meaning, {}, true},
                        [on_drawing](const auto& cam, const auto& f, const auto& x) {
                          return on_drawing(cam, f, x).second;
                        })};
 }
 
 /// Profile, and of a roller or an edge the pitch curve and the path of the tool.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
   std::vector<MechanismResponse> all =
       drawn_curve<M>("profile", "profile, in the cam's own coordinates",
                      [](const auto& cam, const auto& f) { return profile_of(cam, f); });
-  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
-                  cam.pitch_curve(f);
-                }) {
+  if constexpr (requires(const M& cam, const FollowerMotion& f) { cam.pitch_curve(f); }) {
     if (!with_pitch_curve) return all;
     append(all, drawn_curve<M>("pitch", "pitch curve: path of the follower's trace point",
                                [](const auto& cam, const auto& f) { return trace_point(cam, f); }));
@@ -84,7 +81,7 @@ std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
 }
 
 /// Mass and inertia of a disc cam with blank().
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> blank_responses() {
   enum class Quantity { Mass, Inertia };
   const auto made = [](Quantity which, ResponseAbout about) {
@@ -95,8 +92,7 @@ std::vector<MechanismResponse> blank_responses() {
           return which == Quantity::Mass ? p.area_rate() : p.moment_rate();
         },
         [which](const auto& cam, const auto& mean) {
-          using T = std::decay_t<decltype(mean)>;
-          const T swept = number<T>(2) * pi<T>() * mean;
+          const Expression swept = 2 * pi() * mean;
           return which == Quantity::Mass ? cam.blank().mass(swept) : cam.blank().inertia(swept);
         });
   };

@@ -14,29 +14,27 @@ namespace camlaw::problems {
 
 /// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
 /// cam's own.
-template <class Cam, class X>
-X roller_turns_of(const Cam& cam, const FollowerMotion<X>& f) {
-  return roller_turns(cam.contact_force(f), cam.pitch_curve(f).speed(), X(cam.turning(f)),
+template <class Cam>
+Expression roller_turns_of(const Cam& cam, const FollowerMotion& f) {
+  return roller_turns(cam.contact_force(f), cam.pitch_curve(f).speed(), cam.turning(f),
                       cam.roller_radius);
 }
 
-template <class Cam, class X>
-X own_flank_turns(const Cam& cam, const FollowerMotion<X>& f) {
-  return roller_turns(number<X>(1), cam.pitch_curve(f).speed(), X(cam.turning(f)),
-                      cam.roller_radius);
+template <class Cam>
+Expression own_flank_turns(const Cam& cam, const FollowerMotion& f) {
+  return roller_turns(1, cam.pitch_curve(f).speed(), cam.turning(f), cam.roller_radius);
 }
 
 /// The roller on the cam's own flank.
-template <class Cam, class X>
-auto own_flank_roller(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+auto own_flank_roller(const Cam& cam, const FollowerMotion& f) {
   const auto roller = cam.roller();
-  return pressed_roller(X(cam.contact_force(f)),
-                        X(roller.curvature_sum(cam.pitch_curve(f).curvature())),
+  return pressed_roller(cam.contact_force(f), roller.curvature_sum(cam.pitch_curve(f).curvature()),
                         cam.duty.crown_curvature(), roller.face_width, roller.material);
 }
 
 /// Numbers that the whole cycle makes.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> life_responses() {
   const auto damage = [](const auto& cam, const auto& motion) {
     const auto f = cam.over_angle(motion);
@@ -66,7 +64,7 @@ std::vector<MechanismResponse> life_responses() {
                      })};
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> duty_responses() {
   std::vector<MechanismResponse> all =
       crown_responses<M>({"undercut"}, [](const auto& cam, const auto& f, const auto& formula) {

@@ -53,10 +53,10 @@ Write under_force(const Write& rigid, const Parameters& parameters) {
   const auto load = own ? own : index_of(parameters, "load_torque");  // of a turret
   return [=](std::span<const Expression> machine, std::span<const Expression> held) {
     std::vector<Expression> all(machine.begin(), machine.end());
-    for (const std::size_t i : none) all[i] = number<Expression>(0);
+    for (const std::size_t i : none) all[i] = 0;
     all[*load] = held[kForce];
-    const Expression jerk = number<Expression>(kNaN);  // no force follows it
-    const Expression turn = number<Expression>(2) * pi<Expression>();
+    const Expression jerk = kNaN;  // no force follows it
+    const Expression turn = 2 * pi();
     const std::array place{held[kPlace], held[kVelocity], held[kAcceleration], jerk,
                            held[kAngle] / turn};
     return rigid(all, place);

@@ -4,12 +4,12 @@
 #include "machines/cams/drawn_responses.h"
 
 /// How far a disc cam reaches, and what that leaves to its bore and to the pivot of its follower
-/// (docs/theory.md, "What a cam leaves room for").
+/// (docs/theory.md, "Springs, walls and clearances").
 namespace camlaw::problems {
 
 /// Distance of the profile from the cam's centre; cams whose rollers change say it themselves.
-template <class Cam, class X>
-X profile_distance(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression profile_distance(const Cam& cam, const FollowerMotion& f) {
   if constexpr (requires { cam.profile_distance(f); }) {
     return cam.profile_distance(f);
   } else {
@@ -17,8 +17,8 @@ X profile_distance(const Cam& cam, const FollowerMotion<X>& f) {
   }
 }
 
-template <class Cam, class X>
-X second_profile_distance(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression second_profile_distance(const Cam& cam, const FollowerMotion& f) {
   if constexpr (requires { cam.second_profile_distance(f); }) {
     return cam.second_profile_distance(f);
   } else {
@@ -28,7 +28,7 @@ X second_profile_distance(const Cam& cam, const FollowerMotion<X>& f) {
 
 /// Of a machine M with a bore_radius, and where it has that a pivot_distance and a second cam, or
 /// what is called so.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> extent_responses(
     const std::string& second_profile = "second cam's profile") {
   std::vector<MechanismResponse> all{
@@ -38,7 +38,7 @@ std::vector<MechanismResponse> extent_responses(
                    [](const auto& cam, const auto& f) {
                      return profile_distance(cam, f) - cam.bore_radius;
                    })};
-  if constexpr (requires(const M<double>& cam) { cam.pivot_distance; }) {  // (M42)
+  if constexpr (requires(const M& cam) { cam.pivot_distance; }) {  // (M42)
     all.push_back(cam_curve<M>(
         {"pivot_gap", "mm", "m",
          "clearance between the profile of the turning cam and the axis of the arm's pivot"},
@@ -46,9 +46,7 @@ std::vector<MechanismResponse> extent_responses(
           return -profile_distance(cam, f) + cam.pivot_distance;
         }));
   }
-  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
-                  cam.second_profile(f);
-                }) {
+  if constexpr (requires(const M& cam, const FollowerMotion& f) { cam.second_profile(f); }) {
     all.push_back(cam_curve<M>(
         {"second_centre_distance", "mm", "m",
          "distance of the " + second_profile + " from its centre"},

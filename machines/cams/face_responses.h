@@ -5,7 +5,7 @@
 #include "machines/cams/cam_motion.h"
 #include "machines/contact/hertz.h"
 #include "machines/contact/lubricant.h"
-#include "numerics/scalar/absolute.h"
+#include "numerics/formula/expression.h"
 
 /// What all flat-faced followers have in common, on a machine with profile_radius(),
 /// contact_force(), contact_stress(), contact_half_width(), entrainment_speed() and lubricant().
@@ -13,14 +13,13 @@ namespace camlaw::problems {
 
 /// (RB7) Film between face and cam, m: 0 where the mean of both surfaces stands still beside
 /// the contact.
-template <class Cam, class X>
-X film_of_face(const Cam& cam, const FollowerMotion<X>& f) {
-  return cam.lubricant().film(X(cam.contact_force(f) / cam.face_width),
-                              X(number<X>(1) / cam.profile_radius(f)),
-                              X(absolute(cam.entrainment_speed(f))), cam.contact().plane_modulus());
+template <class Cam>
+Expression film_of_face(const Cam& cam, const FollowerMotion& f) {
+  return cam.lubricant().film(cam.contact_force(f) / cam.face_width, 1 / cam.profile_radius(f),
+                              absolute(cam.entrainment_speed(f)), cam.contact().plane_modulus());
 }
 
-template <template <class> class M>
+template <class M>
 MechanismResponse profile_radius_response() {
   return cam_curve<M>(
       {"profile_radius", "mm", "m",
@@ -28,7 +27,7 @@ MechanismResponse profile_radius_response() {
       [](const auto& cam, const auto& f) { return cam.profile_radius(f); });
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> face_contact_responses() {
   std::vector<MechanismResponse> all{
       cam_curve<M>({"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"},
@@ -43,8 +42,8 @@ std::vector<MechanismResponse> face_contact_responses() {
           {"shear_depth", "mm", "m", "depth of the greatest shear stress below the surface"},
           [](const auto& cam, const auto& f) { return shear_depth(cam.contact_half_width(f)); }),
       cam_curve<M>({"entrainment_speed", "m/s", "m/s",
-                    "mean speed of both surfaces towards the contact; where it changes its sign "
-                    "no oil is drawn into the contact"},
+                    "mean speed of both surfaces towards the contact; where it changes sign, no "
+                    "oil is drawn in"},
                    [](const auto& cam, const auto& f) { return cam.entrainment_speed(f); }),
       cam_curve<M>({"film_thickness", "um", "m",
                     "least thickness of the lubricant film between face and cam"},

@@ -8,15 +8,14 @@
 #include "machines/model/append.h"
 #include "machines/model/mean_number.h"
 #include "machines/model/peak_number.h"
-#include "numerics/scalar/by_side.h"
-#include "numerics/scalar/where_positive.h"
+#include "numerics/formula/expression.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
 
 /// The cam's own torque where friction makes it differ from the follower's.
-template <class Cam, class X>
-X drive_torque(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression drive_torque(const Cam& cam, const FollowerMotion& f) {
   if constexpr (requires { cam.drive_torque(f); }) {
     return cam.drive_torque(f);
   } else {
@@ -24,12 +23,12 @@ X drive_torque(const Cam& cam, const FollowerMotion<X>& f) {
   }
 }
 
-template <class Cam, class X>
-X drive_power(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression drive_power(const Cam& cam, const FollowerMotion& f) {
   return cam.angular_speed * drive_torque(cam, f);
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> follower_curves(const FollowerWords& w) {
   return {
       cam_curve<M>({"displacement", w.place, w.place_stored, "displacement of the follower"},
@@ -72,7 +71,7 @@ std::vector<MechanismResponse> follower_curves(const FollowerWords& w) {
 }
 
 /// Root of the mean square over the turn of formula(cam, motion of the follower).
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse follower_rms(ResponseAbout about, F formula) {
   return mean_number<M>(
       std::move(about),
@@ -84,28 +83,25 @@ MechanismResponse follower_rms(ResponseAbout about, F formula) {
 }
 
 /// Numbers of the whole cycle.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> follower_numbers() {
-  return {follower_rms<M>({"torque_rms", "N m", "N m", "root mean square of the drive torque"},
-                          [](const auto& cam, const auto& f) { return drive_torque(cam, f); }),
-          follower_rms<M>({"power_rms", "W", "W", "root mean square of the drive power"},
-                          [](const auto& cam, const auto& f) { return drive_power(cam, f); }),
-          peak_number<M>({"contact_loss_speed", "rpm", "rad/s",
-                          "speed above which a spring-loaded follower jumps; undefined if nothing "
-                          "holds it down or nothing lifts it off"},
-                         cam_curve<M>({"lift_ratio", "s2", "s2", ""},
-                                      [](const auto& cam, const auto& f) {
-                                        return cam.follower().lift_ratio(f);
-                                      }),
-                         optim::Part::Highest, [](const auto&, const auto& ratio) {
-                           using std::sqrt;
-                           using X = std::decay_t<decltype(ratio)>;
-                           return where_positive(ratio, X(number<X>(1) / sqrt(ratio)));
-                         })};
+  return {
+      follower_rms<M>({"torque_rms", "N m", "N m", "root mean square of the drive torque"},
+                      [](const auto& cam, const auto& f) { return drive_torque(cam, f); }),
+      follower_rms<M>({"power_rms", "W", "W", "root mean square of the drive power"},
+                      [](const auto& cam, const auto& f) { return drive_power(cam, f); }),
+      peak_number<M>(
+          {"contact_loss_speed", "rpm", "rad/s",
+           "speed above which a spring-loaded follower jumps; undefined if nothing "
+           "holds it down or nothing lifts it off"},
+          cam_curve<M>({"lift_ratio", "s2", "s2", ""},
+                       [](const auto& cam, const auto& f) { return cam.follower().lift_ratio(f); }),
+          optim::Part::Highest,
+          [](const auto&, const auto& ratio) { return where_positive(ratio, 1 / sqrt(ratio)); })};
 }
 
 /// The responses of a machine M with over_angle(), follower() and angular_speed.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
   std::vector<MechanismResponse> all = follower_curves<M>(words);
   append(all, follower_numbers<M>());

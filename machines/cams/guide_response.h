@@ -8,7 +8,7 @@ namespace camlaw::problems {
 
 /// (M38) What friction in its guide takes of a translating follower's force, for a machine with
 /// guide_shares().
-template <template <class> class M>
+template <class M>
 MechanismResponse guide_response() {
   return cam_curve<M>(
       {"guide_fraction", "1", "1",
@@ -19,7 +19,7 @@ MechanismResponse guide_response() {
 
 /// (M37) How far the contact of a translating follower is before its guide, for a machine with
 /// overhang.
-template <template <class> class M>
+template <class M>
 MechanismResponse overhang_response() {
   return cam_curve<M>(
       {"guide_overhang", "mm", "m",

@@ -12,35 +12,37 @@ namespace camlaw {
 /// edge has no line contact, so no Hertz stress.
 ///
 /// Valid while |offset| is less than the base radius.
-template <class T>
 struct KnifeEdgeCam {
-  Given<T> given = {};
-  T stroke = given(cams::kStroke);                 ///< h, m
-  T base_radius = given(cams::kBaseRadius);        ///< r_b, m
-  T offset = given(cams::kOffset);                 ///< e, m
-  T angular_speed = given(cams::kSpeed);           ///< omega, rad/s
-  T mass = given(cams::kMass);                     ///< m, kg
-  T spring_rate = given(cams::kSpringRate);        ///< c, N/m
-  T spring_preload = given(cams::kSpringPreload);  ///< F_0, N
-  T load = given(cams::kLoad);                     ///< F_L, N
-  T cutter_radius = given(cams::kCutterRadius);    ///< r_c, m, of the tool that cuts the profile
-  T face_width = given(cams::kFaceWidth.meaning_that("width of the cam"));  ///< b, m, of the cam
-  T density = given(cams::kDensity);                   ///< rho, kg/m^3, of the cam
-  T bore_radius = given(cams::kBoreRadius);            ///< r_0, m
-  T wear_coefficient = given(cams::kWearCoefficient);  ///< k, m^2/N: volume by force and sliding
-  T guide_friction = given(cams::kGuideFriction);      ///< mu, between follower and guide
-  T guide_length = given(cams::kGuideLength);          ///< l_g, m
-  T overhang = given(cams::kOverhang);               ///< a, m, of the edge from its guide at s = 0
-  T train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
-  T train_damping = given(cams::kTrainDamping);      ///< zeta
-  T end_share = given(cams::kEndShare);              ///< kappa, of what moves
+  Given given = {};
+  Expression stroke = given(cams::kStroke);                 ///< h, m
+  Expression base_radius = given(cams::kBaseRadius);        ///< r_b, m
+  Expression offset = given(cams::kOffset);                 ///< e, m
+  Expression angular_speed = given(cams::kSpeed);           ///< omega, rad/s
+  Expression mass = given(cams::kMass);                     ///< m, kg
+  Expression spring_rate = given(cams::kSpringRate);        ///< c, N/m
+  Expression spring_preload = given(cams::kSpringPreload);  ///< F_0, N
+  Expression load = given(cams::kLoad);                     ///< F_L, N
+  Expression cutter_radius =
+      given(cams::kCutterRadius);  ///< r_c, m, of the tool that cuts the profile
+  Expression face_width =
+      given(cams::kFaceWidth.meaning_that("width of the cam"));  ///< b, m, of the cam
+  Expression density = given(cams::kDensity);                    ///< rho, kg/m^3, of the cam
+  Expression bore_radius = given(cams::kBoreRadius);             ///< r_0, m
+  Expression wear_coefficient =
+      given(cams::kWearCoefficient);  ///< k, m^2/N: volume by force and sliding
+  Expression guide_friction = given(cams::kGuideFriction);  ///< mu, between follower and guide
+  Expression guide_length = given(cams::kGuideLength);      ///< l_g, m
+  Expression overhang = given(cams::kOverhang);  ///< a, m, of the edge from its guide at s = 0
+  Expression train_stiffness = given(cams::kTrainStiffness);  ///< c_t, N/m
+  Expression train_damping = given(cams::kTrainDamping);      ///< zeta
+  Expression end_share = given(cams::kEndShare);              ///< kappa, of what moves
 
   /// The cam with a roller of no radius; its contact is not meant.
-  RollerCam<T> edge() const {
-    return {.given = Given<T>::unset(),
+  RollerCam edge() const {
+    return {.given = Given::unset(),
             .stroke = stroke,
             .base_radius = base_radius,
-            .roller_radius = number<T>(0),
+            .roller_radius = 0,
             .offset = offset,
             .angular_speed = angular_speed,
             .mass = mass,
@@ -53,69 +55,41 @@ struct KnifeEdgeCam {
             .overhang = overhang};
   }
   auto conditions() const {
-    return std::to_array<Condition<T>>(
+    return std::to_array<Condition>(
         {{base_radius, "base_radius must be above 0"},
          {base_radius - absolute(offset), "offset must be less in size than base_radius"}});
   }
-  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
-  FollowerLoad<T> follower() const { return edge().follower(); }
-  SlidingGuide<T> guide() const { return edge().guide(); }
-  template <class X>
-  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+  CamBlank blank() const { return {density, bore_radius, face_width}; }
+  FollowerLoad follower() const { return edge().follower(); }
+  SlidingGuide guide() const { return edge().guide(); }
+  FollowerMotion over_angle(const Motion<Expression>& motion) const {
     return follower_over_angle(stroke, motion);
   }
   /// The edge on the cam: the profile.
-  template <class X>
-  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
-    return edge().pitch_curve(f);
-  }
+  CamCurve pitch_curve(const FollowerMotion& f) const { return edge().pitch_curve(f); }
   /// The profile, and the middle of the tool that cuts it.
-  template <class X>
-  CamPoint<X> profile(const FollowerMotion<X>& f) const {
-    return pitch_curve(f).inside(number<T>(0));
-  }
-  template <class X>
-  CamPoint<X> cutter(const FollowerMotion<X>& f) const {
-    return pitch_curve(f).inside(-cutter_radius);
-  }
+  CamPoint profile(const FollowerMotion& f) const { return pitch_curve(f).inside(0); }
+  CamPoint cutter(const FollowerMotion& f) const { return pitch_curve(f).inside(-cutter_radius); }
   /// (M6) Pressure angle, rad.
-  template <class X>
-  X pressure_angle(const FollowerMotion<X>& f) const {
-    return edge().pressure_angle(f);
-  }
+  Expression pressure_angle(const FollowerMotion& f) const { return edge().pressure_angle(f); }
   /// (M37) What friction in the guide takes of the force along the way.
-  template <class X>
-  GuideShares<X> guide_shares(const FollowerMotion<X>& f) const {
-    return edge().guide_shares(f);
-  }
+  GuideShares guide_shares(const FollowerMotion& f) const { return edge().guide_shares(f); }
   /// (M39) Torque on the cam's shaft with the guide's friction, N m.
-  template <class X>
-  X drive_torque(const FollowerMotion<X>& f) const {
-    return edge().drive_torque(f);
-  }
+  Expression drive_torque(const FollowerMotion& f) const { return edge().drive_torque(f); }
   /// (M9), (M38) Force between edge and cam, N.
-  template <class X>
-  X contact_force(const FollowerMotion<X>& f) const {
-    return edge().contact_force(f);
-  }
+  Expression contact_force(const FollowerMotion& f) const { return edge().contact_force(f); }
   /// (RB11) How fast the edge slides on the cam, m/s: as it runs along the profile.
-  template <class X>
-  X sliding_speed(const FollowerMotion<X>& f) const {
+  Expression sliding_speed(const FollowerMotion& f) const {
     return angular_speed * pitch_curve(f).speed();
   }
   /// (RB12) What the profile loses there by turn, m.
-  template <class X>
-  X wear(const FollowerMotion<X>& f) const {
+  Expression wear(const FollowerMotion& f) const {
     return wear_coefficient / face_width * contact_force(f);
   }
   /// (M4) Curvature of the profile, 1/m; where it goes below 0 the profile turns hollow.
-  template <class X>
-  X profile_curvature(const FollowerMotion<X>& f) const {
-    return pitch_curve(f).curvature();
-  }
+  Expression profile_curvature(const FollowerMotion& f) const { return pitch_curve(f).curvature(); }
   /// Share of a hollow's radius that the tool takes; above 1 it does not fit.
-  template <class X>
-  X tool_fit(const FollowerMotion<X>& f) const {
+  Expression tool_fit(const FollowerMotion& f) const {
     return edge().roller().tool_fit(profile_curvature(f));
   }
 };

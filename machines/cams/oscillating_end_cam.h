@@ -21,87 +21,73 @@ namespace camlaw {
 /// Valid while eta stays between plus and minus a right angle. The developed track is exact for
 /// a plate; on the cylinder it takes x / R for the angle asin(x / R) at the distance x from the
 /// plane through the axis square to the arm's, and asks of the roller the depth x^2 / (2 R).
-template <class T>
 struct OscillatingEndCam {
-  Given<T> given = {};
-  T swing = given(cams::kSwing);           ///< Psi, rad
-  T radius = given(cams::kTrackRadius);    ///< R, m, of the middle of the roller's track
-  T arm_length = given(cams::kArmLength);  ///< l, m
-  T tilt = given({"tilt", "beta", "deg", "rad",
-                  "angle between the arm at mid-swing and the circumferential direction; at 0 the "
-                  "arm is square to the cam's axis",
-                  0, -89, 89});
-  T roller_radius = given(cams::kRollerRadius);               ///< r_r, m
-  T angular_speed = given(cams::kSpeed);                      ///< omega, rad/s
-  T inertia = given(cams::kInertia);                          ///< J, kg m^2, of all that swings
-  T spring_rate = given(cams::kArmSpringRate.by_default(0));  ///< c, N m/rad
-  T spring_preload = given(cams::kArmSpringPreload.by_default(0));  ///< M_0, N m
-  T load = given(cams::kArmLoad);                                   ///< M_L, N m
-  T face_width = given(cams::kFaceWidth);                           ///< b, m
-  T youngs_modulus = given(cams::kYoungsModulus);                   ///< E, Pa
-  T poisson_ratio = given(cams::kPoissonRatio);                     ///< nu
-  T cutter_radius = given(cams::kCutterRadius);                     ///< r_c, m
-  T train_stiffness = given(cams::kArmTrainStiffness);              ///< c_t, N m/rad
-  T train_damping = given(cams::kTrainDamping);                     ///< zeta
-  T end_share = given(cams::kArmEndShare);                          ///< kappa, of what moves
-  RollerDuty<T> duty = RollerDuty<T>::given_by(given);
+  Given given = {};
+  Expression swing = given(cams::kSwing);           ///< Psi, rad
+  Expression radius = given(cams::kTrackRadius);    ///< R, m, of the middle of the roller's track
+  Expression arm_length = given(cams::kArmLength);  ///< l, m
+  Expression tilt =
+      given({"tilt", "beta", "deg", "rad",
+             "angle between the arm at mid-swing and the circumferential direction; at 0 the "
+             "arm is square to the cam's axis",
+             0, -89, 89});
+  Expression roller_radius = given(cams::kRollerRadius);  ///< r_r, m
+  Expression angular_speed = given(cams::kSpeed);         ///< omega, rad/s
+  Expression inertia = given(cams::kInertia);             ///< J, kg m^2, of all that swings
+  Expression spring_rate = given(cams::kArmSpringRate.by_default(0));        ///< c, N m/rad
+  Expression spring_preload = given(cams::kArmSpringPreload.by_default(0));  ///< M_0, N m
+  Expression load = given(cams::kArmLoad);                                   ///< M_L, N m
+  Expression face_width = given(cams::kFaceWidth);                           ///< b, m
+  Expression youngs_modulus = given(cams::kYoungsModulus);                   ///< E, Pa
+  Expression poisson_ratio = given(cams::kPoissonRatio);                     ///< nu
+  Expression cutter_radius = given(cams::kCutterRadius);                     ///< r_c, m
+  Expression train_stiffness = given(cams::kArmTrainStiffness);              ///< c_t, N m/rad
+  Expression train_damping = given(cams::kTrainDamping);                     ///< zeta
+  Expression end_share = given(cams::kArmEndShare);  ///< kappa, of what moves
+  RollerDuty duty = RollerDuty::given_by(given);
 
   auto conditions() const {
-    const T half = swing / number<T>(2), right = pi<T>() / number<T>(2);
-    return std::to_array<Condition<T>>(
+    const Expression half = swing / 2, right = pi() / 2;
+    return std::to_array<Condition>(
         {{radius, "radius must be above 0"},
          {arm_length, "arm_length must be above 0"},
          {right + tilt - half, "tilt - swing / 2 must be above -90 deg"},
          {right - tilt - half, "tilt + swing / 2 must be below 90 deg"}});
   }
-  T lowest_angle() const { return tilt - swing / number<T>(2); }
+  Expression lowest_angle() const { return tilt - swing / 2; }
   /// What swings counts as what slides: J for m, torques for forces.
-  FollowerLoad<T> follower() const {
+  FollowerLoad follower() const {
     return {inertia, spring_rate, spring_preload, load, angular_speed};
   }
-  RollerContact<T> roller() const {
+  RollerContact roller() const {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
 
-  template <class X>
-  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+  FollowerMotion over_angle(const Motion<Expression>& motion) const {
     return follower_over_angle(swing, motion);
   }
   /// (M23) The roller's centre from the pivot, x along the circumference: with
   /// E = l exp(-i eta), w = -E, w1 = R + i eta' E, w2 = (eta'^2 + i eta'') E.
-  template <class X>
-  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
-    using std::cos;
-    using std::sin;
-    const X eta = f.s + lowest_angle(), square = f.ds * f.ds;
-    const X c = arm_length * cos(eta), s = arm_length * sin(eta);
+  CamCurve pitch_curve(const FollowerMotion& f) const {
+    const Expression eta = f.s + lowest_angle(), square = f.ds * f.ds;
+    const Expression c = arm_length * cos(eta), s = arm_length * sin(eta);
     return {-c, s, f.ds * s + radius, f.ds * c, square * c + f.dds * s, f.dds * c - square * s};
   }
   /// A point of a curve on the cam, developed: x along the circumference.
-  template <class X>
-  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+  std::pair<Expression, Expression> placed(const CamPoint& p, const Expression& phi) const {
     return {p.x + radius * phi, p.y};
   }
   /// (M24) Pressure angle, rad: tan alpha = tan eta + l eta' / (R cos eta).
-  template <class X>
-  X pressure_angle(const FollowerMotion<X>& f) const {
-    using std::atan;
-    using std::cos;
-    using std::sin;
-    const X eta = f.s + lowest_angle();
+  Expression pressure_angle(const FollowerMotion& f) const {
+    const Expression eta = f.s + lowest_angle();
     return atan((sin(eta) + arm_length / radius * f.ds) / cos(eta));
   }
   /// (M25) Force between roller and cam, N, signed as the torque: N = M / (l cos alpha).
-  template <class X>
-  X contact_force(const FollowerMotion<X>& f) const {
-    using std::cos;
+  Expression contact_force(const FollowerMotion& f) const {
     return follower().force(f) / (arm_length * cos(pressure_angle(f)));
   }
   /// About the roller's axis the arm turns alone, by eta' (RB1).
-  template <class X>
-  X turning(const FollowerMotion<X>& f) const {
-    return f.ds;
-  }
+  Expression turning(const FollowerMotion& f) const { return f.ds; }
 };
 
 }  // namespace camlaw

@@ -14,7 +14,7 @@
 namespace camlaw::problems {
 namespace {
 
-template <template <class> class M>
+template <class M>
 Mechanism oscillating_mechanism(const char* name, const char* title, Form form,
                                 UsualProblem usual) {
   std::vector<MechanismResponse> responses = follower_responses<M>(kOscillating);

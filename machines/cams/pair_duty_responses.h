@@ -12,19 +12,19 @@
 /// second(), second_motion(), main_force(), second_force() and duty().
 namespace camlaw::problems {
 
-template <class Cam, class X>
-X force_of_pair(const Cam& cam, OfPair which, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression force_of_pair(const Cam& cam, OfPair which, const FollowerMotion& f) {
   return which == OfPair::Main ? cam.main_force(f) : cam.second_force(f);
 }
 /// (RB1) Turns of one of the rollers on its pin, by those of the cams: it rolls on its own cam
 /// whether that bears or not.
-template <class Cam, class X>
-X turns_of_pair(const Cam& cam, OfPair which, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression turns_of_pair(const Cam& cam, OfPair which, const FollowerMotion& f) {
   return which == OfPair::Main ? own_flank_turns(cam.main(), f)
                                : own_flank_turns(cam.second(), cam.second_motion(f));
 }
 
-template <template <class> class M>
+template <class M>
 void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std::string& name) {
   const std::string prefix = which == OfPair::Main ? "" : "second_";
   const std::string roller = "the " + name + "'s roller", bearing = "the bearing of " + roller;
@@ -46,13 +46,13 @@ void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std:
   const auto turns = [which](const auto& cam, const auto& motion) {
     return turns_of_pair(cam, which, cam.over_angle(motion));
   };
-  all.push_back(mean_number<M>({prefix + "equivalent_load", "N", "N",
-                                "constant load under which " + bearing +
-                                    " reaches as many revolutions; 0 if that cam never bears"},
-                               damage, turns,
-                               [](const auto& cam, const auto& mean, const auto& turned) {
-                                 return cam.duty().equivalent_load(mean, turned);
-                               }));
+  all.push_back(
+      mean_number<M>({prefix + "equivalent_load", "N", "N",
+                      "constant load under which " + bearing +
+                          " reaches as many revolutions; 0 if that cam never carries load"},
+                     damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
+                       return cam.duty().equivalent_load(mean, turned);
+                     }));
   all.push_back(
       mean_number<M>({prefix + "life_revolutions", "1", "1",
                       "basic rating life L10 of " + bearing + ", in millions of revolutions"},
@@ -66,7 +66,7 @@ void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std:
 }
 
 /// The two cams by the names given.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> pair_duty_responses(const std::string& main,
                                                    const std::string& second) {
   std::vector<MechanismResponse> all;

@@ -16,8 +16,8 @@ namespace camlaw::problems {
 enum class OfPair { Main, Second };
 
 /// formula(flank), or, where rollers serve one after the other, formula(that which does).
-template <class Flank, class X, class F>
-X on_flank(const Flank& flank, const FollowerMotion<X>& f, F formula) {
+template <class Flank, class F>
+Expression on_flank(const Flank& flank, const FollowerMotion& f, F formula) {
   if constexpr (requires { flank.of_roller(f, formula); }) {
     return flank.of_roller(f, formula);
   } else {
@@ -26,7 +26,7 @@ X on_flank(const Flank& flank, const FollowerMotion<X>& f, F formula) {
 }
 
 /// Geometry of the main flank or, with its own motion, of the second one: formula(roller, motion).
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse pair_geometry(OfPair of, ResponseAbout about, F formula) {
   return cam_curve<M>(std::move(about), [of, formula](const auto& cam, const auto& f) {
     const auto geometry = [&](const auto& flank, const auto& own) {
@@ -37,7 +37,7 @@ MechanismResponse pair_geometry(OfPair of, ResponseAbout about, F formula) {
   });
 }
 
-template <template <class> class M>
+template <class M>
 void add_pair_geometry(std::vector<MechanismResponse>& all, OfPair which, const std::string& name) {
   const std::string prefix = which == OfPair::Main ? "" : "second_", of = " of the " + name;
   const auto add = [&](const char* short_name, const char* unit, const char* stored,
@@ -69,7 +69,7 @@ void add_pair_geometry(std::vector<MechanismResponse>& all, OfPair which, const 
 
 /// What a machine M with main(), second(), second_motion(), contact_force() and contact_stress()
 /// has, the two flanks by the names given.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> pair_responses(const std::string& main, const std::string& second) {
   std::vector<MechanismResponse> all;
   add_pair_geometry<M>(all, OfPair::Main, main);
@@ -90,7 +90,7 @@ std::vector<MechanismResponse> pair_responses(const std::string& main, const std
 }
 
 /// Of a machine M with of_pressed(): of the roller on the flank that bears.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> pair_crown_responses() {
   return crown_responses<M>({"undercut", "second_undercut"},
                             [](const auto& cam, const auto& f, const auto& formula) {
@@ -98,7 +98,7 @@ std::vector<MechanismResponse> pair_crown_responses() {
                             });
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> second_profile(const char* meaning) {
   return drawn_curve<M>("second_profile", meaning,
                         [](const auto& cam, const auto& f) { return cam.second_profile(f); });

@@ -9,13 +9,13 @@
 namespace camlaw::problems {
 
 /// Curvature of the pitch curve.
-template <class Cam, class X>
-X pitch_curvature(const Cam& cam, const FollowerMotion<X>& f) {
+template <class Cam>
+Expression pitch_curvature(const Cam& cam, const FollowerMotion& f) {
   return cam.pitch_curve(f).curvature();
 }
 
 /// All of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller().
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> roller_responses() {
   std::vector<MechanismResponse> all{
       cam_curve<M>({"pressure_angle", "deg", "rad",

@@ -8,7 +8,7 @@ namespace camlaw::problems {
 
 /// A wear counts where these responses are 0 or above: the force that presses, and of a face the
 /// radius that it touches.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> sliding_responses(const std::vector<std::string>& not_negative) {
   std::vector<MechanismResponse> all{
       cam_curve<M>({"sliding_speed", "m/s", "m/s", "sliding speed of the follower on the cam"},
@@ -17,7 +17,7 @@ std::vector<MechanismResponse> sliding_responses(const std::vector<std::string>&
                     "depth of wear of the profile in a million turns, by Archard's law"},
                    [](const auto& cam, const auto& f) {
                      // The response states the wear of so many turns.
-                     constexpr double kTurns = 1e6;
+                     constexpr int kTurns = 1'000'000;
                      return kTurns * cam.wear(f);
                    })};
   for (const std::string& name : not_negative) {

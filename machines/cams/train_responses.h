@@ -17,19 +17,18 @@ struct TrainPartsOf {
   TrainQuantity which;
 
   template <class Cam>
-  auto operator()(const Cam& cam) const {
+  std::array<Expression, kTrainParts> operator()(const Cam& cam) const {
     const auto end = elastic_end(cam);
     const auto load = train_loads(cam.follower());
     const auto stroke = stroke_of(cam);
-    using T = std::decay_t<decltype(stroke)>;
-    const T none = number<T>(0), one = number<T>(1);
+    const Expression none = 0;
     // (M1): from derivatives by x to those by time.
-    const T by_time = cam.angular_speed / (number<T>(2) * pi<T>()), square = by_time * by_time;
-    std::array<T, kTrainParts> parts{
+    const Expression by_time = cam.angular_speed / (2 * pi()), square = by_time * by_time;
+    std::array<Expression, kTrainParts> parts{
         end.period_ratio(), end.damping_ratio, stroke, none, none, none, none};
     if (which == TrainQuantity::MassAcceleration) parts[2] = square * stroke;
     if (which == TrainQuantity::CamForce) {
-      parts[2] = one;
+      parts[2] = 1;
       parts[3] = load.standing;
       parts[4] = load.rate * stroke;
       parts[5] = (load.mass - end.mass) * square * stroke;
@@ -50,13 +49,13 @@ auto loss_parts(const Cam& cam) {
       (load.mass - end.mass) * stroke, end.mass * stroke};
 }
 
-template <template <class> class M>
+template <class M>
 MechanismResponse end_curve(TrainQuantity which, ResponseAbout about) {
   return train_curve<M>(which, TrainRun::Turn, std::move(about), TrainPartsOf{which});
 }
 
 /// Force in the train, which moves the end.
-template <template <class> class M>
+template <class M>
 MechanismResponse train_force(ResponseAbout about) {
   return train_curve<M>(TrainQuantity::MassAcceleration, TrainRun::Turn, std::move(about),
                         [](const auto& cam) {
@@ -98,7 +97,7 @@ inline TrainWords train_words(const FollowerWords& w) {
 }
 
 /// Of a machine M whose fields elastic_end() takes.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> train_responses(const TrainWords& w) {
   using S = optim::Shape;
   using Q = TrainQuantity;

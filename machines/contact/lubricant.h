@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "numerics/scalar/power.h"
-#include "numerics/scalar/scalar.h"
+#include "numerics/formula/expression.h"
 
 namespace camlaw {
 
 /// What lies between two bodies that roll on one another along a line, and how rough they are
 /// (docs/theory.md, "Lubricant film"). Fields in SI units.
-template <class T>
 struct Lubricant {
-  T viscosity;           ///< eta, Pa s, at the contact's inlet, without pressure
-  T pressure_viscosity;  ///< alpha, 1/Pa: viscosity grows as exp(alpha p)
-  T roughness;           ///< R_q, m, of both surfaces: sqrt(R_q1^2 + R_q2^2)
+  Expression viscosity;           ///< eta, Pa s, at the contact's inlet, without pressure
+  Expression pressure_viscosity;  ///< alpha, 1/Pa: viscosity grows as exp(alpha p)
+  Expression roughness;           ///< R_q, m, of both surfaces: sqrt(R_q1^2 + R_q2^2)
 
   /// (RB7) Least film of a line contact, m, after Dowson and Higginson: h = 2.65 R U^0.7 G^0.54
   /// W^-0.13 with U = eta u / (E' R), G = alpha E', W = w / (E' R), from the line load w, N/m, the
   /// sum of the curvatures 1 / R, 1/m, the mean speed u of the surfaces towards the contact, m/s,
   /// and (K1) E', Pa.
-  template <class X>
-  X film(const X& line_load, const X& curvature, const X& speed, const T& modulus) const {
-    const X moved = viscosity / modulus * (speed * curvature);
-    const X pressed = number<T>(1) / modulus * (line_load * curvature);
-    return number<T>(2.65) * power(T(pressure_viscosity * modulus), 0.54) *
+  Expression film(const Expression& line_load, const Expression& curvature, const Expression& speed,
+                  const Expression& modulus) const {
+    const Expression moved = viscosity / modulus * (speed * curvature);
+    const Expression pressed = 1 / modulus * (line_load * curvature);
+    return Expression(2.65) * power(pressure_viscosity * modulus, 0.54) *
            (power(moved, 0.7) * power(pressed, -0.13) / curvature);
   }
 
@@ -30,14 +28,13 @@ struct Lubricant {
   /// W^-0.073 (1 - exp(-0.68 k)) with U, G and R as above and W = F / (E' R^2), from the force F,
   /// N, the sum of the curvatures 1 / R along the motion, 1/m, and the ellipse's length, square to
   /// the motion, by its width.
-  template <class X>
-  X point_film(const X& force, const X& curvature, const X& elongation, const X& speed,
-               const T& modulus) const {
-    using std::exp;
-    const X moved = viscosity / modulus * (speed * curvature);
-    const X pressed = number<T>(1) / modulus * (force * (curvature * curvature));
-    const X closed = number<X>(1) - exp(number<X>(-0.68) * elongation);
-    return number<T>(3.63) * power(T(pressure_viscosity * modulus), 0.49) *
+  Expression point_film(const Expression& force, const Expression& curvature,
+                        const Expression& elongation, const Expression& speed,
+                        const Expression& modulus) const {
+    const Expression moved = viscosity / modulus * (speed * curvature);
+    const Expression pressed = 1 / modulus * (force * (curvature * curvature));
+    const Expression closed = 1 - exp(Expression(-0.68) * elongation);
+    return Expression(3.63) * power(pressure_viscosity * modulus, 0.49) *
            (power(moved, 0.68) * power(pressed, -0.073) / curvature * closed);
   }
 };

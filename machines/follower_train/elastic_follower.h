@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "machines/follower_train/follower_train.h"
 #include "machines/model/given.h"
 #include "machines/model/possibility.h"
 
@@ -11,42 +10,37 @@ namespace camlaw {
 
 /// A follower train in a machine: a mass behind the stiffness of all between it and the cam, and a
 /// damper, over one rise (docs/theory.md, "Elastic follower train"). Fields in SI units.
-template <class T>
 struct ElasticFollower {
-  Given<T> given = {};
-  T mass = given({"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6});
-  T stiffness =
+  Given given = {};
+  Expression mass = given({"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6});
+  Expression stiffness =
       given({"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9});
-  T damping_ratio =
+  Expression damping_ratio =
       given({"damping_ratio", "zeta", "1", "1", "damping over critical damping", 0.05, 0, 0.99});
-  T stroke = given({"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5});
-  T rise_angle =
+  Expression stroke = given({"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5});
+  Expression rise_angle =
       given({"rise_angle", "beta", "deg", "rad", "cam angle of the rise", 90, 1e-3, 360});
-  T angular_speed = given({"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6});
-  T slowest_speed = given({"slowest_speed", "n_1", "rpm", "rad/s",
-                           "speed at which a range of speeds begins", 240, 1e-3, 1e6});
-  T fastest_speed = given(
+  Expression angular_speed =
+      given({"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6});
+  Expression slowest_speed = given({"slowest_speed", "n_1", "rpm", "rad/s",
+                                    "speed at which a range of speeds begins", 240, 1e-3, 1e6});
+  Expression fastest_speed = given(
       {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which that range ends", 360, 1e-3, 1e6});
 
   auto conditions() const {
-    return std::to_array<Condition<T>>(
-        {{mass, "mass must be above 0"},
-         {stiffness, "stiffness must be above 0"},
-         {damping_ratio, "damping_ratio must be 0 or above", true},
-         {number<T>(1) - damping_ratio, "damping_ratio must be below 1"},
-         {rise_angle, "rise_angle must be above 0"},
-         {angular_speed, "speed must be above 0"}});
+    return std::to_array<Condition>({{mass, "mass must be above 0"},
+                                     {stiffness, "stiffness must be above 0"},
+                                     {damping_ratio, "damping_ratio must be 0 or above", true},
+                                     {1 - damping_ratio, "damping_ratio must be below 1"},
+                                     {rise_angle, "rise_angle must be above 0"},
+                                     {angular_speed, "speed must be above 0"}});
   }
   /// (U2) Undamped natural frequency, Hz: sqrt(c / m) / (2 pi).
-  T natural_frequency() const {
-    using std::sqrt;
-    return sqrt(stiffness / mass) / (number<T>(2) * pi<T>());
-  }
+  Expression natural_frequency() const { return sqrt(stiffness / mass) / (2 * pi()); }
   /// Time of the rise, s.
-  T rise_time() const { return rise_angle / angular_speed; }
+  Expression rise_time() const { return rise_angle / angular_speed; }
   /// (U3) tau, the rise's time over the natural period.
-  T period_ratio() const { return rise_time() * natural_frequency(); }
-  FollowerTrain<T> train() const { return {period_ratio(), damping_ratio}; }
+  Expression period_ratio() const { return rise_time() * natural_frequency(); }
 };
 
 }  // namespace camlaw

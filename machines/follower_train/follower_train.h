@@ -9,7 +9,9 @@
 #include "numerics/possible.h"
 
 /// A follower on an elastic train: one mass behind a spring and a damper that the cam moves at the
-/// other end (docs/theory.md, "Elastic follower train").
+/// other end (docs/theory.md, "Elastic follower train"). What has happened before decides where the
+/// mass is, so that a formula needs the law as a whole and goes through its pieces: it cannot be
+/// recorded, and is a template in the scalar.
 namespace camlaw {
 
 /// Where the mass stands against the cam's motion, in parts of the stroke, and its rate by x.

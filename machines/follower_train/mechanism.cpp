@@ -28,11 +28,11 @@ enum class Residual { Displacement, Velocity, Amplitude, Acceleration };
 /// What is left when the rise is over.
 MechanismResponse residual(Residual which, ResponseAbout about) {
   // The train's two numbers, and what turns parts of the stroke into the residual.
-  const auto parts = [which]<class T>(const ElasticFollower<T>& f) {
-    T scale = f.stroke;
+  const auto parts = [which](const ElasticFollower& f) {
+    Expression scale = f.stroke;
     if (which == Residual::Velocity) scale = f.stroke / f.rise_time();
     if (which == Residual::Acceleration) scale = f.stiffness / f.mass * f.stroke;
-    return std::array<T, 3>{f.period_ratio(), f.damping_ratio, scale};
+    return std::array<Expression, 3>{f.period_ratio(), f.damping_ratio, scale};
   };
   return law_number<ElasticFollower>(
       std::move(about), parts,
@@ -73,12 +73,12 @@ std::vector<MechanismResponse> train_numbers() {
 
 /// A curve that the law decides as a whole.
 MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
-  const auto parts = [which]<class T>(const ElasticFollower<T>& f) {
-    const T none = number<T>(0);
-    T scale = f.stroke;
-    if (which == TrainQuantity::Amplification) scale = number<T>(1);
+  const auto parts = [which](const ElasticFollower& f) {
+    const Expression none = 0;
+    Expression scale = f.stroke;
+    if (which == TrainQuantity::Amplification) scale = 1;
     if (which == TrainQuantity::MassAcceleration) scale = scale / (f.rise_time() * f.rise_time());
-    return std::array<T, kTrainParts>{
+    return std::array<Expression, kTrainParts>{
         f.period_ratio(), f.damping_ratio, scale, none, none, none, none};
   };
   return train_curve<ElasticFollower>(which, TrainRun::Rise, std::move(about), parts);
@@ -92,10 +92,10 @@ MechanismResponse over_speeds() {
        "m",
        "amplitude of the residual vibration, over the speeds of the range",
        {{{"law"}, S::Convex, "DS10"}, {{"stroke"}, S::Linear, "DS10"}}},
-      []<class T>(const ElasticFollower<T>& f) {
-        return std::array<T, kSpeedParts>{f.natural_frequency(), f.damping_ratio,
-                                          f.rise_angle,          f.stroke,
-                                          f.slowest_speed,       f.fastest_speed};
+      [](const ElasticFollower& f) {
+        return std::array<Expression, kSpeedParts>{f.natural_frequency(), f.damping_ratio,
+                                                   f.rise_angle,          f.stroke,
+                                                   f.slowest_speed,       f.fastest_speed};
       });
 }
 

@@ -33,9 +33,9 @@ class SpeedCurve final : public optim::Curve {
   bool ends_move_;
 };
 
-/// The response of a machine M<T> that such a curve is, from
+/// The response of a machine M that such a curve is, from
 /// parts(machine) -> std::array<T, kSpeedParts>.
-template <template <class> class M, class Parts>
+template <class M, class Parts>
 MechanismResponse speed_curve(ResponseAbout about, Parts parts) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));

@@ -110,9 +110,9 @@ class TrainCurve final : public optim::Curve, public BoundedOverBoxes {
 /// of kTrainParts.
 LawKernel swing_at_rest();
 
-/// The response of a machine M<T> that such a curve is, from
+/// The response of a machine M that such a curve is, from
 /// parts(machine) -> std::array<T, kTrainParts>.
-template <template <class> class M, class Parts>
+template <class M, class Parts>
 MechanismResponse train_curve(TrainQuantity which, TrainRun run, ResponseAbout about, Parts parts) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));

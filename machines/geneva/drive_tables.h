@@ -10,7 +10,7 @@
 namespace camlaw::problems {
 
 /// The curves of a machine M with the members of GenevaDrive.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> drive_curves() {
   // From formula(drive, the wheel's motion, whether it moves, angle).
   const auto curve = [](ResponseAbout about, auto formula) {
@@ -33,8 +33,8 @@ std::vector<MechanismResponse> drive_curves() {
                 }),
           curve({"wheel_torque", "N m", "N m",
                  "torque at the wheel while it moves, from inertia and friction"},
-                []<class X>(const auto& drive, const auto& beta, bool moves, const X&) {
-                  return moves ? drive.wheel_torque(beta) : number<X>(0);
+                [](const auto& drive, const auto& beta, bool moves, const Expression&) {
+                  return moves ? drive.wheel_torque(beta) : 0;
                 }),
           curve({"drive_torque", "N m", "N m", "torque on the driver"},
                 [](const auto& drive, const auto& beta, bool, const auto&) {

@@ -11,7 +11,7 @@ namespace {
 
 using optim::Part;
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> drive_responses() {
   const auto number = [](ResponseAbout about, auto formula) {
     return number_response<M>(std::move(about), formula);

@@ -48,18 +48,17 @@ std::vector<MechanismResponse> roller_angles() {
 }
 
 /// (IX23) Seen from its place on the holding flank a roller will drive P - 1 places later.
-template <class T>
-std::vector<T> by_place(const ParallelIndexCam<T>& cam, std::span<const T> means) {
+std::vector<Expression> by_place(const ParallelIndexCam& cam, std::span<const Expression> means) {
   constexpr int kMostPlates = 4;  // that `plates` accepts
   const auto driven = means.first(kServed), held = means.subspan(kServed);
-  std::vector<T> all(driven.begin(), driven.end());
-  all.resize(kServed + kMostPlates - 1, number<T>(0));
+  std::vector<Expression> all(driven.begin(), driven.end());
+  all.resize(kServed + kMostPlates - 1, 0);
   for (int plates = 2; plates <= kMostPlates; ++plates) {
-    const T half = number<T>(0.5), apart = cam.plates - number<T>(plates);
-    const T are_so_many = half - absolute(apart);
+    const Expression half = Expression(0.5), apart = cam.plates - plates;
+    const Expression are_so_many = half - absolute(apart);
     for (std::size_t place = 0; place < held.size(); ++place) {
-      T& sum = all[place + static_cast<std::size_t>(plates - 1)];
-      sum = sum + by_side(are_so_many, held[place], number<T>(0));
+      Expression& sum = all[place + static_cast<std::size_t>(plates - 1)];
+      sum = sum + by_side(are_so_many, held[place], 0);
     }
   }
   return all;

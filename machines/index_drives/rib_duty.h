@@ -9,16 +9,16 @@ namespace camlaw::problems {
 
 /// formula(contact, side of the flank that bears) of the driving roller at psi. The
 /// flank that drives counts where no force acts.
-template <class Drive, class X, class F>
-X on_bearing_flank(const Drive& drive, RollerPlace place, const X& psi, const FollowerMotion<X>& f,
-                   F formula) {
-  const RuledContact<X> contact = drive.contact(place, psi, f);
-  const X force = drive.follower().torque(f);
-  return by_side(force, X(formula(contact, kDrives)), X(formula(contact, kHolds)));
+template <class Drive, class F>
+Expression on_bearing_flank(const Drive& drive, RollerPlace place, const Expression& psi,
+                            const FollowerMotion& f, F formula) {
+  const RuledContact contact = drive.contact(place, psi, f);
+  const Expression force = drive.follower().torque(f);
+  return by_side(force, formula(contact, kDrives), formula(contact, kHolds));
 }
 
-template <class Drive, class X>
-X rib_turns(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
+template <class Drive>
+Expression rib_turns(const Drive& drive, const Expression& psi, const FollowerMotion& f) {
   return on_bearing_flank(
       drive, RollerPlace::Middle, psi, f,
       [&](const auto& contact, double side) { return contact.turns(drive.roller_radius, side); });
@@ -26,45 +26,43 @@ X rib_turns(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
 
 /// (IX22) Speed at which a plane across the roller slides on the flank that bears, m/s: along the
 /// axis, and round it by the difference from the middle, where it rolls.
-template <class Drive, class X>
-X rib_sliding(const Drive& drive, RollerPlace place, const X& psi, const FollowerMotion<X>& f) {
-  const X middle = drive.contact(RollerPlace::Middle, psi, f).length();
+template <class Drive>
+Expression rib_sliding(const Drive& drive, RollerPlace place, const Expression& psi,
+                       const FollowerMotion& f) {
+  const Expression middle = drive.contact(RollerPlace::Middle, psi, f).length();
   return drive.angular_speed *
          on_bearing_flank(drive, place, psi, f, [&](const auto& contact, double side) {
-           const X axial = contact.axial_slip(drive.roller_radius, side);
-           if (place == RollerPlace::Middle) return X(absolute(axial));
-           using std::sqrt;
-           const X round = contact.length() - middle;
-           return X(sqrt(axial * axial + round * round));
+           const Expression axial = contact.axial_slip(drive.roller_radius, side);
+           if (place == RollerPlace::Middle) return absolute(axial);
+           const Expression round = contact.length() - middle;
+           return sqrt(axial * axial + round * round);
          });
 }
 
 /// A driving roller at psi with the oil between it and the flank.
-template <class Drive, class X>
-auto rib_film(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
+template <class Drive>
+auto rib_film(const Drive& drive, const Expression& psi, const FollowerMotion& f) {
   const auto& radius = drive.roller_radius;
-  const X way = on_bearing_flank(
+  const Expression way = on_bearing_flank(
       drive, RollerPlace::Middle, psi, f,
       [&](const auto& contact, double side) { return contact.rolled_way(radius, side); });
-  return roller_film(drive.duty.lubricant(), pressed_rib(drive, psi, f),
-                     X(drive.angular_speed * way));
+  return roller_film(drive.duty.lubricant(), pressed_rib(drive, psi, f), drive.angular_speed * way);
 }
 
 /// |N|^p nu of the roller that serves in a place.
-template <template <class> class M>
+template <class M>
 Write rib_damage(int place) {
   return detail::written_integrand<M>([place](const auto& drive, const auto& motion) {
     const auto f = drive.over_angle(motion);
-    using X = std::decay_t<decltype(f.s)>;
     const auto step = drive.step();
-    const X psi = rib_angle(drive, X(f.s - step * number<X>(place)));
-    const X damage =
+    const Expression psi = rib_angle(drive, f.s - step * place);
+    const Expression damage =
         drive.duty.to_life_exponent(rib_force(drive, psi, f)) * rib_turns(drive, psi, f);
     return while_serving(f.s, step, place, damage);
   });
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> rib_duty_responses() {
   const auto turns = of_driving_roller(
       [](const auto& drive, const auto& psi, const auto& f) { return rib_turns(drive, psi, f); });
@@ -95,7 +93,7 @@ std::vector<MechanismResponse> rib_duty_responses() {
   return all;
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> rib_drive_responses() {
   std::vector<MechanismResponse> all = rib_responses<M>();
   append(all, rib_duty_responses<M>());

@@ -15,20 +15,19 @@ inline constexpr double kDrives = -1, kHolds = 1;
 
 /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
 /// since it took over.
-template <class Drive, class X>
-X rib_angle(const Drive& drive, const X& gain) {
-  using T = std::decay_t<decltype(drive.step())>;
-  return gain - drive.step() / number<T>(2);
+template <class Drive>
+Expression rib_angle(const Drive& drive, const Expression& gain) {
+  return gain - drive.step() / 2;
 }
 
 /// (IX18) Force between the flank that bears and the roller, N, as if it acted at the middle, above
 /// 0 where it drives: N = M / (R cos alpha).
-template <class Drive, class X>
-X rib_force(const Drive& drive, const RuledContact<X>& middle, const FollowerMotion<X>& f) {
+template <class Drive>
+Expression rib_force(const Drive& drive, const RuledContact& middle, const FollowerMotion& f) {
   return drive.follower().torque(f) / drive.lever() * middle.inclination();
 }
-template <class Drive, class X>
-X rib_force(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
+template <class Drive>
+Expression rib_force(const Drive& drive, const Expression& psi, const FollowerMotion& f) {
   return rib_force(drive, drive.contact(RollerPlace::Middle, psi, f), f);
 }
 
@@ -50,34 +49,34 @@ inline const char* short_place(RollerPlace place) {
 }
 
 /// Sum of the curvatures of the roller and of the flank that bears.
-template <class Drive, class X>
-X loaded_curvature(const Drive& drive, const RuledContact<X>& contact, const X& force) {
+template <class Drive>
+Expression loaded_curvature(const Drive& drive, const RuledContact& contact,
+                            const Expression& force) {
   return by_side(force, contact.curvature_sum(drive.roller_radius, kDrives),
                  contact.curvature_sum(drive.roller_radius, kHolds));
 }
 
 template <class Drive>
 auto rib_material(const Drive& drive) {
-  using T = std::decay_t<decltype(drive.face_width)>;
-  return LineContact<T>{drive.youngs_modulus, drive.poisson_ratio};
+  return LineContact{drive.youngs_modulus, drive.poisson_ratio};
 }
 
 /// Greatest pressure in a plane across a driving roller at the angle psi, Pa.
-template <class Drive, class X>
-X rib_stress(const Drive& drive, RollerPlace place, const X& psi, const FollowerMotion<X>& f) {
-  const RuledContact<X> contact = drive.contact(place, psi, f);
-  const X force = rib_force(drive, psi, f);
-  const X sum = loaded_curvature(drive, contact, force);
-  return unless_zero(force,
-                     rib_material(drive).pressure(X(absolute(force) / drive.face_width), sum));
+template <class Drive>
+Expression rib_stress(const Drive& drive, RollerPlace place, const Expression& psi,
+                      const FollowerMotion& f) {
+  const RuledContact contact = drive.contact(place, psi, f);
+  const Expression force = rib_force(drive, psi, f);
+  const Expression sum = loaded_curvature(drive, contact, force);
+  return unless_zero(force, rib_material(drive).pressure(absolute(force) / drive.face_width, sum));
 }
 
 /// (RB15) The driving roller at the angle psi, crowned about its middle or not.
-template <class Drive, class X>
-auto pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
-  const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
-  const X force = rib_force(drive, middle, f);
-  return pressed_askew(X(absolute(force)), X(loaded_curvature(drive, middle, force)),
+template <class Drive>
+auto pressed_rib(const Drive& drive, const Expression& psi, const FollowerMotion& f) {
+  const RuledContact middle = drive.contact(RollerPlace::Middle, psi, f);
+  const Expression force = rib_force(drive, middle, f);
+  return pressed_askew(absolute(force), loaded_curvature(drive, middle, force),
                        middle.slant(drive.roller_radius), drive.duty.crown_curvature(),
                        drive.face_width, rib_material(drive));
 }
@@ -86,13 +85,13 @@ auto pressed_rib(const Drive& drive, const X& psi, const FollowerMotion<X>& f) {
 template <class F>
 auto of_driving_roller(F formula) {
   return [formula](const auto& drive, const auto& f) {
-    using X = std::decay_t<decltype(f.s)>;
-    return handed_over(f.s, drive.step(),
-                       [&](const X& gain) { return X(formula(drive, rib_angle(drive, gain), f)); });
+    return handed_over(f.s, drive.step(), [&](const Expression& gain) {
+      return formula(drive, rib_angle(drive, gain), f);
+    });
   };
 }
 
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse rib_curve(ResponseAbout about, F formula) {
   return cam_curve<M>(std::move(about), of_driving_roller(formula));
 }
@@ -105,16 +104,16 @@ struct ContactPlace {
 };
 
 /// Where the driving roller at psi touches a flank, in the coordinates of the cam turned by phi.
-template <class Drive, class X>
-X contact_coordinate(const Drive& drive, const ContactPlace& which, const X& psi,
-                     const FollowerMotion<X>& f, const X& phi) {
+template <class Drive>
+Expression contact_coordinate(const Drive& drive, const ContactPlace& which, const Expression& psi,
+                              const FollowerMotion& f, const Expression& phi) {
   const auto theta = drive.contact(which.place, psi, f).direction(which.side);
-  const SpacePoint<X> at = on_turned_cam(drive.surface_point(which.place, psi, theta), phi);
+  const SpacePoint at = on_turned_cam(drive.surface_point(which.place, psi, theta), phi);
   return which.coordinate == 0 ? at.x : which.coordinate == 1 ? at.y : at.z;
 }
 
 /// The lines of contact of both flanks, each by three of its points.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> contact_lines() {
   std::vector<MechanismResponse> all;
   for (const double side : {kDrives, kHolds}) {
@@ -129,10 +128,8 @@ std::vector<MechanismResponse> contact_lines() {
         const ContactPlace which{coordinate, place, side};
         all.push_back(cam_curve<M>(
             {name, "mm", "m", meaning}, [which](const auto& drive, const auto& f, const auto& x) {
-              using X = std::decay_t<decltype(x)>;
-              return handed_over(f.s, drive.step(), [&](const X& gain) {
-                return contact_coordinate(drive, which, rib_angle(drive, gain), f,
-                                          X(number<X>(2) * pi<X>() * x));
+              return handed_over(f.s, drive.step(), [&](const Expression& gain) {
+                return contact_coordinate(drive, which, rib_angle(drive, gain), f, 2 * pi() * x);
               });
             }));
       }
@@ -142,7 +139,7 @@ std::vector<MechanismResponse> contact_lines() {
 }
 
 /// In a plane across the roller.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> rib_place_responses(RollerPlace place) {
   const std::string prefix = place_prefix(place), at = place_words(place);
   const auto undercut = [place](double side) {
@@ -174,7 +171,7 @@ std::vector<MechanismResponse> rib_place_responses(RollerPlace place) {
   return all;
 }
 
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> rib_responses() {
   std::vector<MechanismResponse> all = turret_responses<M>();
   all.push_back(cam_curve<M>(

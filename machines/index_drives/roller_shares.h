@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "machines/index_drives/index_load.h"
-#include "numerics/scalar/extremes.h"
+#include "numerics/formula/expression.h"
 
 /// How the rollers of a turret share what a cycle does to them (docs/theory.md, "Rollers of a
 /// turret").
@@ -24,39 +24,37 @@ inline constexpr double kPlaceRounding = 1e-7;
 
 /// What a roller gains, by the turret's gain y since the first one took over, while it serves as
 /// the one of this place; 0 otherwise.
-template <class T, class X>
-X while_serving(const X& y, const T& step, int place, const X& gain) {
-  const X none = number<X>(0);
+inline Expression while_serving(const Expression& y, const Expression& step, int place,
+                                const Expression& gain) {
+  const Expression none = 0;
   // The end of one place and the beginning of the next are the same formula, to the last bit.
-  const auto beyond = [&](int k) { return X(y / step - number<T>(k - kPlaceRounding)); };
-  const X until_next = by_side(beyond(place + 1), none, gain);
+  const auto beyond = [&](int k) { return y / step - Expression(k - kPlaceRounding); };
+  const Expression until_next = by_side(beyond(place + 1), none, gain);
   return place == 0 ? until_next : by_side(beyond(place), until_next, none);
 }
 
 /// 0 or above where a whole number is a multiple of another one.
-template <class T>
-T divided_by(const T& whole, int divisor) {
-  using std::cos;
+inline Expression divided_by(const Expression& whole, int divisor) {
   // The cosine is 1, or at most cos(2 pi / kServed) = 0.77.
-  return cos(number<T>(2) * pi<T>() / number<T>(divisor) * whole) - number<T>(0.9);
+  return cos(2 * pi() / divisor * whole) - Expression(0.9);
 }
 
 /// (IX23) What the roller that bears most gains in a cycle of the cam, from what those of all
 /// places gain together: the rollers of a turret serve in the same places after every g-th, where g
 /// is the greatest common divisor of the hand-overs in a cycle and of all rollers.
-template <class T>
-T most_of_a_roller(std::span<const T> by_place, const T& handovers, const T& rollers) {
-  T most = number<T>(0);
+inline Expression most_of_a_roller(std::span<const Expression> by_place,
+                                   const Expression& handovers, const Expression& rollers) {
+  Expression most = 0;
   for (int g = 1; g <= kMostHandovers; ++g) {
-    std::vector<T> sums(static_cast<std::size_t>(g), number<T>(0));
+    std::vector<Expression> sums(static_cast<std::size_t>(g), 0);
     for (std::size_t place = 0; place < by_place.size(); ++place) {
-      T& sum = sums[place % sums.size()];
+      Expression& sum = sums[place % sums.size()];
       sum = sum + by_place[place];
     }
-    T greatest = sums.front();
-    for (const T& sum : sums) greatest = greater_of(greatest, sum);
-    const T shared = number<T>(g) * greatest / rollers;
-    const T divides = lesser_of(divided_by(handovers, g), divided_by(rollers, g));
+    Expression greatest = sums.front();
+    for (const Expression& sum : sums) greatest = greater_of(greatest, sum);
+    const Expression shared = g * greatest / rollers;
+    const Expression divides = lesser_of(divided_by(handovers, g), divided_by(rollers, g));
     most = g == 1 ? shared : by_side(divides, shared, most);
   }
   return most;

@@ -11,9 +11,9 @@
 namespace camlaw::problems {
 
 /// (IX23) From the damage |N|^p nu of the rollers that serve in each place, as integrands, which
-/// by_place(machine, means) -> vector puts in order, and from turns(machine, f) -> X, those of the
+/// by_place(machine, means) -> vector puts in order, and from turns(machine, f), those of the
 /// roller that bears.
-template <template <class> class M, class Turns, class ByPlace>
+template <class M, class Turns, class ByPlace>
 std::vector<MechanismResponse> turret_life(std::vector<Write> damages, Turns turns,
                                            ByPlace by_place) {
   const std::size_t places = damages.size();
@@ -25,11 +25,10 @@ std::vector<MechanismResponse> turret_life(std::vector<Write> damages, Turns tur
   damages.push_back(of_follower([](const auto&, const auto& f) { return f.ds; }));
   damages.push_back(of_follower(turns));
   const auto worst = [places, by_place](const auto& drive, const auto& means) {
-    using T = std::decay_t<decltype(means[0])>;
-    const std::vector<T> sums = by_place(drive, means.first(places));
-    const T gained = number<T>(2) * pi<T>() * means[places];
-    return most_of_a_roller(std::span<const T>(sums), T(gained / drive.step()),
-                            T(drive.all_rollers()));
+    const std::vector<Expression> sums = by_place(drive, means.first(places));
+    const Expression gained = 2 * pi() * means[places];
+    return most_of_a_roller(std::span<const Expression>(sums), gained / drive.step(),
+                            drive.all_rollers());
   };
   const std::string most = " of the most heavily loaded roller";
   return {number_of_means<M>(
@@ -46,8 +45,8 @@ std::vector<MechanismResponse> turret_life(std::vector<Write> damages, Turns tur
                              })};
 }
 
-/// Of the roller that bears, from turns(machine, f) -> X.
-template <template <class> class M, class Turns>
+/// Of the roller that bears, from turns(machine, f).
+template <class M, class Turns>
 std::vector<MechanismResponse> turret_roller_speeds(Turns turns) {
   return {cam_curve<M>({"roller_speed", "rpm", "rad/s",
                         "speed of the roller on its pin, on the flank that carries the load"},
@@ -61,8 +60,8 @@ std::vector<MechanismResponse> turret_roller_speeds(Turns turns) {
                        })};
 }
 
-/// From force(machine, f) -> X, N.
-template <template <class> class M, class Force>
+/// From force(machine, f), N.
+template <class M, class Force>
 MechanismResponse turret_static_fraction(Force force) {
   return cam_curve<M>({"static_fraction", "1", "1",
                        "force on the loaded roller over its static load rating: the inverse of the "

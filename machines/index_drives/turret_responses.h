@@ -6,7 +6,7 @@
 #include "machines/index_drives/index_load.h"
 #include "machines/model/append.h"
 #include "machines/model/mean_number.h"
-#include "numerics/scalar/by_side.h"
+#include "numerics/formula/expression.h"
 
 /// What the turret of every index drive does and asks for.
 namespace camlaw::problems {
@@ -14,28 +14,29 @@ namespace camlaw::problems {
 /// (IX19) Rollers between two flanks are held without a spring: where the torque changes its sign
 /// the other flank takes over.
 inline TrainWords table_words() {
-  return {.place = "deg",
-          .place_stored = "rad",
-          .acceleration = "rad/s2",
-          .force = "N m",
-          .load = "torque",
-          .elastic =
-              "torque that turret, elastic train and load require, without friction; below "
-              "0 the holding flank carries it",
-          .lost =
-              "lowest speed at which the holding flank bears, with the elastic train and no "
-              "friction; undefined if none is found",
-          .least =
-              "least torque with the elastic train, without friction; above 0 the driving "
-              "flank carries the load all the time",
-          .rigid = "turret_torque",
-          .of_motion = {},
-          .of_load = {"load_torque"}};
+  return {
+      .place = "deg",
+      .place_stored = "rad",
+      .acceleration = "rad/s2",
+      .force = "N m",
+      .load = "torque",
+      .elastic =
+          "torque that turret, elastic train and load require, without friction; below "
+          "0 the holding flank carries it",
+      .lost =
+          "lowest speed at which the holding flank carries the load, with the elastic train and no "
+          "friction; undefined if none is found",
+      .least =
+          "least torque with the elastic train, without friction; above 0 the driving "
+          "flank carries the load all the time",
+      .rigid = "turret_torque",
+      .of_motion = {},
+      .of_load = {"load_torque"}};
 }
 
 /// The responses of a machine M with over_angle(), follower(), angular_speed and what elastic_end()
 /// takes.
-template <template <class> class M>
+template <class M>
 std::vector<MechanismResponse> turret_responses() {
   const auto drive_torque = [](const auto& drive, const auto& f) {
     return drive.follower().drive_torque(f);

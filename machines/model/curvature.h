@@ -5,7 +5,7 @@
 #include "optim/problem/function.h"
 
 /// What is known of the shape of a function, and how steps of a formula pass it on (docs/theory.md,
-/// "Shapes by rules").
+/// "Convexity from rules").
 namespace camlaw::problems {
 
 /// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex. Where

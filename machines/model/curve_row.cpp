@@ -143,6 +143,7 @@ void PlaceMotion::come_from_within(MotionDerivatives& motion,
 MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
   const bool is_linear = !joint_ && law_->is_linear();
   MotionDerivatives motion = is_linear ? linear_at(values) : law_at(values, order);
+  motion.value[0] = onto_ends(motion.value[0]);
   come_from_within(motion, values);
   return motion;
 }

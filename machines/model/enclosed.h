@@ -49,10 +49,10 @@ inline std::array<optim::Bounds, 3> by_place(const Series<Interval, 3>& series,
   return result;
 }
 
-/// Bounds of a function f over a stretch (docs/theory.md, "Enclosing a stretch"): from its series
-/// over the whole stretch, its values at the two ends where it is monotone and has both, else from
-/// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius of the middle c.
-/// low() and high() -> Interval, middle() -> Series<Interval, 2>.
+/// Bounds of a function f over a stretch (docs/theory.md, "Bounds of a law over an interval"): from
+/// its series over the whole stretch, its values at the two ends where it is monotone and has both,
+/// else from f(c) + f'(c) h + h^2 f'' / 2, all h within the radius of the middle c. low() and
+/// high() -> Interval, middle() -> Series<Interval, 2>.
 template <class Low, class High, class Middle>
 optim::Bounds enclosed(const Series<Interval, 3>& over, double radius, const Low& low,
                        const High& high, const Middle& middle) {

@@ -38,18 +38,18 @@ struct MachineParameter {
 
 /// What a machine is made of: the value of each parameter, which a machine asks for where it
 /// declares the field that holds it,
-///   Given<T> given = {};
-///   T stroke = given({"stroke", "h", "mm", "m", "stroke of the follower", 20, 1e-6, 1e5});
+///   Given given = {};
+///   Expression stroke = given({"stroke", "h", "mm", "m", "stroke of the follower", 20, 1e-6,
+///   1e5});
 /// so that a parameter is stated once. The first field is `given` itself; the order of the others
-/// is that in which people read them. A machine is made by M<T>{given}.
-template <class T>
+/// is that in which people read them. A machine is made by M{given}.
 class Given {
  public:
   /// The default of each parameter.
   Given() = default;
   /// Values in listed units, in the order of the fields, and the factors to those of the formulas.
   /// Both must outlive the machine's construction, but not the machine.
-  Given(std::span<const T> values, std::span<const UnitFactor> factors)
+  Given(std::span<const Expression> values, std::span<const UnitFactor> factors)
       : values_(values), factors_(factors) {}
   /// 0 in every field, of a machine whose formulas need only the fields that are set by hand.
   static Given unset() {
@@ -61,18 +61,18 @@ class Given {
   explicit Given(std::vector<MachineParameter>& seen) : seen_(&seen) {}
 
   /// The value of the next parameter, in the unit of the formulas.
-  T operator()(const MachineParameter& parameter) {
-    if (unset_) return number<T>(0);
+  Expression operator()(const MachineParameter& parameter) {
+    if (unset_) return 0;
     if (seen_ != nullptr) seen_->push_back(parameter);
     const std::size_t i = next_++;
     assert(values_.empty() || i < values_.size());
-    if (i < values_.size()) return factors_[i].template as<T>() * values_[i];
-    return UnitFactor(parameter.unit, parameter.stored).template as<T>() *
-           number<T>(parameter.default_value);
+    if (i < values_.size()) return factors_[i].as<Expression>() * values_[i];
+    return UnitFactor(parameter.unit, parameter.stored).as<Expression>() *
+           Expression(parameter.default_value);
   }
 
  private:
-  std::span<const T> values_;
+  std::span<const Expression> values_;
   std::span<const UnitFactor> factors_;
   std::vector<MachineParameter>* seen_ = nullptr;
   std::size_t next_ = 0;

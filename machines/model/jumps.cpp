@@ -7,6 +7,7 @@
 #include <set>
 
 #include "machines/model/decisions.h"
+#include "machines/model/rest_velocity.h"
 #include "machines/model/sign_brackets.h"
 #include "numerics/formula/deciders.h"
 
@@ -21,7 +22,7 @@ class PieceInStretch {
   /// s, v, a, j and the place in the whole cycle at x of the law: a formula's other inputs.
   std::array<double, 5> at(double x) const {
     const auto d = derivatives<4>(piece_, x);
-    const auto m = follower_motion(stretch_, Motion<double>{d[0], d[1], d[2], d[3]});
+    const auto m = follower_motion(stretch_, onto_ends(Motion<double>{d[0], d[1], d[2], d[3]}));
     return {m.s, m.v, m.a, m.j, part_.at(x)};
   }
   double angle(double x) const { return stretch_.begin + stretch_.length() * x; }

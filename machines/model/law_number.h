@@ -15,13 +15,13 @@ namespace camlaw::problems {
 using LawKernel = std::function<std::shared_ptr<const optim::Kernel>(
     const Binding&, std::vector<Recorded> parts, const UnitFactor&, optim::Shape)>;
 
-/// Such a formula of what matters of a machine M<T>, the numbers that
-/// parts(machine) -> std::array<T, N> has.
-template <template <class> class M, class Parts>
+/// Such a formula of what matters of a machine M, the numbers that
+/// parts(machine) -> std::array<Expression, N> has.
+template <class M, class Parts>
 MechanismResponse law_number(ResponseAbout about, Parts parts, LawKernel kernel);
 
 /// The numbers of a machine as formulas of its parameters.
-template <template <class> class M, class Parts>
+template <class M, class Parts>
 std::vector<Write> machine_parts(Parts parts);
 
 // ---------------------------------------------------------------------------------------------
@@ -37,11 +37,11 @@ inline std::vector<std::size_t> law_number_variables(const Binding& binding) {
 
 }  // namespace detail
 
-template <template <class> class M, class Parts>
+template <class M, class Parts>
 std::vector<Write> machine_parts(Parts parts) {
   using Numbers = std::span<const Expression>;
   std::vector<Write> writes;
-  for (std::size_t k = 0; k < std::tuple_size_v<decltype(parts(M<Expression>()))>; ++k) {
+  for (std::size_t k = 0; k < std::tuple_size_v<decltype(parts(std::declval<M>()))>; ++k) {
     writes.push_back([parts, k](Numbers parameters, Numbers) {
       return parts(detail::machine_of<M>(parameters))[k];
     });
@@ -49,7 +49,7 @@ std::vector<Write> machine_parts(Parts parts) {
   return writes;
 }
 
-template <template <class> class M, class Parts>
+template <class M, class Parts>
 MechanismResponse law_number(ResponseAbout about, Parts parts, LawKernel kernel) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));

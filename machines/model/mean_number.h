@@ -17,8 +17,8 @@ MechanismResponse recorded_means(MechanismResponse response, std::size_t paramet
 
 namespace detail {
 
-/// An integrand(machine, motion) -> X of a machine M<T>.
-template <template <class> class M, class Integrand>
+/// An integrand(machine, motion) -> Expression of a machine M.
+template <class M, class Integrand>
 Write written_integrand(Integrand integrand) {
   return [integrand](std::span<const Expression> parameters, std::span<const Expression> motion) {
     return integrand(machine_of<M>(parameters),
@@ -28,9 +28,9 @@ Write written_integrand(Integrand integrand) {
 
 }  // namespace detail
 
-/// The same from integrands of detail::written_integrand and formula(machine, means) -> T of a
-/// machine M<T>.
-template <template <class> class M, class F>
+/// The same from integrands of detail::written_integrand and formula(machine, means) -> Expression
+/// of a machine M.
+template <class M, class F>
 MechanismResponse number_of_means(ResponseAbout about, const std::vector<Write>& integrands,
                                   F formula) {
   using Numbers = std::span<const Expression>;
@@ -42,16 +42,16 @@ MechanismResponse number_of_means(ResponseAbout about, const std::vector<Write>&
                         });
 }
 
-/// The same of one integrand(machine, motion) -> X: formula(machine, mean) -> T.
-template <template <class> class M, class Integrand, class F>
+/// The same of one integrand(machine, motion): formula(machine, mean).
+template <class M, class Integrand, class F>
 MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
   return number_of_means<M>(
       std::move(about), {detail::written_integrand<M>(integrand)},
       [formula](const auto& machine, const auto& means) { return formula(machine, means[0]); });
 }
 
-/// The same of the means of two integrands: formula(machine, first, second) -> T.
-template <template <class> class M, class First, class Second, class F>
+/// The same of the means of two integrands: formula(machine, first, second).
+template <class M, class First, class Second, class F>
 MechanismResponse mean_number(ResponseAbout about, First first, Second second, F formula) {
   return number_of_means<M>(
       std::move(about), {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},

@@ -76,7 +76,7 @@ std::vector<std::string> known_responses(const Mechanism& mechanism) {
 }
 
 constexpr const char* kListing =
-    "'camlaw evaluate FILE' lists all once this name is out of the file";
+    "'camlaw evaluate FILE' lists all, once this name is removed from the file";
 
 /// A curve asked for by one of the words for its parts; null response where it is none.
 ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
@@ -94,7 +94,7 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
         throw std::invalid_argument(fmt::format(
             "'{}': {} has no curves, so nothing of it has a {}value", name, mechanism.name, word));
       }
-      refuse_name(fmt::format("{}: there is no curve", mechanism.name), curve, curves, kListing);
+      refuse_name(fmt::format("{} has no curve", mechanism.name), curve, curves, kListing);
     }
     if (!response->curve) {
       throw std::invalid_argument(
@@ -140,7 +140,7 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
   }
   std::vector<std::string> known;
   for (const auto& p : parameters) known.push_back(fmt::format("{} ({})", p.name, p.symbol));
-  refuse_name(fmt::format("{}: no parameter is called", name), parameter_name, known);
+  refuse_name(fmt::format("{} has no parameter", name), parameter_name, known);
 }
 
 ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
@@ -153,7 +153,7 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
   }
   if (auto found = find_exactly(mechanism, listed_name(name), name)) return *std::move(found);
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
-  refuse_name(fmt::format("{}: no response or parameter is called", mechanism.name), name,
+  refuse_name(fmt::format("{} has no response or parameter", mechanism.name), name,
               known_responses(mechanism), kListing);
 }
 

@@ -53,7 +53,7 @@ struct ParameterRange {
   double lower, upper;
 };
 
-/// The number of a derivation in docs/theory.md, "Shapes that are declared". There is none without
+/// The number of a derivation in docs/theory.md, "Declared convexity". There is none without
 /// a number: a shape cannot be declared on trust.
 class Proof {
  public:
@@ -218,6 +218,7 @@ struct MechanismResponse {
   std::shared_ptr<const ShaftTurn> turn = {};  ///< of a curve that no law moves
   std::vector<InnerNumber> inner = {};
   std::optional<std::size_t> cam = {};  ///< of several on one shaft the cam that it is of
+  bool is_coordinate = false;           ///< of a point of a curve of the cam, such as its profile
   /// Of a curve over the turn of such a shaft, or of one that is made of the machine's own curves:
   /// its formula's other inputs are the angle, rad, and these.
   std::vector<HeldCurve> held = {};

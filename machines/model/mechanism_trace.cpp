@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "machines/model/enclosed.h"
 #include "machines/model/jumps.h"
@@ -29,6 +30,7 @@ MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
       law_(std::move(law)),
       enclosing_(std::move(enclosing)),
       formula_(std::move(formula)),
+      uses_displacement_(uses[0]),
       may_jump_(jumps.has_value()) {
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
   if (law_ && uses[1]) still_ = velocity_rounding(*law_);
@@ -114,6 +116,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const Piece<double>& piece = law_->pieces()[section.piece];
   auto d = derivatives<6>(piece, x);
   d[1] = velocity_from_within(d[1], piece, x, still_);
+  d[0] = onto_ends(d[0]);
   if (may_jump_) d[0] = displacement_from_within(d[0], piece, x);
   const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
@@ -151,7 +154,8 @@ std::vector<double> MechanismTrace::values(std::span<const optim::Place> places)
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const auto& piece = law_->pieces()[sections[k]->piece];
     const double v = velocity_from_within(rows.v[k], piece, rows.x[k], still_);
-    const double s = may_jump_ ? displacement_from_within(rows.s[k], piece, rows.x[k]) : rows.s[k];
+    double s = onto_ends(rows.s[k]);
+    if (may_jump_) s = displacement_from_within(s, piece, rows.x[k]);
     const Motion<double> law{s, v, rows.a[k], rows.j[k]};
     const auto m = follower_motion(cycle_.stretches[sections[k]->stretch], law);
     rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
@@ -173,12 +177,68 @@ Interval MechanismTrace::law_range(const Section& section, double from, double t
   return {std::max(low, 0.0), std::min(high, 1.0)};
 }
 
-Interval MechanismTrace::value_at(const Section& section, double x) const {
-  const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
-  return formula_
-      ->enclosed({follower_motion(cycle_.stretches[section.stretch], motion),
-                  place_series<1>(section, Interval(x))})
-      .c[0];
+namespace {
+
+/// What s may be, moved onto the ends where it lies beyond them (docs/theory.md, (R4)): there its
+/// slope is 0, and where it comes there the slope jumps.
+template <std::size_t N>
+Series<Interval, N> clamped(Series<Interval, N> s, const Interval& ends) {
+  const auto within = [&](double x) { return std::clamp(x, ends.lower(), ends.upper()); };
+  s.c[0] = Interval(within(s.c[0].lower()), within(s.c[0].upper()));
+  if constexpr (N > 1) s.c[1] = boost::numeric::hull(s.c[1], Interval(0.0));
+  for (std::size_t k = 2; k < N; ++k) s.c[k] = Interval::whole();
+  return s;
+}
+
+}  // namespace
+
+template <std::size_t N>
+Series<Interval, N> MechanismTrace::over_motion(const Section& section,
+                                                const Expansion::Derivatives& motion,
+                                                const Interval& x, const Interval& ends) const {
+  auto series = motion_series<N>(motion);
+  Interval& s = series.s.c[0];
+  if (s.upper() < 0 && s.upper() >= -kBeyondEnds) s = {s.lower(), 0};
+  if (s.lower() > 1 && s.lower() <= 1 + kBeyondEnds) s = {1, s.upper()};
+  if (!boost::numeric::subset(s, ends)) series.s = clamped(series.s, ends);
+  return formula_->enclosed(
+      {follower_motion(cycle_.stretches[section.stretch], series), place_series<N>(section, x)});
+}
+
+Interval MechanismTrace::value_at(const Section& section, double x, const Interval& ends) const {
+  return over_motion<1>(section, expanders_[section.piece](Interval(x)).at, Interval(x), ends).c[0];
+}
+
+/// By halving the law's pieces until s is enclosed as no farther beyond an end than rounding.
+const Interval& MechanismTrace::proved_ends() const {
+  if (ends_) return *ends_;
+  constexpr int kMostBoxes = 4000;  // a rest takes some twenty
+  int boxes = 0;
+  bool low = true, high = true;
+  for (const PieceExpander& expander : expanders_) {
+    const auto& piece = expander.piece();
+    std::vector<Interval> open{Interval(piece.begin.lower(), piece.end.upper())};
+    while (!open.empty() && (low || high)) {
+      const Interval x = open.back();
+      open.pop_back();
+      const Expansion e = expander(x);
+      const auto at_end = [&](double place) { return expander(Interval(place)).at[0]; };
+      const optim::Bounds s = enclosed(
+          motion_series<3>(e.over).s, e.radius, [&] { return at_end(x.lower()); },
+          [&] { return at_end(x.upper()); }, [&] { return motion_series<2>(e.at).s; });
+      const bool is_low = !low || s.lower >= -kBeyondEnds;
+      const bool is_high = !high || s.upper <= 1 + kBeyondEnds;
+      if (is_low && is_high) continue;
+      const double middle = std::midpoint(x.lower(), x.upper());
+      const bool divides = x.lower() < middle && middle < x.upper() && ++boxes <= kMostBoxes;
+      low = low && (is_low || (divides && e.at[0].upper() >= -kBeyondEnds));
+      high = high && (is_high || (divides && e.at[0].lower() <= 1 + kBeyondEnds));
+      if (!divides) continue;
+      open.emplace_back(middle, x.upper());
+      open.emplace_back(x.lower(), middle);
+    }
+  }
+  return ends_.emplace(low ? 0 : -kInfinity, high ? 1 : kInfinity);
 }
 
 std::string MechanismTrace::why_unbounded() const {
@@ -191,24 +251,28 @@ std::optional<MechanismTrace::Stretched> MechanismTrace::stretched(double from, 
   if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
   const Section& section = section_at({std::midpoint(from, to)});
   const Interval x = law_range(section, from, to);
-  const Expansion motion = expanders_[section.piece](x);
-  const Stretch& stretch = cycle_.stretches[section.stretch];
-  return Stretched{section, x, motion,
-                   formula_->enclosed({follower_motion(stretch, motion_series<3>(motion.over)),
-                                       place_series<3>(section, x)})};
+  Stretched result{section, x, expanders_[section.piece](x), {}};
+  result.over = over_motion<3>(section, result.motion.over, x, result.ends);
+  // Beyond an end a formula may have no value, where the law never is.
+  const Interval& s = result.motion.over[0];
+  const Interval& value = result.over.c[0];
+  const bool is_bounded = std::isfinite(value.lower()) && std::isfinite(value.upper());
+  if (is_bounded || !uses_displacement_ || (s.lower() >= 0 && s.upper() <= 1)) return result;
+  result.ends = proved_ends();
+  result.over = over_motion<3>(section, result.motion.over, x, result.ends);
+  return result;
 }
 
 optim::Bounds MechanismTrace::enclose(double from, double to) const {
   const auto known = stretched(from, to);
   if (!known) return {};
   return enclosed(
-      known->over, known->motion.radius, [&] { return value_at(known->section, known->x.lower()); },
-      [&] { return value_at(known->section, known->x.upper()); },
+      known->over, known->motion.radius,
+      [&] { return value_at(known->section, known->x.lower(), known->ends); },
+      [&] { return value_at(known->section, known->x.upper(), known->ends); },
       [&] {
-        const Stretch& stretch = cycle_.stretches[known->section.stretch];
-        return formula_->enclosed(
-            {follower_motion(stretch, motion_series<2>(known->motion.at)),
-             place_series<2>(known->section, Interval(known->motion.middle))});
+        return over_motion<2>(known->section, known->motion.at, Interval(known->motion.middle),
+                              known->ends);
       });
 }
 

@@ -14,10 +14,10 @@
 
 namespace camlaw::problems {
 
-/// A mechanism's curve for one design (docs/theory.md, "Enclosing a stretch"). A design that makes
-/// no law is NaN everywhere and bounded nowhere. A jump of the formula inside a piece of the law is
-/// a break. At a pulse (pulse_place) the curve is -infinite
-/// from the left and infinite from the right: bounded neither way.
+/// A mechanism's curve for one design (docs/theory.md, "Bounds of a law over an interval"). A
+/// design that makes no law is NaN everywhere and bounded nowhere. A jump of the formula inside a
+/// piece of the law is a break. At a pulse (pulse_place) the curve is -infinite from the left and
+/// infinite from the right: bounded neither way.
 class MechanismTrace final : public optim::Trace {
  public:
   /// `uses` tells which of s, v, a, j the formula depends on, and `jumps` where it may jump
@@ -49,13 +49,20 @@ class MechanismTrace final : public optim::Trace {
   /// The law's x of a place inside a section; none elsewhere.
   std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
-  Interval value_at(const Section& section, double x) const;
+  Interval value_at(const Section& section, double x, const Interval& ends) const;
+  /// What the formula makes of a law's motion, of which s lies between the ends.
+  template <std::size_t N>
+  Series<Interval, N> over_motion(const Section& section, const Expansion::Derivatives& motion,
+                                  const Interval& x, const Interval& ends) const;
+  /// Where the law's s is proved to stay, to kBeyondEnds: 0 and 1, or infinite where it does not.
+  const Interval& proved_ends() const;
   /// What is known of a stretch as a whole.
   struct Stretched {
     const Section& section;
     Interval x;
     Expansion motion;
     Series<Interval, 3> over;
+    Interval ends = Interval::whole();  ///< which s was taken to lie between
   };
   /// None where nothing is enclosed.
   std::optional<Stretched> stretched(double from, double to) const;
@@ -75,7 +82,9 @@ class MechanismTrace final : public optim::Trace {
   /// Makes the law in intervals, when something is first enclosed; then empty.
   mutable std::function<std::optional<Law<Interval>>()> enclosing_;
   mutable std::vector<PieceExpander> expanders_;  ///< of each piece; empty: nothing is enclosed
+  mutable std::optional<Interval> ends_;          ///< proved_ends, when first asked for
   std::unique_ptr<const CurveFormula> formula_;
+  bool uses_displacement_;
   std::vector<Section> sections_;
   std::optional<double> pulse_;  ///< its place
   double still_ = -1;          ///< s' is 0 up to this, where the formula has it (velocity_rounding)

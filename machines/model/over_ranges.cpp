@@ -176,23 +176,70 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   return result;
 }
 
+namespace {
+
+/// The named part of a curve as a number of a design in which ranges vary too.
+struct WidePeak {
+  std::shared_ptr<const Mechanism> mechanism;
+  ResponseName name;
+  std::vector<TakenRange> ranges;
+  std::shared_ptr<const MechanismResponse> of;
+
+  std::pair<optim::Function, std::shared_ptr<const Widened>> operator()(
+      const Binding& binding) const {
+    ResponseName own = name;
+    own.response = of.get();
+    auto wide = widened_by(ranges, of->possible_by, binding);
+    const optim::Response curve = make_response(*mechanism, own, wide->binding);
+    return {optim::peak_function(curve, own.part, wide->first + ranges.size()), std::move(wide)};
+  }
+};
+
+std::shared_ptr<MechanismResponse> number_of(const WidePeak& peak, double sign) {
+  auto result = std::make_shared<MechanismResponse>(*peak.of);
+  make_plain_number(*result);
+  result->possible_by.ranges = parameters_of(peak.ranges);
+  result->number = [peak, sign](const Binding& binding, optim::Shape) {
+    const auto [f, wide] = peak(binding);
+    return highest_of(f, wide, sign);
+  };
+  return result;
+}
+
+}  // namespace
+
 std::shared_ptr<const MechanismResponse> number_over_ranges(
     std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
     std::vector<TakenRange> ranges, bool highest) {
   if (!name.response->curve) return over_ranges(*name.response, std::move(ranges), highest);
-  auto result = std::make_shared<MechanismResponse>(*name.response);
-  make_plain_number(*result);
-  result->possible_by.ranges = parameters_of(ranges);
-  result->number = [mechanism = std::move(mechanism), name, ranges = std::move(ranges),
-                    of = std::make_shared<const MechanismResponse>(*name.response),
-                    sign = highest ? 1.0 : -1.0](const Binding& binding, optim::Shape) {
-    ResponseName own = name;
-    own.response = of.get();
-    const auto wide = widened_by(ranges, of->possible_by, binding);
-    const optim::Response curve = make_response(*mechanism, own, wide->binding);
-    return highest_of(optim::peak_function(curve, own.part, wide->first + ranges.size()), wide,
-                      sign);
+  auto of = std::make_shared<const MechanismResponse>(*name.response);
+  return number_of({std::move(mechanism), name, std::move(ranges), std::move(of)},
+                   highest ? 1.0 : -1.0);
+}
+
+std::shared_ptr<const MechanismResponse> peak_over_ranges(
+    std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
+    std::vector<TakenRange> ranges, bool highest) {
+  std::erase_if(ranges, [&](const auto& range) { return !depends_on(*name.response, {range}); });
+  if (!name.response->curve) return over_ranges(*name.response, std::move(ranges), highest);
+  const double sign = highest ? 1 : -1;
+  const WidePeak peak{std::move(mechanism), name, ranges,
+                      std::make_shared<const MechanismResponse>(*name.response)};
+  const auto result = number_of(peak, sign);
+  auto over = std::make_shared<OverRanges>();
+  over->ranges = std::move(ranges);
+  over->of = peak.of;
+  over->all_possible = [peak](const Binding& binding, Design x) {
+    return widened_by(peak.ranges, peak.of->possible_by, binding)->machines_at(x).all_possible;
   };
+  over->worst = [peak, sign](const Binding& binding, Design x, const Place*) {
+    const auto [f, wide] = peak(binding);
+    const HighestKernel own(f, wide, sign);
+    std::vector<double> u;
+    for (const std::size_t input : own.own_inputs()) u.push_back(x[input]);
+    return told(f, *wide, x, own.worst(u));
+  };
+  result->over_ranges = std::move(over);
   return result;
 }
 

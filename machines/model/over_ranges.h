@@ -46,4 +46,11 @@ std::shared_ptr<const MechanismResponse> number_over_ranges(
     std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
     std::vector<TakenRange> ranges, bool highest);
 
+/// The same, with what is known of the ranges (MechanismResponse::over_ranges): for ranges by which
+/// the law itself changes, so that one place of the cycle is another part of the motion at each of
+/// their values (Parameter::given_by).
+std::shared_ptr<const MechanismResponse> peak_over_ranges(
+    std::shared_ptr<const Mechanism> mechanism, const ResponseName& name,
+    std::vector<TakenRange> ranges, bool highest);
+
 }  // namespace camlaw::problems

@@ -7,9 +7,9 @@
 /// Numbers that a peak of a curve decides, such as the speed at which a follower leaves its cam.
 namespace camlaw::problems {
 
-/// formula(machine, peak) -> T of a machine M<T> and a part of one of its curves, in the curve's
-/// listed unit.
-template <template <class> class M, class F>
+/// formula(machine, peak) -> Expression of a machine M and a part of one of its curves, in the
+/// curve's listed unit.
+template <class M, class F>
 MechanismResponse peak_number(ResponseAbout about, const MechanismResponse& curve, optim::Part part,
                               F formula) {
   const UnitFactor factor(about.stored, about.unit);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "machines/model/arguments.h"
+#include "machines/model/possibility.h"
 #include "machines/model/recorded_kernel.h"
 #include "machines/model/recorded_response.h"
 #include "machines/model/shape_rules.h"
@@ -25,9 +26,6 @@ namespace {
 bool holds_within(const Interval& margin, bool may_be_zero) {
   return margin.lower() > 0 || (may_be_zero && margin.lower() == 0);
 }
-
-/// The same in plain numbers.
-bool holds(double margin, bool may_be_zero) { return margin > 0 || (may_be_zero && margin == 0); }
 
 /// What the varying parameters of a binding accept.
 std::vector<Interval> accepted(const Margin& margin, const Binding& binding) {
@@ -109,12 +107,13 @@ MachinesOfBox looked_at(const Formula& margin, bool may_be_zero, std::span<const
     const Interval value = margin(std::span<const Interval>(within));
     if (holds_within(value, may_be_zero)) return;
     std::vector<double> middle = middle_of(box);
-    if (!holds(margin(std::span<const double>(middle)), may_be_zero)) fails = std::move(middle);
+    if (!margin_holds(margin(std::span<const double>(middle)), may_be_zero))
+      fails = std::move(middle);
     const double least = std::isnan(value.lower()) ? -optim::kInfinity : value.lower();
     open.push({std::move(box), least});
   };
   for (std::vector<double>& corner : corners_of(whole, margin.uses())) {
-    if (!holds(margin(std::span<const double>(corner)), may_be_zero)) return {false, corner};
+    if (!margin_holds(margin(std::span<const double>(corner)), may_be_zero)) return {false, corner};
   }
   look({whole.begin(), whole.end()});
   for (int parts = 0; !fails && !open.empty(); ++parts) {

@@ -7,8 +7,8 @@
 #include "machines/model/mechanism.h"
 #include "numerics/formula/formula.h"
 
-/// Which machines there are: the set of parameters at which every margin is above 0, by the
-/// margins' records (docs/theory.md, "Which machines there are").
+/// Possible machines: the set of parameters at which every margin is above 0, by the
+/// margins' records (docs/theory.md, "Possible and impossible machines").
 namespace camlaw::problems {
 
 /// What decides on a mechanism whose margins are these. A condition that holds all over what the

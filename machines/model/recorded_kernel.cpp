@@ -11,6 +11,7 @@
 #include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/formula_ranges.h"
 #include "numerics/formula/formula_slopes.h"
+#include "numerics/formula/undefined_step.h"
 #include "numerics/scalar/dual.h"
 #include "optim/problem/automatic.h"
 
@@ -31,7 +32,10 @@ bool all_finite(std::span<const double> numbers) {
 class RecordedKernel final : public optim::Kernel {
  public:
   explicit RecordedKernel(const Recorded& recorded)
-      : is_possible_(recorded.is_possible), arguments_(recorded.arguments), forward_(recorded) {
+      : is_possible_(recorded.is_possible),
+        arguments_(recorded.arguments),
+        formula_(recorded.formula),
+        forward_(recorded) {
     if (!FormulaSlopes::knows(recorded.formula)) return;
     slopes_.emplace(recorded.formula);
     ranges_.emplace(recorded.formula);
@@ -56,6 +60,9 @@ class RecordedKernel final : public optim::Kernel {
   optim::Bounds enclose(std::span<const double> u) const override { return forward_.enclose(u); }
   optim::BoxRange range(std::span<const optim::Bounds> box) const override;
   bool is_enclosed() const override { return true; }
+  std::string why_undefined(std::span<const double> u) const override {
+    return is_possible(u) ? camlaw::why_undefined(formula_, u) : std::string();
+  }
 
  private:
   bool is_possible(std::span<const double> u) const {
@@ -64,6 +71,7 @@ class RecordedKernel final : public optim::Kernel {
 
   IsPossible is_possible_;
   std::size_t arguments_;
+  Formula formula_;
   optim::AutomaticKernel<Recorded, Interval, Series<Interval, 2>> forward_;
   std::optional<FormulaSlopes> slopes_;
   std::optional<FormulaRanges> ranges_;

@@ -15,7 +15,7 @@
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
 
-/// Responses of a mechanism from formulas written once, generic in the scalar.
+/// Responses of a mechanism from formulas that are written once.
 namespace camlaw::problems {
 
 /// What a response is called and counted in.
@@ -25,15 +25,16 @@ struct ResponseAbout {
   std::string stored;  ///< the one that the formula gives
   std::string meaning;
   std::vector<ShapeStatement> shapes = {};
+  bool is_coordinate = false;  ///< of a point of a curve of the cam, such as its profile
 };
 
-/// A number: formula(machine) -> T for a machine M<T>.
-template <template <class> class M, class F>
+/// A number: formula(machine) -> Expression for a machine M.
+template <class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// A curve: formula(machine, motion) or formula(machine, motion, x), of an M<Expression>, the
+/// A curve: formula(machine, motion) or formula(machine, motion, x), of an M, the
 /// follower's motion along x, a Motion<Expression>, and, if the formula wants it, x itself.
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula);
 
 /// A whole turn of the cam as one stretch: what motion programs run over.
@@ -47,11 +48,11 @@ inline const Cycle& turn_of_the_cam() {
 namespace detail {
 
 /// The margins of a machine's conditions.
-template <template <class> class M>
+template <class M>
 std::vector<Margin> margins_of() {
   std::vector<Margin> result;
-  if constexpr (requires(const M<double>& machine) { machine.conditions(); }) {
-    const auto conditions = M<double>().conditions();
+  if constexpr (requires(const M& machine) { machine.conditions(); }) {
+    const auto& conditions = conditions_of<M>();
     for (std::size_t k = 0; k < conditions.size(); ++k) {
       const auto write = [k](std::span<const Expression> parameters, std::span<const Expression>) {
         return machine_of<M>(parameters).conditions()[k].margin;
@@ -66,28 +67,30 @@ std::vector<Margin> margins_of() {
 }
 
 /// What decides whether there is such a machine.
-template <template <class> class M>
+template <class M>
 const PossibleBy& possible_machines() {
   static const PossibleBy kept = possible_by(margins_of<M>(), parameters_of<M>().size());
   return kept;
 }
 
 /// What its describer says of a machine's response, and what decides whether it is a number.
-template <template <class> class M>
+template <class M>
 MechanismResponse described(ResponseAbout about) {
   return {.name = std::move(about.name),
           .unit = std::move(about.unit),
           .meaning = std::move(about.meaning),
           .shapes = std::move(about.shapes),
           .possible_by = possible_machines<M>(),
-          .is_possible = [](std::span<const double> parameters) {
-            return is_possible(machine_of<M>(parameters));
-          }};
+          .is_possible =
+              [](std::span<const double> parameters) {
+                return broken_condition<M>(parameters) == nullptr;
+              },
+          .is_coordinate = about.is_coordinate};
 }
 
 }  // namespace detail
 
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
@@ -98,7 +101,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
   return recorded_number(std::move(response), parameters_of<M>());
 }
 
-template <template <class> class M, class F>
+template <class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));

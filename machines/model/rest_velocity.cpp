@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camlaw::problems {
 namespace {
@@ -67,7 +68,10 @@ double displacement_from_within(double s, const Piece<double>& piece, double x) 
 
 double without_traces(double value) {
   constexpr double kTraces = 1e-80;  // what is left of the 1e-100 of a resting velocity
-  return std::abs(value) < kTraces ? 0 : value;
+  if (std::abs(value) < kTraces) return 0;
+  return std::abs(value) > 1 / kTraces
+             ? std::copysign(std::numeric_limits<double>::infinity(), value)
+             : value;
 }
 
 }  // namespace camlaw::problems

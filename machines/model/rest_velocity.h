@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <type_traits>
+
 #include "kinematics/law.h"
+#include "numerics/scalar/series.h"
 
 namespace camlaw::problems {
 
@@ -31,7 +35,26 @@ double resting_displacement(double s, double inside);
 /// it is no farther than kRestRounding from that at the end, that of a rest.
 double displacement_from_within(double s, const Piece<double>& piece, double x);
 
-/// A value of a formula without what such a velocity leaves of it.
+/// How far beyond 0 or 1 a law's displacement counts as being there, in strokes: rounding and the
+/// width of enclosures leave less (docs/theory.md, "Ends of the stroke").
+inline constexpr double kBeyondEnds = 1e-10;
+
+/// A displacement that lies at most kBeyondEnds beyond 0 or 1 is moved to that end; its derivatives
+/// stay. No enclosure may be moved so.
+template <class T>
+T onto_ends(const T& s) {
+  static_assert(!std::is_same_v<T, Interval> && !is_interval_series<T>);
+  const double x = value_of(s), beyond = x < 0 ? x : x > 1 ? x - 1 : 0;
+  const bool is_rounding = beyond != 0 && std::abs(beyond) <= kBeyondEnds;
+  return is_rounding ? s - number<T>(beyond) : s;
+}
+template <class T>
+Motion<T> onto_ends(const Motion<T>& m) {
+  return {onto_ends(m.s), m.v, m.a, m.j};
+}
+
+/// A value of a formula without what such a velocity leaves of it: 0, and infinite where the
+/// formula divides by it.
 double without_traces(double value);
 
 }  // namespace camlaw::problems

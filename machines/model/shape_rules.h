@@ -8,8 +8,8 @@
 
 /// The shape of a recorded formula by rules of composition: a sum of convex functions is convex,
 /// the root of a concave one concave, a quotient of linear ones quasilinear; and where one input
-/// alone varies by what encloses its slope and its second derivative (docs/theory.md, "Shapes by
-/// rules"). What is not found so may still have a shape.
+/// alone varies by what encloses its slope and its second derivative (docs/theory.md, "Convexity
+/// from rules"). What is not found so may still have a shape.
 namespace camlaw::problems {
 
 /// How an input varies: not at all, linearly in the design's variables, or in another way.

@@ -4,7 +4,7 @@
 #include "machines/model/responses.h"
 #include "machines/model/turn_curve.h"
 
-/// Responses over a turn of the driving shaft from formulas written once, generic in the scalar.
+/// Responses over a turn of the driving shaft from formulas that are written once.
 namespace camlaw::problems {
 
 namespace detail {
@@ -19,13 +19,12 @@ constexpr std::size_t sections_of() {
 }  // namespace detail
 
 /// A curve over the turn. work(machine) works out what the machine contributes and returns a
-/// callable formula(section, angle) -> X, the angle in rad, an X. Where the formula is not smooth
-/// all round, the machine M<T> has kSections and breaks(), the angles of type T where sections
-/// meet.
-template <template <class> class M, class F>
+/// callable formula(section, angle) -> Expression, the angle in rad. Where the formula is not
+/// smooth all round, the machine M has kSections and breaks(), the angles where sections meet.
+template <class M, class F>
 MechanismResponse turn_response(ResponseAbout about, F work) {
   using Numbers = std::span<const Expression>;
-  constexpr std::size_t kSections = detail::sections_of<M<Expression>>();
+  constexpr std::size_t kSections = detail::sections_of<M>();
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   ShaftTurn turn;

@@ -16,6 +16,7 @@
 #include "machines/model/mechanism.h"
 #include "machines/model/pulse.h"
 #include "machines/model/recorded_kernel.h"
+#include "machines/model/rest_velocity.h"
 
 /// A curve over a whole turn as sections in which it is smooth, in any scalar: what integrals over
 /// the turn are made of (docs/theory.md, "Integrals over the cycle"). Places are shares of the
@@ -94,7 +95,8 @@ class TurnSections {
     if (!law_) return {number<R>(2) * pi<R>() * place};
     const Stretch& stretch = record_->cycle.stretches[section.stretch];
     const auto d = derivatives<4>(law_->pieces()[section.piece], law_place(stretch, place));
-    const auto m = follower_motion(stretch, Motion<R>{d[0], d[1], d[2], d[3]});
+    Motion<R> m = follower_motion(stretch, Motion<R>{d[0], d[1], d[2], d[3]});
+    if constexpr (!std::is_same_v<R, Interval>) m = onto_ends(m);
     return {m.s, m.v, m.a, m.j, place};
   }
   /// The law's x at a share.

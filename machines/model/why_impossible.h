@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/model/possibility.h"
-#include "machines/model/responses.h"
+#include <string>
+
+#include "machines/model/machine.h"
 
 namespace camlaw::problems {
 
 /// Mechanism::why_impossible of a machine M that has conditions().
-template <template <class> class M>
+template <class M>
 std::string why_impossible_as(std::span<const double> values) {
-  const char* const broken = broken_condition(detail::machine_of<M>(values));
+  const char* const broken = detail::broken_condition<M>(values);
   return broken == nullptr ? "" : broken;
 }
 

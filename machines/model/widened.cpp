@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "machines/model/given_law.h"
 #include "machines/model/inner_numbers.h"
 #include "machines/model/not_a_number.h"
 
@@ -69,6 +70,7 @@ Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges,
     result.binding.parameters.push_back(parameter);
     result.binding.variables.push_back(variable);
   }
+  result.binding.law = given_again(result.binding);  // of which a range may give something
   const bool decide = std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
     return possible_by.holds(range.parameter);
   });

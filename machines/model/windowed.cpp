@@ -24,7 +24,7 @@ std::pair<double, double> window_at(const CycleWindow& window, const Cycle& cycl
   if (span == spans.end()) {
     std::vector<std::string> names;
     for (const NamedSpan& s : spans) names.push_back(s.name);
-    refuse_name("no segment is called", window.segment, names);
+    refuse_name("there is no segment", window.segment, names);
   }
   const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
   return {begin + (end - begin) * span->begin, begin + (end - begin) * span->end};
@@ -44,7 +44,7 @@ CamSegment cam_segment(const std::string& name, const Mechanism& shaft) {
     throw std::invalid_argument("on a shaft a segment has its cam's name and a dot before it: '" +
                                 (names.empty() ? "CAM" : names.front()) + "." + name + "'");
   }
-  refuse_name("no cam with segments is called", name.substr(0, dot), names);
+  refuse_name("there is no cam with segments", name.substr(0, dot), names);
 }
 
 namespace {

@@ -71,6 +71,7 @@ Expression where_positive(const Expression& condition, const Expression& x) {
 Expression unless_zero(const Expression& force, const Expression& x) {
   return written(Operation::UnlessZero, force, x);
 }
+Expression root_of_squares(const Expression& sum) { return unless_zero(sum, sqrt(sum)); }
 
 Expression root_of(const Expression& low, const Expression& high,
                    const std::function<Expression(const Expression&)>& f,
@@ -90,6 +91,7 @@ Expression root_of(const Expression& low, const Expression& high,
       {.operation = Operation::Root, .a = unknown.step(), .b = zero.step(), .c = its.step()});
 }
 
-Expression ScalarTraits<Expression>::pi() { return Expression::of({.operation = Operation::Pi}); }
+Expression pi() { return Expression::of({.operation = Operation::Pi}); }
+Expression ratio(double p, double q) { return Expression(p) / Expression(q); }
 
 }  // namespace camlaw

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 
 #include "numerics/formula/formula.h"
 #include "numerics/scalar/scalar.h"
 
-/// The scalar that formulas are recorded with. A formula that is generic in its scalar, called once
-/// with expressions, writes down what it computes (docs/theory.md, "Recorded formulas").
+/// The scalar that formulas are recorded with. A formula of expressions, called once, writes down
+/// what it computes (docs/theory.md, "Recorded formulas").
 namespace camlaw {
 
 /// A number of the formula that is being recorded on this thread, and of no other formula. It has
 /// no value: a formula that decides by one does not compile, and says by_side, along, absolute or
 /// where_positive instead.
+///
+/// Whole numbers stand in a formula as they are, 2 * x. A fraction does not, as the double that is
+/// nearest to it may be another number: ratio(815, 1000) has bounds that hold the fraction, and
+/// Expression(0.5) is the double itself.
 class Expression {
  public:
   /// The number 0.
@@ -42,6 +47,25 @@ Expression operator-(const Expression& a, const Expression& b);
 Expression operator*(const Expression& a, const Expression& b);
 Expression operator/(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a);
+template <std::floating_point F>
+Expression operator+(F, const Expression&) = delete;
+template <std::floating_point F>
+Expression operator+(const Expression&, F) = delete;
+template <std::floating_point F>
+Expression operator-(F, const Expression&) = delete;
+template <std::floating_point F>
+Expression operator-(const Expression&, F) = delete;
+template <std::floating_point F>
+Expression operator*(F, const Expression&) = delete;
+template <std::floating_point F>
+Expression operator*(const Expression&, F) = delete;
+template <std::floating_point F>
+Expression operator/(F, const Expression&) = delete;
+template <std::floating_point F>
+Expression operator/(const Expression&, F) = delete;
+/// The number pi, and the fraction p / q of two plain numbers.
+Expression pi();
+Expression ratio(double p, double q);
 Expression sqrt(const Expression& a);
 Expression sin(const Expression& a);
 Expression cos(const Expression& a);
@@ -61,6 +85,7 @@ Expression by_side(const Expression& force, const Expression& pushing, const Exp
 Expression along(const Expression& direction, const Expression& x);
 Expression where_positive(const Expression& condition, const Expression& x);
 Expression unless_zero(const Expression& force, const Expression& x);
+Expression root_of_squares(const Expression& sum);
 /// numerics/scalar/root.h. A level that is a constant has the first of several roots.
 Expression root_of(const Expression& low, const Expression& high,
                    const std::function<Expression(const Expression&)>& f,
@@ -69,7 +94,7 @@ Expression root_of(const Expression& low, const Expression& high,
 template <>
 struct ScalarTraits<Expression> {
   static Expression number(double x) { return {x}; }
-  static Expression pi();
+  static Expression pi() { return camlaw::pi(); }
   static bool is_number(const Expression& x, double c) { return x.is(c); }
 };
 

@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "numerics/formula/expression.h"
 #include "numerics/formula/operations.h"
+#include "numerics/formula/plain_values.h"
 #include "numerics/formula/roots.h"
 #include "numerics/formula/steps.h"
 
 namespace camlaw {
 
 struct Formula::Data {
+  Data(std::size_t how_many, std::vector<Step> written);
+
   std::size_t inputs = 0;
   std::vector<Step> steps;  ///< the last one is the value
   std::vector<std::size_t> uses;
@@ -127,16 +131,17 @@ Formula Formula::record(std::size_t inputs,
   for (std::uint32_t i = 0; i < inputs; ++i) {
     given.push_back(Expression::of({.operation = Operation::Input, .a = i}));
   }
-  auto data = std::make_shared<Data>();
-  data->inputs = inputs;
-  data->steps = needed(recorder, write(given).step());
-  for (const Step& step : data->steps) {
-    if (step.operation == Operation::Input) data->uses.push_back(step.a);
+  const std::uint32_t value = write(given).step();
+  return Formula(std::make_shared<Data>(inputs, needed(recorder, value)));
+}
+
+Formula::Data::Data(std::size_t how_many, std::vector<Step> written)
+    : inputs(how_many), steps(std::move(written)), roots(steps) {
+  for (const Step& step : steps) {
+    if (step.operation == Operation::Input) uses.push_back(step.a);
   }
-  std::sort(data->uses.begin(), data->uses.end());
-  data->roots = FormulaRoots(data->steps);
-  data->work_out_constants();
-  return Formula(std::move(data));
+  std::sort(uses.begin(), uses.end());
+  work_out_constants();
 }
 
 std::size_t Formula::inputs() const { return data_->inputs; }
@@ -197,6 +202,47 @@ template Interval Formula::operator()(std::span<const Interval>) const;
 template Series<Interval, 1> Formula::operator()(std::span<const Series<Interval, 1>>) const;
 template Series<Interval, 2> Formula::operator()(std::span<const Series<Interval, 2>>) const;
 template Series<Interval, 3> Formula::operator()(std::span<const Series<Interval, 3>>) const;
+
+// ---------------------------------------------------------------------------------------------
+
+PlainValues::PlainValues()
+    : recorder_(std::make_unique<Recorder>()), before_(std::exchange(recording, recorder_.get())) {}
+PlainValues::~PlainValues() { recording = before_; }
+
+double PlainValues::operator()(const Expression& x) const {
+  if (recording != recorder_.get()) throw std::logic_error("another formula is being recorded");
+  go_on();
+  if (unknowns_[x.step()] != 0) throw std::logic_error("an expression depends on an unknown");
+  return results_[x.step()];
+}
+
+void PlainValues::go_on() const {
+  for (auto i = static_cast<std::uint32_t>(results_.size()); i < recorder_->steps().size(); ++i) {
+    const Step& step = recorder_->at(i);
+    if (step.operation == Operation::Input) throw std::logic_error("a plain number has no inputs");
+    const std::uint32_t from[] = {step.a, step.b, step.c};
+    std::uint32_t unknowns = 0;
+    for (std::size_t k = 0; k < operands(step.operation); ++k) unknowns |= unknowns_[from[k]];
+    double result = 0;
+    if (step.operation == Operation::Unknown) {
+      unknowns |= 1u << step.c;
+    } else if (step.operation == Operation::Root) {
+      unknowns &= ~(1u << recorder_->at(step.a).c);
+      if (unknowns == 0) {
+        const std::vector<Step> steps = needed(*recorder_, i);
+        const std::vector<bool> none(steps.size());
+        result = still_results<double>(steps, FormulaRoots(steps), none, {}).back();
+      }
+    } else if (step.operation == Operation::Constant) {
+      result = step.value;
+    } else if (unknowns == 0) {
+      result =
+          operate<double>(step.operation, results_[step.a], results_[step.b], results_[step.c]);
+    }
+    results_.push_back(result);
+    unknowns_.push_back(unknowns);
+  }
+}
 
 // ---------------------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -137,6 +138,16 @@ void check_unit_ends(const FormulaTree& tree) {
                              left.number, left.text, sign, right->text, exponent));
 }
 
+/// b^p of a p that may vary, exp(p log b). It has a value where b is above 0, and where b is 0 if p
+/// is above 0: that value is 0, and where p is above 1 so are its slopes, which the logarithm has
+/// not.
+Expression varying_power(const Expression& base, const Expression& exponent) {
+  const Expression one(1.0), none(-1.0);
+  has_value_where(by_side(-base, by_side(-exponent, none, base), one), Edge::Closed);
+  const Expression value = exp(exponent * log(base));
+  return by_side(one - exponent, value, unless_zero(base, value));
+}
+
 WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& base,
                               const FindQuantity& find) {
   if (const auto exponent = constant_of(tree.parts[1])) {
@@ -155,8 +166,7 @@ WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& ba
     refuse_formula(tree.at, fmt::format("{} has powers with a plain number as the exponent alone",
                                         to_string(base.dimension)));
   }
-  has_value_where(base.value, Edge::Open);
-  return plain(exp(exponent.value * log(base.value)));
+  return plain(varying_power(base.value, exponent.value));
 }
 
 Expression quarter_less(const Expression& angle) {
@@ -242,11 +252,10 @@ WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
 WrittenQuantity written_root(const FormulaTree& tree, const FindQuantity& find) {
   const std::size_t given = tree.parts.size();
   if (!tree.is_root() || given < 4 || given > 5) {
-    refuse_formula(
-        tree.at,
-        "root takes a name for what is looked for, the two ends that it lies between, "
-        "what is 0 there and, where that may be so at several places, what is highest at "
-        "the one that is meant");
+    refuse_formula(tree.at,
+                   "root takes the name of the unknown, the two ends of its range, the expression "
+                   "that is 0 there and, if that may happen at several places, an expression that "
+                   "is highest at the right one");
   }
   const WrittenQuantity low = write_formula(tree.parts[1], find);
   const WrittenQuantity high = write_formula(tree.parts[2], find);
@@ -274,7 +283,7 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   const std::string& name = tree.text;
   const auto known = formula_functions();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    at_place(tree, [&] { refuse_name("no function is called", name, known); });
+    at_place(tree, [&] { refuse_name("there is no function", name, known); });
   }
   if (name == "root") return written_root(tree, find);
   Quantities arguments;
@@ -295,7 +304,9 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   }
   check_plain(tree.parts[0], fmt::format("the argument of {}", name), x);
   if (name == "asin" || name == "acos") {
-    has_value_where(Expression(1.0) - absolute(x.value), Edge::Closed);
+    // An enclosure of 1 is a few units of the last place wider than 1: that much is no hole.
+    constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+    has_value_where(Expression(1.0 + kRounding) - absolute(x.value), Edge::Closed);
   }
   if (name == "log" || name == "ln" || name == "log10") has_value_where(x.value, Edge::Open);
   const auto* const function = std::find_if(std::begin(kPlainFunctions), std::end(kPlainFunctions),

@@ -2,6 +2,7 @@
 #include "numerics/tables/cells.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/predicate.hpp>
 #include <charconv>
 #include <limits>
@@ -50,8 +51,14 @@ std::vector<std::string_view> cells_of(std::string_view line, char between) {
 }
 
 bool is_missing(std::string_view cell) {
-  return cell.empty() || boost::algorithm::iequals(cell, "nan") ||
-         boost::algorithm::iequals(cell, "n/a") || boost::algorithm::iequals(cell, "na");
+  // What spreadsheets, databases and programs for measurements write, in English and German.
+  static constexpr std::array<std::string_view, 25> kMarks{
+      "nan",    "-nan",    "n/a",    "na",     "null",   "none",     "nil",    "missing", "-",
+      "--",     "---",     "\u2013", "\u2014", "#n/a",   "#n/a n/a", "#na",    "#nv",     "#value!",
+      "#wert!", "#div/0!", "#num!",  "#zahl!", "#null!", "#ref!",    "#bezug!"};
+  return cell.empty() || std::any_of(kMarks.begin(), kMarks.end(), [cell](std::string_view mark) {
+           return boost::algorithm::iequals(cell, mark);
+         });
 }
 
 bool read_number(std::string_view cell, double& value) {

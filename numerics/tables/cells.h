@@ -18,7 +18,8 @@ std::string_view trimmed_cell(std::string_view text);
 /// A line's cells, trimmed. A separator in quotes separates nothing.
 std::vector<std::string_view> cells_of(std::string_view line, char between);
 
-/// Whether a cell says that it is not a number: it is empty, "nan", "na" or "n/a".
+/// Whether a cell says that it is not a number: it is empty, a dash, "nan", "n/a", "null" and the
+/// like, or what a spreadsheet writes for an error ("#N/A", "#NV", "#VALUE!", "#DIV/0!").
 bool is_missing(std::string_view cell);
 
 /// A number, with a decimal point or a decimal comma; NaN for a cell that is_missing(). Whether the

@@ -53,7 +53,7 @@ int LineSource::raw() {
   if (next == kEnd) return kEnd;
   ++at_;
   if (++bytes_ > kMostFileBytes) {
-    refuse(fmt::format("it goes on beyond {} bytes, which is more than is read", kMostFileBytes));
+    refuse(fmt::format("it is longer than {} bytes, the most that is read", kMostFileBytes));
   }
   return next;
 }
@@ -98,7 +98,7 @@ bool LineSource::next(std::string& line) {
   line.clear();
   ++number_;
   if (number_ > kMostLines) {
-    refuse(fmt::format("it has more than {} lines, which is more than is read", kMostLines));
+    refuse(fmt::format("it has more than {} lines, the most that is read", kMostLines));
   }
   int c = byte();
   if (after_return_ && c == '\n') c = byte();

@@ -181,9 +181,9 @@ class Reader {
       refuse_line(number, wrong_cells(cells.size(), count));
     }
     if ((table_.lines.size() + 1) * count > kMostCells) {
-      refuse_line(number,
-                  fmt::format("the table goes on beyond {} numbers; use fewer rows or columns",
-                              kMostCells));
+      refuse_line(
+          number,
+          fmt::format("the table has more than {} numbers; use fewer rows or columns", kMostCells));
     }
     for (std::size_t i = 0; i < count; ++i) read_cell(number, cells[i], i);
     table_.lines.push_back(static_cast<std::uint32_t>(number));

@@ -67,7 +67,7 @@ std::string file_text(const std::string& path, const std::string& what) {
 }
 
 std::string unreadable(int error) {
-  return fmt::format("it cannot be read: {}", error != 0 ? std::strerror(error) : "unknown cause");
+  return fmt::format("cannot be read: {}", error != 0 ? std::strerror(error) : "unknown cause");
 }
 
 }  // namespace camlaw::problems

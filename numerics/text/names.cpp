@@ -40,6 +40,19 @@ double likeness(const std::string& a, const std::string& b) {
          static_cast<double>(pairs_a.size() + pairs_b.size());
 }
 
+/// A name in a message: what() of an exception ends at a NUL character, which stands as \x00.
+std::string in_message(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    if (c == '\0') {
+      result += "\\x00";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string folded(std::string_view text) {
@@ -79,15 +92,22 @@ std::vector<std::string> near_names(std::string_view typed, const std::vector<st
   return result;
 }
 
+std::string did_you_mean(const std::vector<std::string>& near) {
+  if (near.empty()) return "";
+  const std::string first = fmt::format("{}", fmt::join(near.begin(), near.end() - 1, ", "));
+  return fmt::format("did you mean {}{}{}?", first, first.empty() ? "" : " or ", near.back());
+}
+
 void refuse_name(const std::string& what, std::string_view name,
                  const std::vector<std::string>& known, const std::string& list) {
   constexpr std::size_t kFew = 12;  // as many names fit on a line or two
   const auto near = near_names(name, known);
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
+  const std::string names = fmt::format(" {}", fmt::join(known, ", "));
   throw std::invalid_argument(
-      fmt::format("{} '{}'{}; {}", what, name,
-                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
-                  all ? fmt::format("use {}", fmt::join(known, ", ")) : list));
+      near.empty() ? fmt::format("{} '{}'; {}", what, in_message(name), all ? "use" + names : list)
+                   : fmt::format("{} '{}'; {} {}", what, in_message(name), did_you_mean(near),
+                                 all ? "Use" + names : list));
 }
 
 std::string_view trimmed(std::string_view text, std::string_view characters) {

@@ -15,6 +15,9 @@ std::string folded(std::string_view text);
 /// Names of `known` that are near to what was typed, nearest first, at most three.
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known);
 
+/// "did you mean a, b or c?"; empty without names.
+std::string did_you_mean(const std::vector<std::string>& near);
+
 /// Throws std::invalid_argument, "WHAT 'NAME'". The message goes on with the near names and `list`,
 /// which says where all names are listed; it names all of `known` itself where `list` is empty, and
 /// where none is near and there are few.

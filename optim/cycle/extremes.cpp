@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "optim/cycle/poles.h"
 #include "optim/cycle/proof_time.h"
 
 namespace camlaw::optim {
@@ -311,6 +311,17 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   return prove_within(trace, sign, limit, most_boxes, PartsOfBounds::looked_at() + kMostParts);
 }
 
+namespace {
+
+/// A peak, of which nothing is proved, as infinite where the curve has no bound.
+void take_pole(const Trace& trace, double sign, ProvedExtreme& result) {
+  if (result.proved || !std::isfinite(result.peak.value)) return;
+  const auto pole = pole_near(trace, sign, result.peak.place);
+  if (pole) result.peak = {*pole, sign * kInfinity};
+}
+
+}  // namespace
+
 ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
   // A round ends at a higher summit, and no curve is expected to have as many above the samples; a
   // peak whose stretches do not close within so many boxes is called sampled (optimisation: Where a
@@ -333,9 +344,10 @@ ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
     const CycleProof proof =
         prove_within(trace, sign, sign * value + result.slack, kMostBoxes, most_parts);
     result.proved = proof.proved;
-    if (!proof.broken) return result;
+    if (!proof.broken) break;
     result.peak = proof.worst;
   }
+  take_pole(trace, sign, result);
   return result;
 }
 

@@ -45,10 +45,13 @@ class BoxFront final : public PartFront {
       if (range <= slack(i)) continue;  // the other end is as good
       Task task = bounded(1 - i, alone_[i]->costs[i] + slack(i));
       task.starts = {alone_[i]->x};
+      for (const FrontPoint& point : scouted_near(i, range)) task.starts.push_back(point.x);
       tasks.push_back(std::move(task));
     }
     return tasks;
   }
+
+  void see(const std::vector<FrontPoint>& scouted) override { scouted_ = scouted; }
 
   void take(const Task& task, const Outcome& outcome) override {
     const std::size_t other = 1 - task.sought;
@@ -122,6 +125,20 @@ class BoxFront final : public PartFront {
   static bool is_noticed(double scouted, double known, const CostScale& scale) {
     constexpr double kNoticed = 1e-3;  // of the range
     return scouted < known && scale.place(known) - scale.place(scouted) > kNoticed;
+  }
+
+  /// Scouted designs near an end that are the best in the other cost: a cost may have several optima
+  /// that are equal, from one of which a search does not come to the other.
+  std::vector<FrontPoint> scouted_near(std::size_t end, double range) const {
+    constexpr double kNear = 0.05;  // of the range
+    constexpr std::size_t kMost = 2;
+    std::vector<FrontPoint> near;
+    for (const FrontPoint& point : scouted_) {
+      if (point.costs[end] - alone_[end]->costs[end] <= kNear * range) near.push_back(point);
+    }
+    std::ranges::stable_sort(near, {}, [&](const FrontPoint& p) { return p.costs[1 - end]; });
+    if (near.size() > kMost) near.resize(kMost);
+    return near;
   }
 
   double slack(std::size_t objective) const {
@@ -218,6 +235,7 @@ class BoxFront final : public PartFront {
   }
 
   bool set_up_ = false;
+  std::vector<FrontPoint> scouted_;
   std::vector<Fact> facts_;
   std::vector<Costs> left_;  ///< beside ends that were left: what there may be between them
 };

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/scales.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
@@ -94,16 +96,46 @@ struct Unlimited {
   }
 };
 
+/// The designs that the genes of a place in the unit cube stand for.
+std::vector<double> genes_at(const Genome& genome, std::span<const double> place) {
+  std::vector<double> genes(place.size());
+  for (std::size_t k = 0; k < genes.size(); ++k) {
+    const bool integer = k + genome.integer >= genes.size();
+    const double lower = genome.lower[k], upper = genome.upper[k];
+    genes[k] = integer ? std::min(upper, lower + std::floor(place[k] * (upper - lower + 1)))
+                       : std::lerp(lower, upper, place[k]);
+  }
+  return genes;
+}
+
+/// A problem without anything that varies has this one design.
+Outcome single_design(const Task& task, const Problem& multi, const Genome& genome) {
+  Outcome outcome;
+  outcome.points.push_back(looked_at(multi, task.part, genome.fixed));
+  outcome.evaluations = 1;
+  return outcome;
+}
+
+/// Adds those that meet every limit and that no other one dominates.
+void add_best(Outcome& outcome, const std::vector<Evolved>& all, const Genome& genome,
+              const Task& task, const Problem& multi, const char* by) {
+  std::vector<Costs> costs;
+  for (const Evolved& one : all) costs.push_back(one.costs);
+  const std::vector<bool> kept = non_dominated(costs);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!kept[i] || !(costs[i].front() < Unlimited::kBeyond)) continue;
+    FrontPoint point = looked_at(multi, task.part, design_of(genome, all[i].genes));
+    point.solver = by;
+    if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));
+  }
+}
+
 }  // namespace
 
 Outcome scout(const Task& task, const Problem& multi) {
   const Genome genome = genome_of(multi);
+  if (genome.variables.empty()) return single_design(task, multi, genome);
   Outcome outcome;
-  if (genome.variables.empty()) {
-    outcome.points.push_back(looked_at(multi, task.part, genome.fixed));
-    outcome.evaluations = 1;
-    return outcome;
-  }
   const Problem problem = multi.alone(0);
   const Scales its_scales = scales(problem, problem.start());
   const Unlimited unlimited{multi, problem, its_scales};
@@ -118,16 +150,28 @@ Outcome scout(const Task& task, const Problem& multi) {
                               ++outcome.evaluations;
                               return unlimited.costs_of(design_of(genome, genes));
                             }};
-  const std::vector<Evolved> last = nsga2(evolution);
-  std::vector<Costs> all;
-  for (const Evolved& one : last) all.push_back(one.costs);
-  const std::vector<bool> kept = non_dominated(all);
-  for (std::size_t i = 0; i < last.size(); ++i) {
-    if (!kept[i] || !(all[i].front() < Unlimited::kBeyond)) continue;
-    FrontPoint point = looked_at(multi, task.part, design_of(genome, last[i].genes));
-    point.solver = "nsga2";
-    if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));
+  add_best(outcome, nsga2(evolution), genome, task, multi, "nsga2");
+  return outcome;
+}
+
+Outcome sample(const Task& task, const Problem& multi) {
+  const Genome genome = genome_of(multi);
+  const std::size_t count = genome.variables.size();
+  if (count == 0) return single_design(task, multi, genome);
+  Outcome outcome;
+  const Problem problem = multi.alone(0);
+  const Scales its_scales = scales(problem, problem.start());
+  const Unlimited unlimited{multi, problem, its_scales};
+  SobolPoints points(count, task.seed);
+  std::vector<double> place(count);
+  std::vector<Evolved> all(task.population);
+  for (Evolved& one : all) {
+    points.next(place);
+    one.genes = genes_at(genome, place);
+    one.costs = unlimited.costs_of(design_of(genome, one.genes));
+    ++outcome.evaluations;
   }
+  add_best(outcome, all, genome, task, multi, "sample");
   return outcome;
 }
 

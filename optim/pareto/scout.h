@@ -11,4 +11,8 @@ namespace camlaw::optim {
 /// no other one dominates. Integer variables stay integers. The same seed, the same designs.
 Outcome scout(const Task& task, const Problem& multi);
 
+/// Of `population` designs that fill the box evenly those that meet every limit and that no other
+/// one of them dominates: used in place of scout() without NSGA-II.
+Outcome sample(const Task& task, const Problem& multi);
+
 }  // namespace camlaw::optim

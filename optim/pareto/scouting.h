@@ -11,8 +11,8 @@ using Scouted = std::vector<std::vector<FrontPoint>>;
 /// Whether every search of a sweep has one optimum, whatever its bounds.
 bool searches_are_convex(const Problem& multi);
 
-/// Looks at combinations with NSGA-II, where that is asked for or may help; the front's remark says
-/// if it might have helped the automatic method and its plug-in was not there.
+/// Looks at combinations with NSGA-II, where that is asked for or may help; where its plug-in is
+/// not there the automatic method takes a sample instead, and the front's remark says so.
 Scouted scout_parts(Sweep& sweep);
 
 /// Chooses designs to begin with: the best for each objective of those that were found in a part.

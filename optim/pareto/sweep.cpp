@@ -48,7 +48,7 @@ std::vector<Outcome> Sweep::carry_out(std::vector<Task>& tasks) {
   tasks = std::move(done);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     front.evaluations += outcomes[i].evaluations;
-    const bool is_search = tasks[i].kind != Task::Kind::Scout;
+    const bool is_search = !tasks[i].looks_at_many();
     front.each_is_global = front.each_is_global && (outcomes[i].is_global || !is_search);
     if (outcomes[i].failure.empty()) continue;
     front.failures.push_back({front.tasks + i, tasks[i].part, outcomes[i].failure});

@@ -285,11 +285,12 @@ FrontPoint looked_at(const Problem& multi, std::size_t part, Design x) {
 }
 
 namespace {
-constexpr std::string_view kKinds[] = {"bounded", "toward", "scout"};
+constexpr std::string_view kKinds[] = {"bounded", "toward", "scout", "sample"};
 }
 
-bool is_scout(std::string_view text) {
-  return text.starts_with(kKinds[static_cast<int>(Task::Kind::Scout)]);
+bool looks_at_many(std::string_view text) {
+  return text.starts_with(kKinds[static_cast<int>(Task::Kind::Scout)]) ||
+         text.starts_with(kKinds[static_cast<int>(Task::Kind::Sample)]);
 }
 
 std::string Task::text() const {
@@ -302,6 +303,7 @@ std::string Task::text() const {
                                  kKinds[static_cast<int>(kind)], part, sought, numbers(bounds),
                                  numbers(origin), numbers(direction), seed);
   if (kind == Kind::Scout) text += fmt::format(" population {} of {}", population, generations);
+  if (kind == Kind::Sample) text += fmt::format(" population {}", population);
   for (const auto& start : starts) text += " start" + numbers(start);
   return text;
 }
@@ -310,6 +312,7 @@ Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOpt
   const Problem multi = space.problem(space.options(task.part));
   if (task.part > 0) check_same_objectives(space.problem(space.options(0)), multi);
   if (task.kind == Task::Kind::Scout) return scout(task, multi);
+  if (task.kind == Task::Kind::Sample) return sample(task, multi);
   OptimiseOptions own = options;
   own.seed = task.seed;
   return search(task, multi, own);

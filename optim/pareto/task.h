@@ -19,6 +19,7 @@ struct Task {
     Bounded,  ///< least cost `sought` with the other costs at most `bounds`
     Toward,   ///< least t with every cost at most origin + t * direction
     Scout,    ///< many designs at once, by NSGA-II
+    Sample,   ///< the best of many designs, evenly spread
   };
   Kind kind = Kind::Bounded;
   std::size_t part = 0;             ///< of ProblemSpace
@@ -26,15 +27,18 @@ struct Task {
   std::vector<double> bounds = {};  ///< one for each objective; infinite: none
   std::vector<double> origin = {}, direction = {};
   std::vector<std::vector<double>> starts = {};  ///< designs to begin at; empty: the problem's own
-  std::size_t population = 0, generations = 0;   ///< of Scout
+  std::size_t population = 0;                    ///< of Scout and Sample
+  std::size_t generations = 0;                   ///< of Scout
   std::uint64_t seed = 1;
 
+  /// Whether it looks at many designs, none of which needs to be an optimum.
+  bool looks_at_many() const { return kind == Kind::Scout || kind == Kind::Sample; }
   /// All of it in words, numbers to the last bit: tasks of one text are the same.
   std::string text() const;
 };
 
-/// Whether Task::text() is that of a scout.
-bool is_scout(std::string_view text);
+/// Whether Task::text() is that of a task that looks at many designs.
+bool looks_at_many(std::string_view text);
 
 /// Where a design stands against one limit of the problem.
 struct Standing {

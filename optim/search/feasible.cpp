@@ -91,7 +91,10 @@ Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) 
     if (other.attempt.x.empty()) continue;
     const double gain = largest_violation(setting.problem, trail.scales, least.attempt.x) -
                         largest_violation(setting.problem, trail.scales, other.attempt.x);
-    if (is_feasible(other.blame) || gain > kGain) least = std::move(other);
+    // Where a limit has no value a design violates the others by less, but is not nearer.
+    const bool has_values = std::isfinite(worst_violation(other.blame.limits)) ||
+                            !std::isfinite(worst_violation(least.blame.limits));
+    if (is_feasible(other.blame) || (has_values && gain > kGain)) least = std::move(other);
   }
   if (setting.deadline.passed() && !is_feasible(least.blame)) {  // not everywhere
     least.blame.verdict = Verdict::Failed;

@@ -214,8 +214,12 @@ void blame_without_value(const Setting& setting, Trail& trail) {
 /// Where no design with numbers was found: there is none, if the model's own conditions show that,
 /// or if a limit's response has no value anywhere.
 void end_without_numbers(const Setting& setting, Trail& trail) {
-  trail.fail(undefined_at(setting.original, setting.problem.start(), "the start"));
   Assessment& assessment = trail.found.assessment;
+  const bool meets_limits = !trail.found.x.empty() && !assessment.limits.empty() &&
+                            worst_violation(assessment.limits) <= 1;
+  trail.fail(meets_limits
+                 ? undefined_at(setting.original, trail.found.x, "a design that meets the limits")
+                 : undefined_at(setting.original, setting.problem.start(), "the start"));
   if (const auto none = none_possible(setting.original)) {
     assessment.verdict = Verdict::Infeasible;
     assessment.reason = fmt::format("{}; {}", *none, assessment.reason);
@@ -223,7 +227,9 @@ void end_without_numbers(const Setting& setting, Trail& trail) {
     return;
   }
   const auto without = limit_without_value(setting.problem, setting.options.seed, Asked::After);
-  if (without) blame(*without, setting.problem, trail.scales, trail.found);
+  if (without) return blame(*without, setting.problem, trail.scales, trail.found);
+  const std::string objective = objective_without_value(setting.problem, setting.options.seed);
+  if (!objective.empty()) trail.fail(objective);
 }
 
 /// Carries out all stages in turn.

@@ -121,11 +121,12 @@ void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
   Found& found = trail.found;
   Reached reached;
   for (int round = 0; !trail.is_infeasible(); ++round) {
-    settle_in_own_scales(setting, trail);
+    const bool is_judged = std::exchange(trail.is_judged, false);
+    if (!is_judged) settle_in_own_scales(setting, trail);
     if (!trail.is_within_limits() && !setting.deadline.passed())
       find_feasible(setting, trail, reached);
     if (!trail.is_within_limits() || !setting.proves()) return;
-    found.assessment = judged_best(setting, trail);
+    if (!is_judged) found.assessment = judged_best(setting, trail);
     if (is_proved(setting.problem, found) || setting.deadline.passed() || round == kRounds) return;
     if (!watched.learn(found.x, found.assessment)) return;
     search_again(setting, trail);

@@ -112,11 +112,11 @@ void visit(Archive& archive, S& scales) {
 template <class Archive, class T>
 requires std::is_same_v<std::remove_const_t<T>, Trail>
 void visit(Archive& archive, T& trail) {
-  auto& [found, message, told, scales, last, thrown, at_edge, in_vain, unbounded, design_elsewhere,
-         none_elsewhere] = trail;
+  auto& [found, message, told, scales, last, thrown, at_edge, is_judged, in_vain, unbounded,
+         design_elsewhere, none_elsewhere] = trail;
   archive(found), archive(message), archive(told), archive(scales), archive(last), archive(thrown);
-  archive(at_edge.x), archive(at_edge.cost), archive(in_vain), archive(unbounded),
-      archive(design_elsewhere), archive(none_elsewhere);
+  archive(at_edge.x), archive(at_edge.cost), archive(is_judged), archive(in_vain);
+  archive(unbounded), archive(design_elsewhere), archive(none_elsewhere);
 }
 
 template <class Archive, class F>

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include "optim/search/interruptible.h"
+#include "optim/search/rescaling.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -44,6 +46,28 @@ bool improves(const Problem& problem, const Scales& scales, const Assessment& fr
   return better(problem, fresh, old);
 }
 
+/// An assessment with proofs, and the scales that it is in.
+struct Judged {
+  Scales scales;
+  Assessment assessment;
+};
+
+/// The optimum of a linear problem is judged as an answer is, with proofs and in the scales of its
+/// place, where these are like those of the search; none where that does not show at once that it
+/// is the global one.
+std::optional<Judged> judged_at_once(const Attempt& tried, const Solver& solver,
+                                     const Setting& setting, const Scales& known) {
+  const bool is_optimum = tried.status == Status::Solved && solver.solves_linear_programs();
+  if (!setting.proves() || !is_optimum || tried.told.empty() || !is_linear(setting.problem))
+    return {};
+  Judged judged{scales(setting.problem, tried.x), {}};
+  if (differ(judged.scales, known)) return {};
+  judged.assessment = assess(setting.problem, judged.scales, tried.x, true, told_as(tried.told));
+  const bool is_global =
+      judged.assessment.verdict == Verdict::Certified && judged.assessment.global;
+  return is_global ? std::optional(std::move(judged)) : std::nullopt;
+}
+
 }  // namespace
 
 std::string words_of(const std::exception_ptr& error, const std::string& who) {
@@ -76,6 +100,7 @@ void Trail::join(const Problem& problem, Trail next) {
     told = std::move(next.told);
     message = std::move(next.message);
   }
+  is_judged = is_better && next.is_judged;  // the scales are those of the next
   found.starts = work.starts + 1;
   found.planned_starts = work.planned_starts;
   found.iterations = work.iterations;
@@ -93,6 +118,7 @@ void Trail::take(std::vector<double> x, Scales its_scales, Assessment assessment
   found.assessment = std::move(assessment);
   scales = std::move(its_scales);
   told.clear();
+  is_judged = false;
 }
 
 FirstStart told_of(const FromStart& first) {
@@ -137,7 +163,10 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
   trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
   if (tried.x.empty()) return;
   tell(false);
-  reached.latest = assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
+  std::optional<Judged> judged = judged_at_once(tried, solver, setting, trail.scales);
+  reached.latest = judged
+                       ? judged->assessment
+                       : assess(setting.problem, trail.scales, tried.x, false, told_as(tried.told));
   if (improves(setting.problem, trail.scales, reached.latest, reached.best))
     reached.best = reached.latest;
   if (!found.x.empty() &&
@@ -145,6 +174,8 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
     return;
   found.x = tried.x;
   trail.told = tried.told;
+  trail.is_judged = judged.has_value();
+  if (judged) trail.scales = std::move(judged->scales);
   found.assessment = reached.latest;
   found.status = tried.status;
   found.solver = solver.name();

@@ -52,6 +52,7 @@ struct Trail {
   std::vector<double> last = {};  ///< where the last attempt ended
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw
   SettledAtEdge at_edge = {};     ///< none while its x is empty
+  bool is_judged = false;         ///< the best design, with proofs and in its own scales
   bool in_vain = false;           ///< all iterations of a start led to no design within the limits
   bool unbounded = false;         ///< some solve has found that the objective improves without end
   bool design_elsewhere = false;  ///< another start has led to a design within the limits

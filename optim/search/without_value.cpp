@@ -47,6 +47,15 @@ std::vector<std::vector<double>> places_of(const Problem& problem, std::uint64_t
   return all;
 }
 
+/// What is said of a response without a value at the start, nor at any of these places.
+std::string nowhere(const Response& response, Design start, std::size_t places) {
+  const std::string why = why_none(response, start);
+  return fmt::format(
+      "it has no value at the start nor at any of {} other designs of the variables' ranges that "
+      "were looked at{}{}",
+      places - 2, why.empty() ? "" : ": ", why);
+}
+
 }  // namespace
 
 std::optional<Hopeless> limit_without_value(const Problem& problem, std::uint64_t seed,
@@ -67,14 +76,19 @@ std::optional<Hopeless> limit_without_value(const Problem& problem, std::uint64_
       }
       if (alone < kEnough) continue;
     }
-    const std::string why = why_none(c.response, start);
-    return Hopeless{c.response.name,
-                    fmt::format("it has no value at the start nor at any of {} other designs of "
-                                "the variables' ranges that were looked at{}{}",
-                                places->size() - 2, why.empty() ? "" : ": ", why),
-                    {}};
+    return Hopeless{c.response.name, nowhere(c.response, start, places->size()), {}};
   }
   return {};
+}
+
+std::string objective_without_value(const Problem& problem, std::uint64_t seed) {
+  const Response& response = problem.objective().response;
+  const auto places = places_of(problem, seed);
+  const bool is_anywhere = std::ranges::any_of(
+      places, [&](const std::vector<double>& x) { return has_value(response, x); });
+  if (is_anywhere) return {};
+  return fmt::format("the objective {} is undefined: {}", response.name,
+                     nowhere(response, problem.start(), places.size()));
 }
 
 }  // namespace camlaw::optim

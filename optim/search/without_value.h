@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "optim/search/hopeless.h"
 
@@ -20,5 +21,9 @@ enum class Asked : char { Before, After };
 /// there is none.
 std::optional<Hopeless> limit_without_value(const Problem& problem, std::uint64_t seed,
                                             Asked asked);
+
+/// Why no design can be found whose objective has a value: it has none at the start, nor at any of
+/// the same places. Empty where it has one at any of them.
+std::string objective_without_value(const Problem& problem, std::uint64_t seed);
 
 }  // namespace camlaw::optim

@@ -30,7 +30,7 @@ std::vector<std::string> free_names(const std::vector<NativeRule>& rules) {
   const std::vector<std::string> known = free_names(rules);
   std::string more = "; it takes none";
   if (const auto near = near_names(name, known); !near.empty()) {
-    more = fmt::format("; near: {}", fmt::join(near, ", "));
+    more = "; " + did_you_mean(near);
   } else if (known.size() > kListed) {
     more = fmt::format("; it has {} others", known.size());
   } else if (!known.empty()) {

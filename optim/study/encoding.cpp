@@ -7,7 +7,7 @@
 namespace camlaw::optim {
 
 template <>
-inline constexpr int kLast<Task::Kind> = static_cast<int>(Task::Kind::Scout);
+inline constexpr int kLast<Task::Kind> = static_cast<int>(Task::Kind::Sample);
 
 template <class Archive, class S>
 requires std::is_same_v<std::remove_const_t<S>, Standing>

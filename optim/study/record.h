@@ -54,9 +54,9 @@ class StudyRecord {
   /// designs is as good as a look at the designs finds it.
   bool has_checksums() const;
 
-  /// None where there is no such task, or its rows are not as they were written (`damaged`).
-  /// `problem` is that of the task's part. Throws std::invalid_argument where the file cannot be
-  /// read.
+  /// None where there is no such task, or its rows were changed after they were written
+  /// (`damaged`). `problem` is that of the task's part. Throws std::invalid_argument where the file
+  /// cannot be read.
   std::optional<Outcome> find(const Task& task, const Problem& problem) const;
   /// The same, whatever problem its designs are of.
   std::optional<Outcome> find(const Task& task) const;

@@ -79,7 +79,7 @@ std::optional<Outcome> RecordedExecutor::find(const Task& task) {
   }
   // A process that died may have been killed: it is not the task's outcome for good.
   if (outcome->died && others_ != nullptr) return {};
-  if (task.kind == Task::Kind::Scout) return outcome;
+  if (task.looks_at_many()) return outcome;
   const std::string why = why_wrong(*outcome, task.part);
   if (why.empty()) return outcome;
   const std::int64_t number = record_.number(task).value_or(0);
@@ -122,7 +122,7 @@ std::vector<Outcome> RecordedExecutor::believed() {
   std::vector<Outcome> result;
   const std::size_t parts = space_ == nullptr ? SIZE_MAX : space_->parts();
   for (RecordedTask& task : record_.whole()) {
-    if (is_scout(task.text) || faults_.contains(task.number)) continue;
+    if (looks_at_many(task.text) || faults_.contains(task.number)) continue;
     const std::string why = task.part < parts ? why_wrong(task.outcome, task.part)
                                               : "there is no such combination of choices";
     if (why.empty()) {

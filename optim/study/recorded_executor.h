@@ -11,9 +11,9 @@ namespace camlaw::optim {
 /// A task of a record that is not believed.
 struct RecordFault {
   enum class Kind {
-    Damaged,  ///< its rows are not as they were written
+    Damaged,  ///< its rows were changed after they were written
     Wrong,    ///< what they say is
-    Lost,     ///< its row is gone
+    Lost,     ///< its row is missing
   };
   std::int64_t task = 0;  ///< the number of its row
   Kind kind = Kind::Damaged;

@@ -38,8 +38,10 @@ double threshold(const SecondOrderPoint& point, const Weighed& weighed, double v
 
 bool improves_along(const SecondOrderPoint& point, const Weighed& weighed,
                     const std::vector<Eigen::VectorXd>& flat) {
-  constexpr std::size_t kMostDirections = 20;  // each takes ten designs, with a search for peaks
-  constexpr double kSteps[] = {1e-3, 1e-2, 1e-1, 0.3, 1};
+  // Each takes some twenty designs, with a search for peaks. The level ground may be as wide as a
+  // few typical changes, and what lies lower behind it narrow.
+  constexpr std::size_t kMostDirections = 20;
+  constexpr double kSteps[] = {1e-3, 1e-2, 1e-1, 0.2, 0.3, 0.45, 0.6, 0.8, 1, 1.5, 2.5, 4};
   if (flat.empty()) return false;
   const Objective& objective = point.problem.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;

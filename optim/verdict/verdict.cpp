@@ -319,6 +319,11 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
     }
     return result;
   }
+  const bool meets_all = worst_violation(result.limits) <= 1 && inside_bounds(result.variables);
+  if (meets_all && !std::isfinite(result.objective.value)) {
+    result.reason = undefined_at(problem, x, "a design that meets the limits");
+    return result;
+  }
   const Kkt conditions = kkt(problem, scales, x, Optimality::LeastViolation, told);
   take_conditions(problem, scales, conditions, result);
   // Of all multipliers: solvers leave less to limits that have no part in it.

@@ -9,8 +9,8 @@
 #include "optim/verdict/design_point.h"
 #include "optim/verdict/drawn_parts.h"
 
-/// The share of all parts that meet every limit, by sampling (docs/theory.md, "What manufacture
-/// does").
+/// The share of all parts that meet every limit, by sampling (docs/theory.md, "Manufacturing
+/// tolerances").
 namespace camlaw::optim {
 
 struct YieldOptions {

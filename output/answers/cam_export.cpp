@@ -152,14 +152,14 @@ std::string instead(const problems::ProblemStatement& statement) {
         fmt::format("{} has no profile to export{}", name, instead(statement)));
   }
   throw std::invalid_argument(fmt::format(
-      "{} has no curve '{}' of its own; it has {}{}", name, asked, fmt::join(there, ", "),
+      "{} has no curve '{}'; it has {}{}", name, asked, fmt::join(there, ", "),
       asked == "cutter" ? ", and --tool '10 mm' gives the path of a tool of that radius" : ""));
 }
 
 /// Of a kind of which a machine has several curves how many there are: ", and here are 3".
 std::string beside_others(const std::string& asked,
                           const std::vector<problems::PlaneCurve>& curves) {
-  return asked == "all" ? "" : fmt::format(", and here are {}", curves.size());
+  return asked == "all" ? "" : fmt::format(", and {} are selected", curves.size());
 }
 
 /// Refuses what is of one curve over the whole cycle, for cams that consist of separate flanks.
@@ -246,7 +246,8 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
     ++count;
   }
   throw std::invalid_argument(fmt::format(
-      "--step {}: lines between these points leave the exact {} by {:.4g} {}, which is more than "
+      "--step {}: lines between these points deviate from the exact {} by {:.4g} {}, which is more "
+      "than "
       "a thousandth of its size of {:.4g} {}; use --tolerance, or a step such as {:.4g} deg",
       *o.step, curve.name(), chords.worst(), unit.name, size, unit.name, cycle / count));
 }

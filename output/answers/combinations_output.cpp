@@ -335,9 +335,9 @@ Document combinations_document(const Answer& answer, const FreeLimit* free,
   document.fact("not_judged", left);
   if (left > 0) {
     document.say(fmt::format(
-        "{}: {} of {} combinations {} as the search has left {}, met as far as samples tell\n",
-        deadline.reason(), left, parts.size(), left == 1 ? "is" : "are",
-        left == 1 ? "it" : "them"));
+        "{}: {} of {} combinations {} as the search left {}; by samples alone, {} the limits\n",
+        deadline.reason(), left, parts.size(), left == 1 ? "is" : "are", left == 1 ? "it" : "them",
+        left == 1 ? "it meets" : "they meet"));
   }
   if (free != nullptr) document.add(free_limit_document(sought_name, sought.response.unit, *free));
   return document;

@@ -121,8 +121,9 @@ std::string verdict(const std::vector<ConstantsFit>& fits) {
     if (!n.identifiable) loose.push_back(n.name);
   }
   if (!loose.empty()) {
-    line(fmt::format("the print does not determine {}: the value shown is one of those that agree",
-                     fmt::join(loose, ", ")));
+    line(fmt::format(
+        "the printed constants do not determine {}: the value shown is one of those that agree",
+        fmt::join(loose, ", ")));
   }
   if (!best.also.empty()) {
     line(fmt::format("the same motion: {}", fmt::join(names_of(best.also), "; ")));
@@ -132,7 +133,7 @@ std::string verdict(const std::vector<ConstantsFit>& fits) {
                      fmt::join(equal, "; "), equal.size() == 1 ? "s" : ""));
   }
   if (off.size() < best.constants.size() && best.cost >= digits_of_print(best)) {
-    line("that takes as many digits as the print has: it does not tell which law it is");
+    line("that takes as many digits as were printed, so it does not identify the law");
   }
   return text;
 }
@@ -194,9 +195,9 @@ Document constants_document(const std::vector<ConstantsFit>& fits) {
   document.fact("identifiable", best.identifiable);
   document.say(verdict(fits));
   if (fits.size() > 1) {
-    document.say(
-        fmt::format("\nexplanations by the digits that they take; the print itself takes {:.0f}\n",
-                    digits_of_print(best)));
+    document.say(fmt::format(
+        "\nexplanations by the digits that they need; the printed constants have {:.0f}\n",
+        digits_of_print(best)));
   }
   document.add(ranking_table(fits));
   return document;

@@ -18,7 +18,7 @@ Cell number_cell(double value) { return {number(value), value}; }
 Table fitted_table(const optim::FitResult& fit) {
   Table table{
       .key = "parameters",
-      .columns = {words("number", "name"), numbers("value", "value"), numbers("from", "low"),
+      .columns = {words("number", "name"), numbers("value", "value"), numbers("95 % from", "low"),
                   numbers("to", "high"), data("standard_deviation"), words("unit", "unit"),
                   words(""), data("identifiable"), data("at_bound")}};
   for (const optim::FittedParameter& p : fit.parameters) {

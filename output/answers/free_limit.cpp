@@ -119,8 +119,7 @@ FreeLimit free_limit(const Answer& answer, const optim::OptimiseOptions& rest, i
     const bool is_behind = result.objective && optim::is_feasible(best) &&
                            result.verdict != optim::to_string(optim::Verdict::Certified) &&
                            is_better(answer, best.objective.value, *result.objective);
-    if (is_behind)
-      return none_because("its search has not come as far as the best law of the table");
+    if (is_behind) return none_because("its search has not yet matched the best law of the table");
     return result;
   } catch (const std::exception& error) {
     return none_because(error.what());  // the table stands without it

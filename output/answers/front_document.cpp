@@ -60,8 +60,8 @@ std::string measures_text(const FrontAnswer& answer) {
       "nadir: {} (the worst of each on the front)\n",
       values_text(answer, front.ideal), ideal_text(front), values_text(answer, front.nadir));
   text += fmt::format(
-      "hypervolume {} from {} (the size of the region up to there that the front is better than; "
-      "more is better)\n",
+      "hypervolume {} up to {} (the size of the region up to that point in which the front is "
+      "better; larger is better)\n",
       in_digits(front.hypervolume), values_text(answer, front.reference));
   if (front.hypervolume_of_mixtures) {
     text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",

@@ -161,7 +161,7 @@ std::vector<Cell> limit_cells(const optim::LimitReport& report,
           {text.bound, report.bound},
           datum(report.is_upper ? "upper" : "lower"),
           {text.margin, report.margin},
-          report.unit,
+          {shown_unit(report.unit), report.unit},
           {text.place, report.worst_angle}};
 }
 
@@ -290,8 +290,14 @@ const char* proof_word(const optim::LimitReport& side, bool is_tried) {
 
 std::vector<Cell> side_cells(const optim::LimitReport& side, const LimitText& text,
                              const std::string& near, const std::string& price, bool is_tried) {
-  return {side.name, text.value, text.bound, text.margin,
-          side.unit, text.place, near,       proof_word(side, is_tried),
+  return {side.name,
+          text.value,
+          text.bound,
+          text.margin,
+          shown_unit(side.unit),
+          text.place,
+          near,
+          proof_word(side, is_tried),
           price};
 }
 

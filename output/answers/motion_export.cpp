@@ -140,11 +140,12 @@ void check_step(const ExportOptions& o, const problems::ExportedMotion& motion, 
   constexpr double kShare = 0.01;  // a hundredth of the range shows on any machine
   const double range = range_of(motion);
   if (!o.step || !(deviation > kShare * range)) return;
-  throw std::invalid_argument(fmt::format(
-      "--step {}: between these points the drive leaves the exact {} by {}, which is more than a "
-      "hundredth of its range of {}; use a smaller step",
-      *o.step, motion.slave_heading(), with_unit(in_digits(deviation, 4), motion.unit),
-      with_unit(in_digits(range, 4), motion.unit)));
+  throw std::invalid_argument(
+      fmt::format("--step {}: between these points the drive deviates from the exact {} by {}, "
+                  "which is more than a "
+                  "hundredth of its range of {}; use a smaller step",
+                  *o.step, motion.slave_heading(), with_unit(in_digits(deviation, 4), motion.unit),
+                  with_unit(in_digits(range, 4), motion.unit)));
 }
 
 std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,

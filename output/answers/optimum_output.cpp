@@ -111,16 +111,22 @@ std::string solver_words(const Answer& answer) {
       found.why_solver);
 }
 
+std::string words_of_starts(const optim::Found& found) {
+  if (found.assessment.verdict == optim::Verdict::Infeasible)
+    return fmt::format("none of {} starts led to a design within the limits", found.starts);
+  if (found.agreed == 0 && is_feasible(found.assessment)) {
+    return fmt::format(
+        "none of {} starts ended at this objective: it was found by sampling the rest of the box",
+        found.starts);
+  }
+  return fmt::format("{} of {} starts ended at this objective", found.agreed, found.starts);
+}
+
 std::string how(const Answer& answer) {
   const optim::Found& found = answer.optimum.found;
   std::string text = fmt::format("{} evaluations in {} solves, {:.3g} s; {}", found.evaluations,
                                  found.solves, answer.optimum.wall_s, solver_words(answer));
-  if (found.starts > 1) {
-    text +=
-        found.assessment.verdict == optim::Verdict::Infeasible
-            ? fmt::format("\nnone of {} starts led to a design within the limits", found.starts)
-            : fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
-  }
+  if (found.starts > 1) text += "\n" + words_of_starts(found);
   // Where all are settled, the verdict has these numbers.
   if (answer.optimum.combinations > 1 && !found.assessment.global) {
     text += fmt::format("\n{} combinations, {} problems solved", answer.optimum.combinations,
@@ -142,10 +148,10 @@ std::string program_line(const Answer& answer) {
 std::string what_is_shown(const Answer& answer) {
   const Assessment& a = assessment(answer);
   if (optim::is_feasible(a) || !is_at_design(answer) || std::isnan(a.objective.value)) return "";
-  if (answer.optimum.found.solves == 0) return "the values at the start, which are no answer";
+  if (answer.optimum.found.solves == 0) return "not an answer: the values at the start";
   return a.verdict == optim::Verdict::Infeasible
-             ? "the design that comes nearest to the limits, which is no answer"
-             : "the design at which the search ended, which is no answer";
+             ? "not an answer: the design that comes nearest to the limits"
+             : "not an answer: the design at which the search ended";
 }
 
 /// The objective and the other variables, where there is a design.
@@ -313,7 +319,7 @@ void add_knots(const Answer& answer, Document& document) {
   const std::string unit = objective_unit(answer);
   const std::string left =
       knots.left && *knots.left > 0
-          ? fmt::format("; further knots would gain about {}, as the last rounds go on",
+          ? fmt::format("; if the last rounds' trend continues, further knots would gain about {}",
                         with_unit(fmt::format("{:.1g}", *knots.left), unit))
           : "";
   Document own;

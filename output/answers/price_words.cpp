@@ -55,8 +55,8 @@ std::string price_words(const Answer& answer, const std::string& why) {
         priced_step(limit, a.objective.value));
     if (!limit.at_rest) continue;
     text += fmt::format(
-        "  the limit on {} holds the design where the motion rests, and easing it there gains more "
-        "than in proportion: it has no price\n",
+        "  the limit on {} holds the design where the motion is at rest, and easing it there gains "
+        "more than in proportion: it has no price\n",
         limit.name);
   }
   for (const optim::VariableReport& v : a.variables) {
@@ -210,7 +210,7 @@ std::string cure_words(const Answer& answer) {
   const auto [all, alone] = cures_of(answer);
   const std::string& cut = answer.easings.cut_short;
   const std::string cut_words =
-      cut.empty() ? "" : fmt::format("not every cure was looked for: {}\n", cut);
+      cut.empty() ? "" : fmt::format("not every remedy was looked for: {}\n", cut);
   if (all.empty()) return cut_words;
   const char* const by_this = answer.space.choices.empty() ? "" : " by this combination";
   if (!alone) {
@@ -219,11 +219,11 @@ std::string cure_words(const Answer& answer) {
     for (const optim::Easing& easing : all)
       parts.push_back(easing_words(answer.bound.statement(), easing).substr(kEasing));
     return fmt::format(
-        "what would let every limit be met, by the design above\n  easing {} together{}\n{}",
+        "from the design above, this would let every limit be met\n  easing {} together{}\n{}",
         problems::listed(parts), failing_words(still_failing(answer, all.front())), cut_words);
   }
-  std::string text = fmt::format("what would let every limit be met{}{}\n", by_this,
-                                 all.size() == 1 ? "" : ", each alone");
+  std::string text = fmt::format("{} would let every limit be met{}\n",
+                                 all.size() == 1 ? "this" : "each of these alone", by_this);
   for (const optim::Easing& easing : all) {
     text += fmt::format("  {}{}\n", easing_words(answer.bound.statement(), easing),
                         failing_words(still_failing(answer, easing)));

@@ -230,6 +230,10 @@ Document motion_document(const MotionFit& fit, const RecordedPlaces& places) {
   }
   document.fact("as_good", fit.as_good);
   document.fact("untried", fit.untried);
+  std::vector<std::string> unfinished;
+  if (fit.unfinished.begin) unfinished.push_back("begin");
+  if (fit.unfinished.end) unfinished.push_back("end");
+  document.fact("unfinished", unfinished);
   if (fit.smooth) {
     document.say("the law that is written is a smoothing spline through the samples\n");
   }

@@ -79,15 +79,15 @@ std::optional<problems::KnownShape> shape_in(const ProblemStatement& statement,
   return known_shape(*statement.mechanism, name, bound.binding({}));
 }
 
-/// "by the rules of formulas", "proof DS10".
+/// "from its formula", "proof DS10".
 std::string reason_text(const problems::KnownShape& shape) {
   std::string text = shape.reason();
   const auto put = [&](std::string_view from, std::string_view to) {
     const std::size_t at = text.find(from);
     if (at != std::string::npos) text.replace(at, from.size(), to);
   };
-  put("rules", "by the rules of formulas");
-  put("enclosure", "by bounds of its slopes");
+  put("rules", "from its formula");
+  put("enclosure", "from bounds on its slopes");
   // That the formula holds for every machine of the box, too, is for programs.
   text = text.substr(0, text.find(", possible machines by"));
   while (text.find("theory.md (") != std::string::npos) {
@@ -109,7 +109,7 @@ std::string plain_word(const std::string& word) {
 
 /// What it means, with the term of optimisation.
 std::string meaning_of(const std::string& word) {
-  if (word == "linear") return "linear: it changes in proportion";
+  if (word == "linear") return "linear: it changes in proportion to them";
   if (word == "curves upwards") return "curves upwards (convex): it has one valley";
   if (word == "curves downwards") return "curves downwards (concave): it has one hill";
   if (word == "one valley") return "one valley (quasiconvex): it falls to it and rises from there";
@@ -137,15 +137,15 @@ std::string shape_legend(const Table& shapes) {
     }
   }
   if (meanings.empty()) return "";
-  return fmt::format("all at once: while all that it depends on varies; {}{}\n",
+  return fmt::format("jointly: with everything that it depends on varying together; {}{}\n",
                      fmt::join(meanings, "; "),
-                     has_proof ? "; the proofs stand in docs/theory.md under their tags" : "");
+                     has_proof ? "; docs/theory.md has the proofs under their tags" : "");
 }
 
 Table shape_table(const ProblemStatement& statement) {
   Table table{.key = "shapes",
               .columns = {words("response", "response"), words("depends on", "depends_on"),
-                          words("all at once", "shape"), words("why", "known_by")},
+                          words("jointly", "shape"), words("why", "known_by")},
               .caption = "\n"};
   std::vector<ResponseName> names;
   for (const auto& objective : statement.objectives) names.push_back(objective.response);

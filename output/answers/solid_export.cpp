@@ -34,7 +34,7 @@ double asked_length(const ExportOptions::Text& text, const char* name, const cha
                     const problems::LengthUnit& unit) {
   if (text) return length_of(text, name, unit, 0, kLeastSize, kMostSize);
   throw std::invalid_argument(
-      fmt::format("{} is missing: say {}, such as {} '20 mm'", name, what, name));
+      fmt::format("{} is missing: state {}, such as {} '20 mm'", name, what, name));
 }
 
 double width_of(const ExportOptions& o, const problems::ProblemStatement& design,
@@ -50,8 +50,8 @@ std::optional<problems::GrooveSize> groove_of(const ExportOptions& o,
   if (!o.groove) {
     if (!problems::runs_in_groove(design)) return {};
     throw std::invalid_argument(
-        "the roller runs in a groove, as the problem asks for what grooves alone have: say how "
-        "deep it is, such as --groove '10 mm', and with --blank the diameter of the disc or "
+        "the roller runs in a groove, as the problem uses responses that only grooves have: state "
+        "its depth, such as --groove '10 mm', and with --blank the diameter of the disc or "
         "barrel");
   }
   problems::GrooveSize groove{length_of(o.groove, "--groove", unit, 0, kLeastSize, kMostSize)};

@@ -101,10 +101,10 @@ Document study_document(const SpineCutterStudy& study) {
 Figure trade_off_figure(const SpineCutterStudy& study) {
   // The frame holds B from 1.1 to 2.35 and C from 3.7 (below the least possible) to 9.5, where
   // nearly all laws lie; the few outliers would squeeze the rest into a corner.
-  const double smallest = study.cutter.minimum_cam_radius(1.1) * 1e3;
-  const double largest = study.cutter.minimum_cam_radius(2.35) * 1e3;
-  const double floor = study.cutter.peak_inertia_force(3.7);
-  const double ceiling = study.cutter.peak_inertia_force(9.5);
+  const double smallest = problems::minimum_cam_radius(study.cutter, 1.1) * 1e3;
+  const double largest = problems::minimum_cam_radius(study.cutter, 2.35) * 1e3;
+  const double floor = problems::peak_inertia_force(study.cutter, 3.7);
+  const double ceiling = problems::peak_inertia_force(study.cutter, 9.5);
   Panel panel;
   panel.x = {.label = "cam radius R", .unit = "mm", .lower = smallest, .upper = largest};
   panel.y = {.label = "peak inertia force F", .unit = "N", .lower = floor, .upper = ceiling};

@@ -213,7 +213,7 @@ void add_left_out(const problems::ProblemStatement& problem, Warnings& warnings)
   if (problem.left_out.empty()) return;
   std::vector<std::string> names;
   for (const problems::LeftOut& left : problem.left_out) names.push_back(left.what);
-  warnings.push_back(fmt::format("left out, as they do not fit: {}; 'camlaw check' says why",
+  warnings.push_back(fmt::format("left out because they do not fit: {}; 'camlaw check' says why",
                                  fmt::join(names, "; ")));
 }
 

@@ -33,6 +33,14 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
+/// So many significant digits, of numbers below a million without a power of ten: 15000.
+std::string with_few_powers(double value, int digits) {
+  constexpr double kPlain = 1e6;
+  const std::string text = fmt::format("{:.{}g}", value + 0.0, digits);
+  if (std::abs(value) >= kPlain || text.find("e+") == std::string::npos) return text;
+  return fmt::format("{:.0f}", std::strtod(text.c_str(), nullptr));
+}
+
 }  // namespace
 
 std::string to_csv(const std::vector<std::vector<std::string>>& rows) {
@@ -67,12 +75,12 @@ std::string significant(double value, double size, int digits) {
       digits = std::clamp(static_cast<int>(own), 1, digits);
     }
   }
-  return fmt::format("{:.{}g}", value + 0.0, digits);
+  return with_few_powers(value, digits);
 }
 
 std::string in_digits(double value, int digits) {
   if (!std::isfinite(value)) return shown(value, 0);
-  return fmt::format("{:.{}g}", value + 0.0, digits);
+  return with_few_powers(value, digits);
 }
 
 std::string plain_name(std::string_view name) {

@@ -14,9 +14,9 @@ std::string to_csv(const std::vector<std::vector<std::string>>& rows);
 /// A number for people: `decimals` places, "inf", "-inf" or "-" for NaN, never "-0.00".
 std::string shown(double value, int decimals);
 /// A number for people: as many digits as 7 of `size`, that of the numbers it stands beside, so
-/// that their rounding is not shown; `digits` of its own at most; never "-0".
+/// that their rounding is not shown; at most `digits` of its own; never "-0", nor 2e+04.
 std::string significant(double value, double size, int digits = 7);
-/// A number for people: so many significant digits, never "-0".
+/// A number for people: so many significant digits, never "-0"; below a million no power of ten.
 std::string in_digits(double value, int digits = 7);
 /// A name of the program for readers: "peak_pressure_angle" as "peak pressure angle".
 std::string plain_name(std::string_view name);

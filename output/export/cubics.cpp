@@ -41,7 +41,9 @@ double cubic_bound(const CubicPiece& piece, const CurveStretch& stretch, double 
 
 }  // namespace
 
-CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
+CubicPath cubics_within(const PlaneCurve& whole, double tolerance) {
+  // At a cusp the curve's derivative is 0, and a cubic over it would round the cusp off.
+  const PlaneCurve curve = whole.broken_at(cusps(whole));
   // A jump takes no angle; a spline's knots must rise all the same.
   const double jump = 1e-9 * (curve.end() - curve.begin());
   auto fit = fitted(
@@ -63,7 +65,17 @@ CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
   return {std::move(fit.pieces), fit.worst.most, fit.worst.proved};
 }
 
+bool CubicPath::is_cusp(std::size_t i) const {
+  constexpr double kRounding = 1e-9;  // of a piece's size: the slope there is 0 but for that
+  const auto &a = pieces[i].control, &b = pieces[i + 1].control;
+  const Vector2d before = a[3] - a[2], after = b[1] - b[0];
+  const bool is_still = before.norm() <= kRounding * (a[3] - a[0]).norm() &&
+                        after.norm() <= kRounding * (b[3] - b[0]).norm();
+  return is_still || before.dot(after) < 0;
+}
+
 bool CubicPath::is_smooth(std::size_t i) const {
+  if (is_cusp(i)) return false;
   constexpr double kRounding = 1e-9;  // of the derivative: control points are rounded sums
   const CubicPiece &a = pieces[i], &b = pieces[i + 1];
   const Vector2d before = (a.control[3] - a.control[2]) / (a.to - a.from);
@@ -90,18 +102,27 @@ std::vector<Vector2d> CubicPath::control_points() const {
   return points;
 }
 
-std::vector<CubicPath> CubicPath::smooth_runs(const std::vector<double>& angles) const {
-  std::vector<CubicPath> runs;
+template <class Ends>
+std::vector<CubicPath> CubicPath::runs(const Ends& ends) const {
+  std::vector<CubicPath> result;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const bool begins = i == 0 || !is_smooth(i - 1) ||
-                        std::find(angles.begin(), angles.end(), pieces[i].from) != angles.end();
-    if (begins) {
-      if (i > 0) runs.back().pieces.back().control[3] = pieces[i].control[0];
-      runs.push_back({{}, worst, proved});
+    if (i == 0 || ends(i - 1)) {
+      if (i > 0) result.back().pieces.back().control[3] = pieces[i].control[0];
+      result.push_back({{}, worst, proved});
     }
-    runs.back().pieces.push_back(pieces[i]);
+    result.back().pieces.push_back(pieces[i]);
   }
-  return runs;
+  return result;
+}
+
+std::vector<CubicPath> CubicPath::smooth_runs(const std::vector<double>& angles) const {
+  return runs([&](std::size_t i) {
+    return !is_smooth(i) || std::find(angles.begin(), angles.end(), pieces[i].to) != angles.end();
+  });
+}
+
+std::vector<CubicPath> CubicPath::runs_between_cusps() const {
+  return runs([&](std::size_t i) { return is_cusp(i); });
 }
 
 }  // namespace camlaw::problems

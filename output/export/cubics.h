@@ -29,13 +29,19 @@ struct CubicPath {
   /// The stretches that are smooth and have none of some angles, deg, within them. Each ends in the
   /// very digits in which the next begins.
   std::vector<CubicPath> smooth_runs(const std::vector<double>& angles) const;
+  /// The stretches between cusps, ended in the same way.
+  std::vector<CubicPath> runs_between_cusps() const;
 
  private:
   bool is_smooth(std::size_t i) const;  ///< where the pieces i and i + 1 meet
+  bool is_cusp(std::size_t i) const;    ///< the same: the curve turns back there
+  /// The stretches that end where ends(i) says so, after the piece i.
+  template <class Ends>
+  std::vector<CubicPath> runs(const Ends& ends) const;
 };
 
 /// Hermite cubics through points of the curve with the curve's derivatives there, as few as
-/// bisection finds within a tolerance, mm.
+/// bisection finds within a tolerance, mm. A piece ends at each cusp.
 CubicPath cubics_within(const PlaneCurve& curve, double tolerance);
 
 }  // namespace camlaw::problems

@@ -27,7 +27,7 @@ class Entities {
     } else if (const auto* arcs = std::get_if<ArcPath>(&curve.path)) {
       for (const ArcPiece& piece : arcs->pieces) piece.is_line() ? line(piece) : arc(piece);
     } else {
-      spline(std::get<CubicPath>(curve.path));
+      for (const CubicPath& run : std::get<CubicPath>(curve.path).runs_between_cusps()) spline(run);
     }
   }
 

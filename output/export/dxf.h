@@ -9,7 +9,8 @@
 namespace camlaw::problems {
 
 /// Lines are one LWPOLYLINE, closed where the curve is; arcs single ARC and LINE entities in their
-/// order; a spline one SPLINE of degree 3 by its control points. Shapes are
+/// order; a spline one SPLINE of degree 3 by its control points, or of a curve with cusps one from
+/// each cusp to the next: programs refuse a spline that turns back. Shapes are
 /// LINE, CIRCLE, ARC and TEXT entities on their layers. `comments` stand at the beginning.
 std::string dxf_text(const std::vector<ExportedCurve>& curves,
                      const std::vector<DrawnShape>& shapes, const LengthUnit& unit,

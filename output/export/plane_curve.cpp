@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -134,6 +135,14 @@ std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
   return result;
 }
 
+PlaneCurve PlaneCurve::broken_at(const std::vector<double>& angles) const {
+  PlaneCurve result = *this;
+  result.breaks_.clear();
+  std::set_union(breaks_.begin(), breaks_.end(), angles.begin(), angles.end(),
+                 std::back_inserter(result.breaks_));
+  return result;
+}
+
 PlaneCurve PlaneCurve::beside(std::string name, double distance) const {
   PlaneCurve result = *this;
   result.name_ = std::move(name);
@@ -218,6 +227,43 @@ std::optional<double> turns_back(const PlaneCurve& curve) {
       curve.goes_on() && (jumps_back(curve.breaks().size() - 1) || turns({curve.begin()}));
   if (over_end) return curve.end();
   return {};
+}
+
+namespace {
+
+/// Where the slope along a direction changes its sign between two places, by halving: at a cusp the
+/// slope is 0.
+double cusp_between(const PlaneCurve& curve, double from, double to,
+                    const Eigen::Vector2d& direction) {
+  while (true) {
+    const double middle = std::midpoint(from, to);
+    if (!(from < middle && middle < to)) return to;
+    (curve.at({middle}).slope.dot(direction) > 0 ? from : to) = middle;
+  }
+}
+
+}  // namespace
+
+std::vector<double> cusps(const PlaneCurve& curve) {
+  constexpr double kStep = 0.1;  // deg, as turns_back
+  std::vector<double> found;
+  Eigen::Vector2d before(0, 0);
+  for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
+    const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
+    if (k > 0 && curve.way_over(k).norm() > curve.least_jump()) before.setZero();
+    const int count = static_cast<int>(std::ceil((to - from) / kStep));
+    double last = from;
+    for (int i = 0; i <= count; ++i) {
+      const optim::Place place = optim::even_place(from, to, count, i);
+      const Eigen::Vector2d slope = curve.at(place).slope;
+      if (slope.dot(before) < 0) {
+        found.push_back(i == 0 ? from : cusp_between(curve, last, place.angle, before));
+      }
+      if (slope.norm() > 0) before = slope;
+      last = place.angle;
+    }
+  }
+  return found;
 }
 
 Turning turning(const PlaneCurve& curve) {

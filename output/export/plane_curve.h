@@ -77,7 +77,7 @@ class PlaneCurve {
   /// jumps: angle, deg, and distance, mm.
   std::vector<std::pair<double, double>> jumps() const;
 
-  /// Between two of its breaks (docs/theory.md, "How exact an export is").
+  /// Between two of its breaks (docs/theory.md, "Accuracy of exports").
   CurveStretch stretch(double from, double to) const;
   /// Whether the slope is proved to vanish nowhere from one place to the next, both between the
   /// same breaks: the curve does not turn back there.
@@ -95,6 +95,8 @@ class PlaneCurve {
   /// The part of a curve over the cycle from one angle to another; an angle beyond the end of the
   /// cycle is one after it. The part is smooth at the end of the cycle too.
   PlaneCurve part(std::string name, double from, double to) const;
+  /// The same curve with more angles that count as breaks, increasing.
+  PlaneCurve broken_at(const std::vector<double>& angles) const;
   /// The curve parallel to this one at a distance, mm, to the left of its direction: q = p + d n
   /// with q' = p' (1 - d k), n the unit normal and k the curvature.
   PlaneCurve beside(std::string name, double distance) const;
@@ -134,6 +136,10 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
 /// every break, of a curve that goes on from its end to its beginning too: where the acceleration
 /// jumps a whole stretch may run backwards, and where the velocity jumps the curve may jump back.
 std::optional<double> turns_back(const PlaneCurve& curve);
+
+/// Its cusps: all angles, deg, inside the cycle at which a curve that runs on without a jump turns
+/// back, increasing. Looked for at the same steps.
+std::vector<double> cusps(const PlaneCurve& curve);
 
 /// What is known of whether a curve turns back.
 struct Turning {

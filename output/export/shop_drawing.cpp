@@ -150,15 +150,14 @@ std::vector<std::string> dimension_lines(const ProblemStatement& design, const S
   return lines;
 }
 
-/// A frame to the right of the drawing with the lines from top to bottom.
+/// A frame to the right of all that is drawn with the lines from top to bottom.
 void draw_title(const std::vector<std::string>& lines, const Reach& reach, Drawing& drawing) {
-  // Letters have the size 3.5 mm of ISO 3098, lines stand 6 mm apart, and a letter is 0.85 times as
-  // wide as it is high.
-  constexpr double kHeight = 3.5, kLine = 6, kRoom = 4, kLetter = 0.85;
+  // Letters have the size 3.5 mm of ISO 3098, and lines stand 6 mm apart.
+  constexpr double kHeight = 3.5, kLine = 6, kRoom = 4;
   std::size_t longest = 0;
   for (const std::string& line : lines) longest = std::max(longest, line.size());
-  const Vector2d corner(reach.high.x() + 20, reach.high.y());
-  const double width = 2 * kRoom + kLetter * kHeight * static_cast<double>(longest);
+  const Vector2d corner(std::max(reach.high.x(), drawing.right()) + 20, reach.high.y());
+  const double width = 2 * kRoom + Drawing::kLetter * kHeight * static_cast<double>(longest);
   const double height = 2 * kRoom + kLine * static_cast<double>(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double down = kRoom + kLine * static_cast<double>(i + 1);

@@ -28,8 +28,9 @@ std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneC
   if (!radius) return "";
   const Interference found = interference(centre, profile, *radius);
   if (doubts != nullptr && !found.proved) {
-    doubts->push_back(fmt::format("the {} was measured not to cut into the {}; this is not proved",
-                                  circle, profile.name()));
+    doubts->push_back(
+        fmt::format("by measurement, the {} does not cut into the {}; this is not proved", circle,
+                    profile.name()));
   }
   if (found.depth <= found.certain + kLeast) return "";
   return fmt::format(
@@ -179,8 +180,7 @@ ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, Curv
   for (const PlaneCurve& own : curves) {
     if ((&own == &curves.front() || is_profile(own)) && !turning(own).proved) {
       doubts_.push_back(fmt::format(
-          "the {} was found to turn back nowhere, at steps of 0.1 deg; this is not proved",
-          own.name()));
+          "the {} turns back nowhere at steps of 0.1 deg; this is not proved", own.name()));
     }
   }
   exported_ = problems::exported(curve, form, accuracy);

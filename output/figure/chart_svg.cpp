@@ -123,15 +123,17 @@ void Svg::marker(DrawnPoint centre, const MarkerStyle& style, std::string_view t
 }
 
 void Svg::begin_clip(const Rect& r) {
-  // Named by its numbers: figures in one HTML page share a name only for the same rectangle.
-  const std::string name = fmt::format("clip-{}-{}-{}-{}", svg_number(r.left), svg_number(r.top),
-                                       svg_number(r.right), svg_number(r.bottom));
-  out_ += fmt::format("<clipPath id=\"{}\">", name);
-  rect("", r);
-  out_ += fmt::format("</clipPath>\n<g clip-path=\"url(#{})\">\n", name);
+  // An inner picture cuts off what leaves it. It needs no name, as a clip path does: a page with
+  // several figures would have the same one twice.
+  const std::string box = fmt::format("{} {} {} {}", svg_number(r.left), svg_number(r.top),
+                                      svg_number(r.right - r.left), svg_number(r.bottom - r.top));
+  out_ += fmt::format(
+      "<svg class=\"within\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{}\">\n",
+      svg_number(r.left), svg_number(r.top), svg_number(r.right - r.left),
+      svg_number(r.bottom - r.top), box);
 }
 
-void Svg::end_clip() { out_ += "</g>\n"; }
+void Svg::end_clip() { out_ += "</svg>\n"; }
 
 std::string Svg::finish() && { return std::move(out_) + "</svg>\n"; }
 

@@ -12,6 +12,7 @@
 
 #include "machines/model/known_names.h"
 #include "output/answers/cycle_figure.h"
+#include "output/answers/limit_text.h"
 #include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
 #include "output/figure/law_figure.h"
@@ -30,9 +31,22 @@ constexpr const char *kMotionGroup = "Motion", *kGeometryGroup = "Geometry",
 /// The groups in the order in which they are read.
 constexpr std::array kGroups{kMotionGroup, kGeometryGroup, kLoadGroup, kContactGroup, kLawGroup};
 
-bool is_coordinate(const Panel& panel) {
-  const std::string& name = panel.y.label;
-  return panel.y.unit == "mm" && (name.ends_with("_x") || name.ends_with("_y"));
+/// Whether a panel is a coordinate of a curve of the cam, which is drawn as that curve. Coordinates
+/// that a file states are curves like others: its path follows them.
+bool is_of_profile(const Panel& panel, const ProblemStatement& design) {
+  const auto& all = design.mechanism->responses;
+  const auto own =
+      std::ranges::find_if(all, [&](const auto& r) { return r.name == panel.y.label; });
+  return own != all.end() && own->is_coordinate;
+}
+
+/// Whether the problem limits or seeks a curve.
+bool is_asked_for(const std::string& curve, const ProblemStatement& design) {
+  const auto asks = [&](const auto& stated) {
+    return stated.response.response != nullptr && stated.response.response->name == curve;
+  };
+  return std::any_of(design.constraints.begin(), design.constraints.end(), asks) ||
+         std::any_of(design.objectives.begin(), design.objectives.end(), asks);
 }
 
 /// Whether a panel is one of the law's own, which are drawn over the law's x.
@@ -83,7 +97,7 @@ std::string extremes_text(const EvaluatedResponse& r) {
   const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
   const auto text = [&](double value, double at) {
     return fmt::format("{} at {}", with_unit(significant(value, size, 4), r.unit),
-                       with_unit(fmt::format("{:.4g}", at + 0.0), r.along));
+                       place_text(at, r.along));
   };
   if (!(r.lowest < r.highest)) return with_unit(significant(r.highest, size, 4), r.unit);
   return fmt::format("from {} to {}{}", text(r.lowest, r.lowest_at), text(r.highest, r.highest_at),
@@ -135,7 +149,9 @@ std::string plot_html(const Panel& panel, std::size_t index, const PanelWords& w
 
 Figure design_figure(const ProblemStatement& design, int points) {
   Figure figure = curves_figure(design, points);
-  std::erase_if(figure.panels, is_coordinate);
+  std::erase_if(figure.panels, [&](const Panel& panel) {
+    return is_of_profile(panel, design) && !is_asked_for(panel.y.label, design);
+  });
   draw_limits(design, figure);
   const bool shows_motion =
       std::any_of(figure.panels.begin(), figure.panels.end(),

@@ -46,9 +46,10 @@ std::string objective_text(const ProblemStatement& design, const DesignReview& r
   const char* whose = !is_searched                          ? " with the file's own values"
                       : review.met() < review.limits.size() ? " of a design that violates limits"
                                                             : "";
-  return fmt::format("<p class=\"answer\">{}{} <b>{}</b></p>\n",
-                     xml_escape(plain_name(stated.response.name)), whose,
-                     xml_escape(with_unit(in_digits(objective.value), stated.response.unit)));
+  return fmt::format(
+      "<p class=\"answer\">{}{} <b>{}</b></p>\n", xml_escape(plain_name(stated.response.name)),
+      whose,
+      xml_escape(kept_together(with_unit(in_digits(objective.value), stated.response.unit))));
 }
 
 std::string limits_words(const DesignReview& review) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "machines/geneva/geneva.h"
+#include "numerics/formula/plain_values.h"
 #include "output/report/scene.h"
 
 // A planar Geneva: the driver with its pin about the origin, the wheel with its slots. What the
@@ -35,20 +36,23 @@ std::vector<DrawnPoint> slot(DrawnPoint centre, double angle, double tip, double
 
 std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int) {
   if (design.mechanism->form != problems::Form::Geneva) return {};
-  const PlanarGeneva<double> geneva{problems::constant_of(design, "slots")};
+  const double slots = problems::constant_of(design, "slots");
+  const PlainValues value;
+  const PlanarGeneva geneva{slots};
   const double distance = problems::constant_of(design, "centre_distance"),
-               crank = distance * geneva.crank();
+               crank = distance * value(geneva.crank());
   const double pin = problems::constant_of(design, "pin_radius");
-  const double tip = distance * std::cos(std::numbers::pi / geneva.slots);
-  const double entry = -geneva.half_engagement();  // the driver's angle where the cycle begins
+  const double tip = distance * std::cos(std::numbers::pi / slots);
+  const double entry =
+      -value(geneva.half_engagement());  // the driver's angle where the cycle begins
   const DrawnPoint wheel{distance, 0}, pin_at{crank * std::cos(entry), crank * std::sin(entry)};
-  const double wheel_angle = geneva.at(entry).angle;
+  const double wheel_angle = value(geneva.at(entry).angle);
   Scene scene(fmt::format("{}: crank, pin and slots, drawn to scale", design.mechanism->title));
   scene.drawn_at("wheel_angle", wheel_angle * 180 / std::numbers::pi);
   scene.body("wheel", {{Kind::Turn, -1, wheel, "wheel_angle"}});
   scene.circle("pitch", wheel, tip);
-  for (int k = 0; k < static_cast<int>(geneva.slots); ++k) {
-    const double angle = std::numbers::pi - wheel_angle + 2 * std::numbers::pi * k / geneva.slots;
+  for (int k = 0; k < static_cast<int>(slots); ++k) {
+    const double angle = std::numbers::pi - wheel_angle + 2 * std::numbers::pi * k / slots;
     scene.polyline("roller", slot(wheel, angle, tip, distance - crank, pin), false);
   }
   scene.circle("pivot", wheel, 0.05 * tip);

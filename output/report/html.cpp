@@ -30,13 +30,39 @@ std::string_view align_class(const Column& column) {
   return column.align == Align::Right ? " class=\"number\"" : "";
 }
 
+/// "\u2264 30" of "<= 30".
+std::string with_sign(const std::string& text) {
+  static constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+      {"<= ", "\u2264 "}, {">= ", "\u2265 "}, {"== ", "= "}};
+  for (const auto& [typed, sign] : kSigns) {
+    if (text.starts_with(typed)) return std::string(sign) + text.substr(typed.size());
+  }
+  return text;
+}
+
 std::string cell_html(const Column& column, const Cell& cell) {
   if (!cell.html.empty()) return cell.html;
-  const std::string text = column.is_names ? plain_name(cell.text) : cell.text;
+  const std::string text = column.is_names ? plain_name(cell.text) : with_sign(cell.text);
   return cell.badge.empty() ? xml_escape(text) : badge(cell.badge, text);
 }
 
 }  // namespace
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+std::string kept_together(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool may_break = text[i] != ' ' || (i > 0 && text[i - 1] == ',');
+    result += may_break ? std::string(1, text[i]) : "\u00a0";
+  }
+  return result;
+}
 
 std::string escaped(std::string_view text) { return xml_escape(text); }
 

@@ -12,6 +12,10 @@
 /// is.
 namespace camlaw::cli {
 
+/// With a capital at the beginning, as a sentence has it.
+std::string capitalised(std::string text);
+/// Numbers with their units, "2 N m, at 34 deg": lines break after commas alone.
+std::string kept_together(std::string_view text);
 /// Text for a cell or an attribute.
 std::string escaped(std::string_view text);
 std::string paragraph(std::string_view text);

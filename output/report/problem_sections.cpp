@@ -46,12 +46,6 @@ Table limit_table(bool priced) {
   return table;
 }
 
-/// "\u2264 30" of "<= 30".
-std::string with_sign(const std::string& bound) {
-  const char* sign = bound.starts_with("<=") ? "\u2264" : bound.starts_with(">=") ? "\u2265" : "=";
-  return sign + bound.substr(2);
-}
-
 Cell with_html(std::string html) {
   Cell cell;
   cell.html = std::move(html);
@@ -71,7 +65,7 @@ std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& te
                         with_html((limit.met ? badge("good", "met") : badge("bad", "not met")) +
                                   (is_blamed ? fmt::format(" {}", badge("bad", "blamed")) : "")),
                         text.value,
-                        with_sign(text.bound),
+                        text.bound,
                         text.margin,
                         shown_unit(limit.unit),
                         text.place,
@@ -250,9 +244,20 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
 
 namespace {
 
-/// What the lines of a moving cam's picture are, of those that it has.
+/// What the lines of a picture are, of those that it has.
 std::string line_words(const std::string& svg) {
   const auto has = [&](const char* shape) { return svg.find(shape) != std::string::npos; };
+  if (has("<title>point on the path</title>")) {
+    return paragraph(
+        "The dashed curve is the path; the arrow is the direction in which the point runs along "
+        "it.");
+  }
+  if (has("<title>working point</title>")) {
+    return paragraph(
+        "The motor's speed is to the right, its torque upwards. The shaded area is what the motor "
+        "can give, the dashed lines are its continuous torque, and the dashed curve is the path of "
+        "the working point through the cycle.");
+  }
   if (!has("class=\"arrow\"")) return "";
   std::string words = "The arrow is the direction in which the driving part moves.";
   if (has("class=\"base\"")) words += " The dotted circle is the base circle.";

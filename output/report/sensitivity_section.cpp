@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "output/answers/sensitivity_output.h"
 #include "output/answers/tolerance_output.h"
@@ -112,19 +114,35 @@ bool asks_over_speeds(const problems::ProblemStatement& design) {
 
 }  // namespace
 
+namespace {
+
+/// Each line of a table's note as a sentence.
+std::string sentences(const std::string& lines) {
+  std::string html;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    if (line.back() != '.') line += '.';
+    html += paragraph(capitalised(line));
+  }
+  return html;
+}
+
+}  // namespace
+
 std::optional<ReportSection> derivatives_section(const problems::ProblemStatement& design) {
   constexpr std::size_t kMostRanges = 24, kSamples = 64;  // a page is to be there at once
   const auto parameters = problems::design_parameters(design);
   if (parameters.empty() || problems::design_numbers(design, parameters).empty()) return {};
   const auto local = problems::local_sensitivity(design);
-  std::string html = paragraph(local_sensitivity_words(local));
+  std::string html = sentences(local_sensitivity_words(local));
   html += html_of(local_sensitivity_table(local));
   auto ranges = problems::sensitivity_ranges(design, {});
   const bool is_quick = ranges.ranges.size() <= kMostRanges && !asks_over_speeds(design);
   if (!ranges.ranges.empty() && is_quick) {
     const auto global =
         problems::global_sensitivity(design, std::move(ranges), {.samples = kSamples});
-    html += paragraph(global_sensitivity_words(global));
+    html += sentences(global_sensitivity_words(global));
     html += html_of(global_sensitivity_table(global));
   }
   return ReportSection{"derivatives", "Sensitivities", html};

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -29,13 +28,6 @@ struct Tile {
   std::string sentence;
 };
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) {
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  }
-  return text;
-}
-
 /// "At 1 the profile is undercut; it keeps 0.3 ...": the consequence before a clause on the design.
 std::string sentence_of(const std::string& consequence, const std::string& clause) {
   return capitalised(consequence.empty() ? clause : consequence + "; " + clause) + ".";
@@ -44,7 +36,7 @@ std::string sentence_of(const std::string& consequence, const std::string& claus
 std::string tile_html(const Tile& tile) {
   return fmt::format(
       "<div class=\"tile {}\"><h3>{}</h3>\n<p class=\"value\">{}</p>\n{}<p>{}</p></div>\n",
-      tile.kind, escaped(plain_name(tile.name)), escaped(tile.value),
+      tile.kind, escaped(plain_name(tile.name)), escaped(kept_together(tile.value)),
       tile.meaning.empty() ? ""
                            : "<p class=\"notes\">" + escaped(capitalised(tile.meaning)) + "</p>\n",
       escaped(tile.sentence));

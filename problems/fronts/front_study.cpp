@@ -98,13 +98,11 @@ FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
   if (const std::string_view kind = kind_of_study(settings); kind != "a front") {
-    throw std::invalid_argument(
-        kind == "a sweep"
-            ? "the study is of a sweep, not of a front; 'camlaw report' shows it"
-            : fmt::format(
-                  "the study is of a yield, not of a front; 'camlaw tolerance' shows it, of "
-                  "{} with --db and --resume",
-                  find_setting(settings, "source")));
+    throw std::invalid_argument(kind == "a sweep"
+                                    ? "the study is a sweep, not a front; 'camlaw report' shows it"
+                                    : fmt::format("the study is a yield, not a front; 'camlaw "
+                                                  "tolerance {} --db FILE --resume' shows it",
+                                                  find_setting(settings, "source")));
   }
   return {points_of(find_setting(settings, "points")),
           parse_method(find_setting(settings, "method")),

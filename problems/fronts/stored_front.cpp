@@ -63,7 +63,7 @@ void judge_anew(const FrontStudy& study, const std::string& version, StoredFront
   std::vector<FrontPoint> points = judged(study, front.points);
   std::string found;
   if (certified(points) != certified(front.points)) {
-    found = fmt::format(": {} of its points are certified, where it says {}", certified(points),
+    found = fmt::format(": {} of its points are certified, not {} as it says", certified(points),
                         certified(front.points));
   }
   stored.notes.push_back(
@@ -82,9 +82,10 @@ void judge_anew(const FrontStudy& study, const std::string& version, StoredFront
 
 std::string fault_words(const optim::RecordFault& fault, const std::string& then) {
   using Kind = optim::RecordFault::Kind;
-  const std::string why = fault.kind == Kind::Damaged ? "its rows are not as they were written"
-                          : fault.kind == Kind::Lost  ? "its row is gone"
-                                                      : fault.why;
+  const std::string why = fault.kind == Kind::Damaged
+                              ? "its rows were changed after they were written"
+                          : fault.kind == Kind::Lost ? "its row is missing"
+                                                     : fault.why;
   return fmt::format("task {} is {}: {}; {}", fault.task, to_string(fault.kind), why, then);
 }
 

@@ -16,7 +16,8 @@ Json parse_json(std::string_view text) {
   };
   constexpr bool kThrows = false;
   Json result = Json::parse(text, check_depth, kThrows);
-  if (result.is_discarded()) throw std::invalid_argument("it is not JSON, or not all of it");
+  if (result.is_discarded())
+    throw std::invalid_argument("it is not valid JSON, or it is incomplete");
   return result;
 }
 

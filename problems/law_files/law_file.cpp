@@ -64,7 +64,7 @@ void check_rise(const Law<double>& law) {
   const double begin = law(0.0).s, end = law(1.0, Side::Left).s;
   if (!(std::abs(begin) <= kRounding && std::abs(end - 1) <= kRounding)) {
     throw std::invalid_argument(
-        fmt::format("its pieces lead from {:.12g} to {:.12g}, not from 0 to 1", begin, end));
+        fmt::format("its pieces go from {:.12g} to {:.12g}, not from 0 to 1", begin, end));
   }
   for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {
     const double at = law.pieces()[i].end;

@@ -83,7 +83,8 @@ double bounded(const Json& object, const char* key, const std::string& what, dou
 }
 
 void check_count(std::size_t count, std::size_t most, const std::string& what) {
-  if (count > most) refuse(fmt::format("{} has {} terms; at most {} are taken", what, count, most));
+  if (count > most)
+    refuse(fmt::format("{} has {} terms; at most {} are accepted", what, count, most));
 }
 
 /// Does one(item, place) for each item of a list.
@@ -106,7 +107,7 @@ PieceCurve<double> curve_of(const Json& term, const std::string& what) {
   if (name == "inclined-sine")
     return InclinedSine<double>{bounded(term, "e", what, -kMostLean, kMostLean)};
   if (name == "power") return Power<double>{bounded(term, "exponent", what, 2, kMostExponent)};
-  refuse(fmt::format("{}.curve is none of half-ellipse, ellipse, inclined-sine, power", what));
+  refuse(fmt::format("{}.curve must be half-ellipse, ellipse, inclined-sine or power", what));
 }
 
 Piece<double> piece_of(const Json& object, const std::string& what) {
@@ -171,7 +172,7 @@ Ends ends_of(const std::string& text) {
       if (to_string(Ends{begin, end}) == text) return {begin, end};
     }
   }
-  refuse(fmt::format("ends '{}' are none of VDI 2143, such as R-R", text));
+  refuse(fmt::format("ends '{}' are not among those of VDI 2143, such as R-R", text));
 }
 
 }  // namespace camlaw::problems

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 
 #include "kinematics/laws/free.h"
@@ -16,62 +15,12 @@
 #include "optim/search/free_memory.h"
 #include "optim/verdict/verdict.h"
 #include "problems/fronts/study_worker.h"
+#include "problems/refinement/divided_knots.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
-
-/// Highest derivative of a polynomial piece, and its order.
-struct Top {
-  double value = 0;
-  int order = 0;
-};
-
-Top top_of(const Piece<double>& piece) {
-  double value = 0;
-  const int degree = static_cast<int>(piece.polynomial.size()) - 1;
-  if (degree >= 0) value = piece.polynomial.back();
-  for (int k = 2; k <= degree; ++k) value *= k;
-  return {value, degree};
-}
-
-const Piece<double>& piece_at(const Law<double>& law, double x) {
-  const auto& pieces = law.pieces();
-  const auto found = std::find_if(pieces.begin(), pieces.end(),
-                                  [&](const Piece<double>& piece) { return x <= piece.end; });
-  return found == pieces.end() ? pieces.back() : *found;
-}
-
-/// (KN1) How much each span between two knots could gain: the jumps of the highest derivative at
-/// its ends, by what they do to the acceleration within it, over that acceleration and the mean
-/// one.
-std::vector<double> promises(const Law<double>& law, const std::vector<double>& knots) {
-  std::vector<double> ends{0};
-  ends.insert(ends.end(), knots.begin(), knots.end());
-  ends.push_back(1);
-  std::vector<Top> tops;
-  std::vector<double> accelerations;
-  int degree = 0;
-  double mean = 0;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double middle = 0.5 * (ends[i] + ends[i + 1]);
-    tops.push_back(top_of(piece_at(law, middle)));
-    degree = std::max(degree, tops.back().order);
-    accelerations.push_back(std::abs(law(middle).a));
-    mean += accelerations.back() / static_cast<double>(ends.size() - 1);
-  }
-  const auto value = [&](std::size_t i) { return tops[i].order == degree ? tops[i].value : 0; };
-  std::vector<double> result(tops.size(), 0.0);
-  for (std::size_t i = 0; i < tops.size() && mean > 0; ++i) {
-    double jumps = 0;
-    if (i > 0) jumps += std::abs(value(i) - value(i - 1));
-    if (i + 1 < tops.size()) jumps += std::abs(value(i + 1) - value(i));
-    result[i] = jumps * std::pow(ends[i + 1] - ends[i], std::max(1, degree - 2)) /
-                (accelerations[i] + mean);
-  }
-  return result;
-}
 
 /// The laws of a design that are free: its own, or those of a program's segments.
 std::vector<Law<double>> free_laws(const ProblemStatement& design) {
@@ -89,59 +38,11 @@ std::vector<Law<double>> free_laws(const ProblemStatement& design) {
 }
 
 /// Of all free laws of a design.
-std::vector<double> promises(const ProblemStatement& design, const std::vector<double>& knots) {
+std::vector<double> promises_of(const ProblemStatement& design, const std::vector<double>& knots) {
   std::vector<double> result(knots.size() + 1, 0.0);
   for (const Law<double>& law : free_laws(design)) {
     const std::vector<double> own = promises(law, knots);
     for (std::size_t i = 0; i < own.size(); ++i) result[i] = std::max(result[i], own[i]);
-  }
-  return result;
-}
-
-/// Of the spans that are not short those that together promise most of what they all do.
-std::vector<bool> chosen_spans(std::vector<double> promise, const std::vector<double>& knots) {
-  constexpr double kMost = 0.85;             // the spans with the rest are many and gain little
-  constexpr double kShortest = 1.0 / 65536;  // each order of derivatives divides by the length
-  double from = 0;
-  for (std::size_t i = 0; i < promise.size(); ++i) {
-    const double to = i < knots.size() ? knots[i] : 1;
-    if (to - from < 2 * kShortest) promise[i] = 0;
-    from = to;
-  }
-  std::vector<std::size_t> order(promise.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return promise[a] > promise[b]; });
-  const double all = std::accumulate(promise.begin(), promise.end(), 0.0);
-  std::vector<bool> chosen(promise.size(), false);
-  double sum = 0;
-  for (const std::size_t i : order) {
-    if (!(sum < kMost * all)) break;
-    sum += promise[i];
-    chosen[i] = true;
-  }
-  return chosen;
-}
-
-/// Knots with one more in the middle of each span that promises much, and of its mirror image
-/// where the law is symmetric.
-std::vector<double> with_more(const std::vector<double>& knots, std::vector<double> promise,
-                              bool symmetric) {
-  if (symmetric) {
-    for (std::size_t i = 0; 2 * i < promise.size(); ++i) {
-      double& other = promise[promise.size() - 1 - i];
-      promise[i] = other = std::max(promise[i], other);
-    }
-  }
-  const std::vector<bool> chosen = chosen_spans(promise, knots);
-  std::vector<double> result;
-  double from = 0;
-  for (std::size_t i = 0; i < promise.size(); ++i) {
-    const double to = i < knots.size() ? knots[i] : 1;
-    const bool mirrored = symmetric && chosen[promise.size() - 1 - i];
-    if (chosen[i] || mirrored) result.push_back(0.5 * (from + to));
-    if (i < knots.size()) result.push_back(to);
-    from = to;
   }
   return result;
 }
@@ -219,17 +120,32 @@ bool is_no_worse(const optim::Optimum& fresh, const optim::Optimum& best) {
   return rise <= kRounding * std::abs(b.objective.value);
 }
 
-/// What is left to gain where each gain is the same share of the one before.
+/// Of gains that shrink by the same factor q with each halving of spans: q, if `first` halvings are
+/// followed by `then` with a gain of `share` of theirs, share = q^first (1 - q^then) / (1 -
+/// q^first).
+double shrinking_of(double share, int first, int then) {
+  double lower = 0, upper = 1;  // the share rises with q
+  for (int step = 0; step < 60; ++step) {
+    const double q = 0.5 * (lower + upper), before = std::pow(q, first);
+    (before * (1 - std::pow(q, then)) / (1 - before) < share ? lower : upper) = q;
+  }
+  return lower;
+}
+
+/// (KN3) What is left to gain where each halving of spans gains the same share of the one before.
 std::optional<double> left_of(const std::vector<KnotRound>& rounds) {
   if (rounds.size() < 3) return {};
-  const double a = rounds.end()[-3].objective, b = rounds.end()[-2].objective,
-               c = rounds.end()[-1].objective;
-  const double share = (c - b) / (b - a);
+  const KnotRound &before = rounds.end()[-2], &last = rounds.end()[-1];
+  const double a = rounds.end()[-3].objective, b = before.objective, c = last.objective;
   // Of gains that shrink by less the sum has more than ten times the error of one.
   constexpr double kShrinks = 0.9, kNothing = 1e-9;
   if (std::abs(c - b) <= kNothing * std::abs(c)) return 0.0;
-  if (!(share > 0 && share < kShrinks)) return {};
-  return std::abs(c - b) * share / (1 - share);
+  const double share = (c - b) / (b - a);
+  if (!(share > 0)) return {};
+  const double q = shrinking_of(share, before.halvings, last.halvings);
+  if (!(q < kShrinks)) return {};
+  const double then = std::pow(q, last.halvings);
+  return std::abs(c - b) * then / (1 - then);
 }
 
 void check_one_law(const ProblemStatement& statement) {
@@ -242,14 +158,14 @@ void check_one_law(const ProblemStatement& statement) {
 /// Why a round was the last one, in words; empty where another may follow.
 std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRound>& better,
                           const std::function<bool()>& stop) {
-  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;  // each with up to twice the knots
+  constexpr std::size_t kMostRounds = 24, kMostInVain = 10;
   const optim::Found& found = result.optimum.found;
   // Where no design meets the limits, the one of least violation tells where knots may help.
   const bool is_vain = !optim::is_feasible(found.assessment) && result.rounds.size() >= kMostInVain;
   if (is_vain || found.x.size() != result.optimum.problem.variables.size())
     return "the search led to no design within the limits";
   if (is_near_limit(result.optimum.problem, found.assessment) && better.size() > 1)
-    return "the objective is within 0.01 % of what no law can better";
+    return "the objective is within 0.01 % of a bound that no law can beat";
   if (changes_little(better))
     return fmt::format("the last ones changed the objective by less than {:g} of it", kLittle);
   if (result.rounds.size() == kMostRounds) return "the limit of rounds was reached";
@@ -257,13 +173,16 @@ std::string reason_to_end(const RefinedKnots& result, const std::vector<KnotRoun
 }
 
 /// The knots for the next round; none where no more are added, and then why.
-std::optional<std::vector<double>> more_knots(const ProblemStatement& design, RefinedKnots& result,
-                                              bool symmetric) {
+std::optional<DividedKnots> more_knots(const ProblemStatement& design, const DividedKnots& divided,
+                                       RefinedKnots& result, bool symmetric) {
   constexpr std::size_t kMostKnots = 300;  // at a jerk limit 86 do what 1000 even ones do
-  std::vector<double> more = with_more(result.knots, promises(design, result.knots), symmetric);
-  if (more.size() > kMostKnots) {
+  constexpr int kMostAtOnce = 16;          // all the halvings of a whole span down to the shortest
+  const std::vector<double> promise = promises_of(design, divided.knots);
+  DividedKnots more = with_more(divided, promise, symmetric, kMostAtOnce);
+  if (more.knots.size() > kMostKnots) more = with_more(divided, promise, symmetric, 1);
+  if (more.knots.size() > kMostKnots) {
     result.ended = fmt::format("more than {} would be needed", kMostKnots);
-  } else if (more.size() == result.knots.size()) {
+  } else if (more.knots.size() == divided.knots.size()) {
     result.ended = "shorter spans are not divided";
   }
   return result.ended.empty() ? std::optional(std::move(more)) : std::nullopt;
@@ -331,19 +250,20 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
   std::optional<ProblemStatement> design;  // to begin the next one at
   int starts = 1;                          // of a whole search
   std::optional<Certified> certified;
-  for (std::optional tried(even_knots(kAtFirst)); tried;) {
+  for (std::optional tried(DividedKnots{even_knots(kAtFirst)}); tried;) {
+    const std::vector<double>& knots = tried->knots;
     ProblemStatement own = stated;
-    set_knots(own, *tried);
+    set_knots(own, knots);
     optim::Optimum optimum =
         design ? searched_from(*design, own, result, search, stop) : search(own, Begin::AsStated);
     starts = std::max(starts, optimum.found.planned_starts);
     const optim::Assessment& a = optimum.found.assessment;
-    const KnotRound round{tried->size(), a.objective.value, a.verdict};
+    const KnotRound round{knots.size(), a.objective.value, a.verdict, tried->halvings()};
     result.rounds.push_back(round);
-    if (!is_taken(optimum, own, *tried, result, statement)) {
+    if (!is_taken(optimum, own, knots, result, statement)) {
       const char* why = "led to nothing better";
       if (stop()) why = "was ended before it led to anything better";
-      result.ended = fmt::format("the search with {} {}", tried->size(), why);
+      result.ended = fmt::format("the search with {} {}", knots.size(), why);
       break;
     }
     const optim::Found& found = result.optimum.found;
@@ -352,7 +272,7 @@ RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
     result.ended = reason_to_end(result, better, stop);
     if (!result.ended.empty()) break;
     const ProblemStatement at = BoundProblem(statement).at(result.optimum.options, found.x);
-    tried = more_knots(at, result, statement.free_is_symmetric);
+    tried = more_knots(at, *tried, result, statement.free_is_symmetric);
     design = optim::is_feasible(found.assessment) ? std::optional(at) : std::nullopt;
   }
   const bool is_whole = result.optimum.found.planned_starts == starts;

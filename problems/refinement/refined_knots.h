@@ -10,7 +10,7 @@
 #include "problems/statement/statement.h"
 
 /// Knots of a free law that are added where they gain something: what [free] knots = "auto" asks
-/// for (docs/theory.md, "Knots where they gain").
+/// for (docs/theory.md, "Adding knots where they help most").
 namespace camlaw::problems {
 
 /// An optimum with so many knots.
@@ -18,6 +18,7 @@ struct KnotRound {
   std::size_t knots;
   double objective;  ///< in its unit
   optim::Verdict verdict;
+  int halvings = 1;  ///< of spans at once that led to these knots
 };
 
 struct RefinedKnots {
@@ -40,12 +41,13 @@ enum class Begin {
 using SearchOnce = std::function<optim::Optimum(const ProblemStatement& statement, Begin begin)>;
 
 /// Searches with a few even knots and adds more, each in the middle of a span where the optimum's
-/// highest derivative jumps most, until two rounds in a row change the objective by less than 1e-5
-/// of it, the objective is within 1e-4 of what theory says that no law passes, a round leads to
-/// nothing better, or `stop`, asked between rounds, says so. Each round begins where the one before
-/// has ended; where a search has several starts, the last knots are searched once more from these.
-/// The statement's knots become the best round's (a setting "free.knots=[...]", with which results
-/// are read again). Throws std::invalid_argument where a law is chosen.
+/// highest derivative jumps most, and several towards a place where it grows without bound, until
+/// two rounds in a row change the objective by less than 1e-5 of it, the objective is within 1e-4
+/// of what theory says that no law passes, a round leads to nothing better, or `stop`, asked
+/// between rounds, says so. Each round begins where the one before has ended; where a search has
+/// several starts, the last knots are searched once more from these. The statement's knots become
+/// the best round's (a setting "free.knots=[...]", with which results are read again). Throws
+/// std::invalid_argument where a law is chosen.
 RefinedKnots refine_knots(ProblemStatement& statement, const SearchOnce& search,
                           const std::function<bool()>& stop);
 

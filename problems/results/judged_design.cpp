@@ -118,14 +118,14 @@ void compare_bound(const StatedLimit& stated, const optim::Constraint& constrain
   if (is_its(stated.is_upper ? constraint.upper : constraint.lower)) return;
   if (is_its(stated.is_upper ? constraint.lower : constraint.upper)) {
     words.push_back(fmt::format(
-        "the bound of {} is stated as its {} one, but in its problem it is its {} one", stated.name,
-        stated.is_upper ? "upper" : "lower", stated.is_upper ? "lower" : "upper"));
+        "the bound on {} is stated as its {} bound, but in its problem it is its {} bound",
+        stated.name, stated.is_upper ? "upper" : "lower", stated.is_upper ? "lower" : "upper"));
     return;
   }
   const auto& own = stated.is_upper ? constraint.upper : constraint.lower;
   const auto& other = stated.is_upper ? constraint.lower : constraint.upper;
   words.push_back(
-      fmt::format("the bound of {} is stated as {:.9g}, but in its problem it is {:.9g}",
+      fmt::format("the bound on {} is stated as {:.9g}, but in its problem it is {:.9g}",
                   stated.name, stated.bound, own ? *own : other.value_or(std::nan(""))));
 }
 
@@ -329,7 +329,7 @@ VerifiedDesign verified(const ReadDesign& read,
   }
   if (read.stated.seal == Seal::Broken && !read.stated.others.empty()) {
     result.not_judged.push_back(
-        fmt::format("what else the changed result states, which is compared with nothing: {}",
+        fmt::format("what else the changed result states was not checked: {}",
                     fmt::join(read.stated.others, ", ")));
   }
   return result;

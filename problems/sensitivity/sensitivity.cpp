@@ -186,8 +186,8 @@ LocalSensitivity local_sensitivity(const ProblemStatement& design) {
   const auto numbers = design_numbers(design, result.parameters);
   if (result.parameters.empty() || numbers.empty()) {
     throw std::invalid_argument(
-        "there is no objective and no limit that depends on a continuous parameter, so that there "
-        "is no sensitivity");
+        "no objective or limit depends on a continuous parameter, so there are no sensitivities to "
+        "calculate");
   }
   const std::vector<double> x = values_of_parameters(result.parameters);
   for (const DesignNumber& number : numbers) {

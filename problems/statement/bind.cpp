@@ -147,7 +147,9 @@ BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
     : statement_(std::move(statement)) {
   const bool chooses = statement_.chooses_law() || chooses_part(statement_);
   if (!may_be_constant && statement_.variables.empty() && !chooses) {
-    refuse(statement_, "the problem has no variables: nothing can be optimised");
+    refuse(statement_,
+           "the problem has no variables, so nothing can be optimised: write a table such as "
+           "[variables.NAME] with lower and upper, or use 'camlaw evaluate'");
   }
   if (statement_.chooses_law()) {
     optim::Choice choice{"law", "", {}, {}, 0};
@@ -189,9 +191,7 @@ void BoundProblem::check_objective() const {
 optim::ProblemSpace BoundProblem::space() const {
   check_objective();
   if (statement_.objectives.size() > 1) {
-    refuse(statement_,
-           "there are several objectives, which have a front, not an optimum; "
-           "'camlaw pareto' finds it");
+    refuse(statement_, "several objectives have a front, not an optimum; 'camlaw pareto' finds it");
   }
   return {choices_,
           [bound = *this](const auto& options) { return bound.problem(options).alone(0); }};
@@ -201,7 +201,7 @@ optim::ProblemSpace BoundProblem::front_space() const {
   check_objective();
   if (statement_.objectives.size() < 2) {
     refuse(statement_,
-           "there is one objective, which has an optimum, not a front; 'camlaw optimize' finds it; "
+           "a single objective has an optimum, not a front; 'camlaw optimize' finds it; "
            "for a front write a table [[objectives]] with minimize = \"...\" for each objective");
   }
   return {choices_,

@@ -102,7 +102,7 @@ void add_of_crown(const ProblemStatement& design, std::vector<Caution>& found) {
     const bool is_long = known.highest > kKnownElongation;
     if (!is_long && !(known.lowest > 0 && known.lowest < 1 / kKnownElongation)) continue;
     found.push_back(
-        {"the contact of a crowned roller is outside of what its formulas are checked for",
+        {"the contact of a crowned roller is outside the range in which its formulas were checked",
          fmt::format(
              "{} is {:.4g} at {:.4g} {}; from {:.2g} to {:.3g} {}crown_stress is within 0.5 % "
              "of Hertz's solution",

@@ -135,7 +135,7 @@ std::vector<std::string> doubtful_limits(const BoundProblem& bound) {
       if (size <= kApart * found[i].most && size * kApart >= found[i].least) continue;
       const bool met = upper ? found[i].met_above : found[i].met_below;
       sentences.push_back(
-          fmt::format("the limit {} {} {} is {}: at {} designs all over the box its largest "
+          fmt::format("the limit {} {} {} is {}: at {} designs throughout the box its largest "
                       "magnitude is {}; is the unit right?",
                       c.response.name,
                       c.lower == c.upper ? "="

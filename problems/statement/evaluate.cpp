@@ -135,7 +135,12 @@ std::string why_undefined(const ProblemStatement& statement, const EvaluatedResp
   if (response.is_curve) {
     if (std::string why = why_curve(statement, response); !why.empty()) return why;
   }
-  return why_by_check(statement, *own);
+  std::string why = why_by_check(statement, *own);
+  const bool is_stated = static_cast<bool>(own->domain);  // by a formula of the file
+  if (!why.empty() || response.is_curve || !is_stated) return why;
+  const auto name = find_response(*statement.mechanism, response.name);
+  const optim::Response number = response_of(statement, name, fixed(statement));
+  return number.is_curve() ? std::string() : number.function().why_undefined({});
 }
 
 std::string why_infinite(const ProblemStatement& statement, const EvaluatedResponse& response) {

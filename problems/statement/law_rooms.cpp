@@ -63,7 +63,18 @@ bool is_linear_in(const Room& room, std::span<const LawRange> varying) {
   return varying.size() == 1 || std::none_of(varying.begin(), varying.end(), is_factor);
 }
 
-/// In a load case, where there is one.
+/// The fastest case of a range that gives a law's room its factor: times leave least there.
+std::optional<LoadCase> fastest_of_range(const Room& room, const Member& law,
+                                         const ProblemStatement& problem) {
+  const auto& by = law.family->parameters[*room.factor].given_by;
+  for (const ParameterRange& range : problem.ranges) {
+    if (range.parameter == by)
+      return LoadCase{.name = {}, .parameters = {{range.parameter, range.upper}}};
+  }
+  return {};
+}
+
+/// In a load case, where there is one; its name may be empty.
 ConstraintStatement constraint_of(const Member& law, std::size_t number, bool several,
                                   std::span<const LawRange> varying, const LoadCase* load) {
   const Room& room = law.family->rooms[number];
@@ -72,7 +83,7 @@ ConstraintStatement constraint_of(const Member& law, std::size_t number, bool se
       is_linear_in(room, varying) ? optim::Shape::Linear : optim::Shape::General;
   MechanismResponse response;
   response.name = several ? family + ": " + room.name : room.name;
-  if (load != nullptr) response.name = load->name + "." + response.name;
+  if (load != nullptr && !load->name.empty()) response.name = load->name + "." + response.name;
   response.unit = "1";
   response.meaning = room.is_equal ? "remainder of the law's parameters, which must be 0"
                                    : "remainder of the law's parameters, which must not be below 0";
@@ -110,6 +121,11 @@ void limit_to_laws(ProblemStatement& problem) {
         problem.constraints.push_back(constraint_of(law, i, problem.chooses_law(), varying, load));
       };
       const bool differs = room.factor && law.family->parameters[*room.factor].given_by;
+      const auto fastest = differs ? fastest_of_range(room, law, problem) : std::nullopt;
+      if (fastest) {
+        add(law_in_case(law, problem, *fastest), &*fastest);
+        continue;
+      }
       if (!differs || problem.cases.empty()) {
         add(law, nullptr);
         continue;

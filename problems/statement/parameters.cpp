@@ -134,6 +134,20 @@ std::optional<std::string> refusal(const NamedParameter& parameter, double value
 void check_laws(const ProblemStatement& problem) {
   for (const Member& law : problem.laws) law.law();
   for (const LoadCase& load : problem.cases) check_laws_in(problem, load);
+  for (const ParameterRange& range : problem.ranges) check_laws_over(problem, range);
+}
+
+void check_laws_over(const ProblemStatement& problem, const ParameterRange& range) {
+  for (const Member& law : problem.laws) {
+    if (!given_parameter(*law.family, range.parameter)) continue;
+    // Times leave least of a turn at the highest speed.
+    const LoadCase fastest{.name = {}, .parameters = {{range.parameter, range.upper}}};
+    if (const auto made = law_in_case(law, problem, fastest).possible_law(); !made) {
+      const MechanismParameter& p = problem.mechanism->parameters[range.parameter];
+      throw std::invalid_argument(
+          fmt::format("at {} = {}: {}", p.name, with_unit(range.upper, p.unit), made.reason().why));
+    }
+  }
 }
 
 Member law_in_case(Member law, const ProblemStatement& problem, const LoadCase& load) {

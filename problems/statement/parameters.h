@@ -76,8 +76,10 @@ double onto_range(double value, double low, double high);
 std::optional<std::string> refusal(const NamedParameter& parameter, double value);
 
 /// Throws std::invalid_argument where a law cannot be made with the values it has, in any load
-/// case.
+/// case or over a range.
 void check_laws(const ProblemStatement& problem);
+/// The same, at the end of a range that leaves a law least, where the range gives it something.
+void check_laws_over(const ProblemStatement& problem, const ParameterRange& range);
 /// The same, of one load case.
 void check_laws_in(const ProblemStatement& problem, const LoadCase& load);
 /// A law of the problem as the machine moves it in a load case.

@@ -53,7 +53,7 @@ std::size_t item_named(const PartStatement& part, std::string_view name) {
   }
   std::vector<std::string> known;
   for (const PartItem& item : part.items) known.push_back(item.name);
-  refuse_name(fmt::format("no {} in {} is called", part.name, part.catalogue), name, known);
+  refuse_name(fmt::format("{} has no {}", part.catalogue, part.name), name, known);
 }
 
 void put_item(const PartStatement& part, std::size_t item, std::vector<double>& constants) {

@@ -38,17 +38,18 @@ std::vector<ProgramTiming::Segment> timed_segments(const Entry& program) {
 }
 
 /// The speed that a cycle's time makes, which no other statement contradicts.
-double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool keeps_times) {
+double speed_of_cycle(const Entry& cycle, const StatedParameter& stated, bool has_range,
+                      bool keeps_times) {
   const double time = positive_of(cycle, "s");
   const double speed = 60 / time;
-  if (stated.varying != nullptr && keeps_times) {
+  if ((stated.varying != nullptr || has_range) && keeps_times) {
     refuse(cycle,
            "speed varies, and with it the time of a turn; drop cycle_time, since the program's "
            "times stay");
   }
   if (stated.varying != nullptr) {
-    refuse(cycle, fmt::format("speed varies, so a turn has no one time; for the speed at which the "
-                              "times hold write times_at = \"{:.9g} rpm\" instead",
+    refuse(cycle, fmt::format("speed varies, so a turn takes no fixed time; to state the speed at "
+                              "which the times hold, write times_at = \"{:.9g} rpm\" instead",
                               speed));
   }
   if (stated.fixed == nullptr) return speed;
@@ -103,21 +104,20 @@ double speed_to_begin_with(const Entry& varying, double otherwise) {
 void check_follows(const Entry& file, const Entry& program, const Mechanism& mechanism,
                    const MechanismParameter& speed) {
   const std::string to_keep =
-      "to keep the angles that the times have at one speed write that, "
-      "such as times_at = \"60 rpm\"";
-  for (const char* key : {"ranges", "variation"}) {
-    const Entry* table = find(file, key);
-    if (table == nullptr || speed_in(*table, speed) == nullptr) continue;
-    refuse(*speed_in(*table, speed),
+      "to keep the angles that the times give at one speed, state that speed, such as times_at = "
+      "\"60 rpm\"";
+  const Entry* varied = find(file, "variation");
+  if (varied != nullptr && speed_in(*varied, speed) != nullptr) {
+    refuse(*speed_in(*varied, speed),
            fmt::format("the program has times, which stay at every speed of {}, so that its angles "
-                       "would differ from speed to speed: state speeds as load cases, [[cases]]; "
-                       "{}",
+                       "would differ from part to part: state the speeds as a range, "
+                       "[ranges.speed], or as load cases, [[cases]]; {}",
                        mechanism.name, to_keep));
   }
   if (has_rates_by_time(program)) {
     refuse(program,
-           fmt::format("points at times, and rates by time, have one speed, which varies here or "
-                       "differs between load cases: state them by angle; {}",
+           fmt::format("points at times and rates per unit of time need a single speed, but here "
+                       "it varies or differs between load cases: state them by angle; {}",
                        to_keep));
   }
   const auto& segments = segment_tables(program);
@@ -200,32 +200,37 @@ std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program
     refuse(*at, "cycle_time already says how long a turn takes; drop one of the two");
   }
   timing.stays = problem.mechanism->keeps_times && needs_time && at == nullptr;
-  timing.follows = timing.stays && (stated.varying != nullptr || !of_cases.empty());
+  const auto of_speed = [&](const char* key) -> const Entry* {
+    const Entry* table = find(file, key);
+    if (!speed || table == nullptr) return nullptr;
+    return speed_in(*table, problem.mechanism->parameters[*speed]);
+  };
+  const Entry* range = of_speed("ranges");
+  timing.follows =
+      timing.stays && (stated.varying != nullptr || range != nullptr || !of_cases.empty());
   if (at != nullptr) {
     if (!needs_time) refuse(*at, "the program has no times; drop it");
     timing.speed = positive_of(*at, kSpeedUnit);
   } else if (cycle != nullptr) {
-    timing.speed = speed_of_cycle(*cycle, stated, timing.stays);
+    timing.speed = speed_of_cycle(*cycle, stated, range != nullptr, timing.stays);
     if (speed) set_speed(*cycle, timing.speed, *speed, problem);
   } else if (timing.follows && stated.varying != nullptr) {
     timing.speed = speed_to_begin_with(*stated.varying, problem.constants[*speed]);
     // Among values the search begins there too, in whatever order they are listed.
     if (find(*stated.varying, "values") != nullptr) problem.constants[*speed] = timing.speed;
-  } else if (timing.follows && stated.fixed == nullptr && of_cases.size() == count_of_cases(file)) {
+  } else if (timing.follows && stated.fixed == nullptr && !of_cases.empty() &&
+             of_cases.size() == count_of_cases(file)) {
     timing.speed = *std::min_element(of_cases.begin(), of_cases.end());
+    problem.constants[*speed] = timing.speed;
+  } else if (timing.follows && stated.fixed == nullptr && range != nullptr) {
+    timing.speed = speed_to_begin_with(*range, problem.constants[*speed]);
     problem.constants[*speed] = timing.speed;
   } else if (needs_time) {
     timing.speed = speed_of_machine(program, stated);
   } else {
     return {};
   }
-  const auto varies_by = [&](const char* key) {
-    const Entry* table = find(file, key);
-    return speed && table != nullptr &&
-           speed_in(*table, problem.mechanism->parameters[*speed]) != nullptr;
-  };
-  const bool has_range = varies_by("ranges") || varies_by("variation");
-  if (timing.follows || (timing.stays && has_range)) {
+  if (timing.follows || (timing.stays && of_speed("variation") != nullptr)) {
     check_follows(file, program, *problem.mechanism, problem.mechanism->parameters[*speed]);
   }
   return timing;

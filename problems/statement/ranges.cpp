@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "machines/model/given_law.h"
 #include "machines/model/load_case.h"
 #include "machines/model/robust_number.h"
 #include "problems/statement/cases.h"
@@ -47,9 +48,23 @@ std::shared_ptr<const MechanismResponse> parameter_response(const ProblemStateme
   return result;
 }
 
+/// Whether a range gives the problem's laws something, as a speed gives angles to times that stay.
+bool moves_law(const ProblemStatement& problem, const std::vector<TakenRange>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
+    return std::any_of(problem.laws.begin(), problem.laws.end(), [&](const Member& law) {
+      return given_parameter(*law.family, range.parameter).has_value();
+    });
+  });
+}
+
+/// At each place of the cycle; where the ranges move the law, over the whole of it.
 std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
                                                 const ResponseName& name, bool highest) {
-  return over_ranges(*name.response, taken_ranges(problem), highest);
+  std::vector<TakenRange> ranges = taken_ranges(problem);
+  if (!moves_law(problem, ranges)) return over_ranges(*name.response, std::move(ranges), highest);
+  ResponseName part = name;
+  if (name.response->curve) part.part = highest ? Part::Highest : Part::Lowest;
+  return peak_over_ranges(problem.mechanism, part, std::move(ranges), highest);
 }
 
 /// What manufacture does to parameters that a response depends on.
@@ -245,12 +260,11 @@ void refuse_reliabilities(const ProblemStatement& problem, const std::string& wh
   const auto found =
       std::find_if(problem.constraints.begin(), problem.constraints.end(), is_quantile);
   if (found == problem.constraints.end()) return;
-  throw std::invalid_argument(fmt::format(
-      "{}: the limit on {} has a reliability, and the designs of {} are not judged by parts that "
-      "their searches did not have, as that of camlaw optimize is; drop reliability, and ask "
-      "camlaw "
-      "tolerance what share of the parts holds the limits of a design",
-      problem.source, found->response.name, what));
+  throw std::invalid_argument(
+      fmt::format("{}: the limit on {} has a reliability, which camlaw optimize checks with parts "
+                  "that its search did not see, but {} does not; drop reliability, and use camlaw "
+                  "tolerance to find what share of the parts meets the limits",
+                  problem.source, found->response.name, what));
 }
 
 ConstraintStatement as_stated(const ProblemStatement& problem, ConstraintStatement limit) {
@@ -321,11 +335,18 @@ ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStateme
   }
   const bool highest = objective.sense == optim::Sense::Minimize;
   objective.one_value = objective.response;
-  if (objective.response.part == Part::Magnitude) {
+  const bool is_size = objective.response.part == Part::Magnitude;
+  if (is_size && !moves_law(problem, taken_ranges(problem))) {
     return size_over_ranges(problem, std::move(objective));
   }
-  objective.of_ranges = spread(problem, objective.response, highest);
+  objective.of_ranges =
+      is_size ? peak_over_ranges(problem.mechanism, objective.response, taken_ranges(problem), true)
+              : spread(problem, objective.response, highest);
   objective.response.response = objective.of_ranges.get();
+  if (!objective.of_ranges->curve) {
+    objective.response.part = Part::Value;
+    objective.response.window.reset();
+  }
   return objective;
 }
 

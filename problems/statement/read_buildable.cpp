@@ -42,7 +42,7 @@ void read_buildable(const Entry& file, ProblemStatement& problem) {
   const Mechanism& mechanism = *problem.mechanism;
   expect(*table, Kind::Table, "a table, [buildable]");
   if (mechanism.checks.empty()) {
-    refuse(*table, fmt::format("nothing is checked of {}: [buildable] is for cams with a follower",
+    refuse(*table, fmt::format("{} has no such checks: [buildable] is for cams with a follower",
                                mechanism.name));
   }
   std::vector<std::string> known{"require", "material"};

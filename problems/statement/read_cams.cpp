@@ -79,7 +79,7 @@ void check_cam(const Entry& table) {
   const Entry* buildable = find(table, "buildable");
   if (buildable == nullptr || buildable->kind != Kind::Table) return;
   if (const Entry* require = find(*buildable, "require")) {
-    refuse(*require, "it is of all cams; write it in the file's own [buildable]");
+    refuse(*require, "it holds for all cams; write it in the file's own [buildable]");
   }
 }
 

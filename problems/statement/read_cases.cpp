@@ -128,7 +128,7 @@ std::vector<std::string> read_case_names(const Entry& table, const ProblemStatem
   const auto add = [&](const Entry& item) {
     const std::string& name = text_of(item);
     if (find_case(problem, name) == nullptr) {
-      refuse(item, fmt::format("no case is called '{}'; {}", name, suggestion(name, all)));
+      refuse(item, fmt::format("there is no case '{}'; {}", name, suggestion(name, all)));
     }
     names.push_back(name);
   };
@@ -157,7 +157,7 @@ ObjectiveStatement read_over_cases(const Entry& table, const ProblemStatement& p
   for (const LoadCase& load : problem.cases) known.push_back(load.name);
   const LoadCase* one = find_case(problem, wanted);
   if (one == nullptr) {
-    refuse(*entry, fmt::format("no case is called '{}'; {}", wanted, suggestion(wanted, known)));
+    refuse(*entry, fmt::format("there is no case '{}'; {}", wanted, suggestion(wanted, known)));
   }
   objective.response = in_case(*problem.mechanism, objective.response, *one);
   return over_ranges(problem, std::move(objective));

@@ -38,7 +38,7 @@ void check_part_alone(const Entry& file, const Entry& table, const ProblemStatem
                                  part.catalogue));
     }
     if (problem.told_by_motion.contains(i)) {
-      refuse(table, fmt::format("the motion says what the {} is; drop that column", p.name));
+      refuse(table, fmt::format("the motion sets the {}; drop that column", p.name));
     }
     if (const PartStatement* known = part_of(problem, i)) {
       refuse(table, fmt::format("{} comes with {} already", p.name, known->name));

@@ -40,7 +40,7 @@ double read_periods(const Entry& file, const Entry* entry, const Mechanism& mech
   const double by_second = formula(std::span<const double>(constants));
   if (!(by_second > 0)) {
     refuse(*entry,
-           "a speed says how many natural periods are in a turn where the train is stated: "
+           "a speed gives the number of natural periods in a turn only if the train is stated: "
            "give train_stiffness in [constants], or write that number");
   }
   constexpr double kSeconds = 60;  // in a minute
@@ -55,8 +55,8 @@ std::optional<Polydyne> read_polydyne(const Entry& file, const Entry& program,
   if (periods == nullptr) {
     if (damping == nullptr) return {};
     refuse(*damping,
-           "it is the damping of a train; say with polydyne how many natural periods "
-           "that has in a turn");
+           "it is the damping of a train; state with polydyne how many natural periods of the "
+           "train are in a turn");
   }
   Polydyne result{read_periods(file, periods, mechanism)};
   if (damping == nullptr) return result;

@@ -119,7 +119,9 @@ void read_joining(const Entry& entry, const ProgramUnits& units, double level,
   segment.velocity = read_rate(entry, "velocity", units, Rate::Velocity);
   segment.acceleration = read_rate(entry, "acceleration", units, Rate::Acceleration);
   if (const Entry* continuity = find(entry, "continuity")) {
-    if (has_law(entry)) refuse(*continuity, "it is for a segment that joins; its law has its own");
+    if (has_law(entry))
+      refuse(*continuity,
+             "it is for a segment that joins; the law of this one sets its continuity");
     segment.continuity = static_cast<int>(whole_of(*continuity, 2, 4));
   }
 }

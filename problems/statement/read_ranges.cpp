@@ -77,6 +77,7 @@ void read_ranges(const Entry& file, ProblemStatement& problem) {
     for (const ParameterRange& other : problem.ranges) {
       if (other.parameter == range.parameter) refuse(table, "this range is stated twice");
     }
+    located(table, [&] { check_laws_over(problem, range); });
     problem.ranges.push_back(range);
     problem.stated.insert(range.parameter);
   }

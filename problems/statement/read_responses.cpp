@@ -198,7 +198,7 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   check_keys(table, {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance",
                      "cases", "reliability"});
   const Entry* response = find(table, "response");
-  if (response == nullptr) refuse(table, "response is missing; name what is to hold");
+  if (response == nullptr) refuse(table, "response is missing; name the response to be limited");
   ConstraintStatement constraint;
   constraint.response = read_response(*response, problem);
   read_window(table, problem, constraint.response);

@@ -22,10 +22,9 @@ std::string find_solver_name(std::string_view typed) {
   const std::string wanted = folded(typed);
   if (std::find(known.begin(), known.end(), wanted) != known.end()) return wanted;
   const auto near = near_names(wanted, known);
-  throw std::invalid_argument(
-      fmt::format("'{}' is not a solver{}; use one of {}", typed,
-                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
-                  fmt::join(known, ", ")));
+  throw std::invalid_argument(fmt::format("'{}' is not a solver; {} one of {}", typed,
+                                          near.empty() ? "use" : did_you_mean(near) + " Use",
+                                          fmt::join(known, ", ")));
 }
 
 std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high,

@@ -136,7 +136,7 @@ void check_turn(const TurnTable& turn) {
     constexpr double kRounding = 1e-9;  // of what turns of a table's angles are told to
     if ((next - turn.x[i]) * kTurnDegrees <= kWidestGap * (1 + kRounding)) continue;
     throw std::invalid_argument(
-        fmt::format("there is nothing from {:.6g} to {:.6g} deg; give the lift over the whole "
+        fmt::format("there are no rows from {:.6g} to {:.6g} deg; give the lift over the whole "
                     "turn, with rows at most {:g} deg apart",
                     turn.x[i] * kTurnDegrees, next * kTurnDegrees, kWidestGap));
   }
@@ -227,9 +227,8 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
     }
   } else {
     if (other != nullptr) {
-      refuse(*other,
-             fmt::format("the table's lift already says what the {} is, {}; drop this entry",
-                         parameter.name, with_unit(range, parameter.unit)));
+      refuse(*other, fmt::format("the table's lift already gives the {}, {}; drop this entry",
+                                 parameter.name, with_unit(range, parameter.unit)));
     }
     set_stroke(name, *place, range, problem);
     problem.told_by_motion.insert(*place);
@@ -240,8 +239,8 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   const Entry* stated_smoothing = find(program, "smoothing");
   const auto slip = stated_smoothing == nullptr ? slip_of(turn, range) : std::nullopt;
   if (slip) {
-    refuse(name, fmt::format("the row at {:.6g} deg, {}, is far from where its neighbours lead; "
-                             "correct it, or state the smoothing to keep it",
+    refuse(name, fmt::format("the row at {:.6g} deg, {}, is far off the curve through its "
+                             "neighbours; correct it, or state the smoothing to keep it",
                              turn.x[*slip] * kTurnDegrees, with_unit(turn.lift[*slip], turn.unit)));
   }
   const TableMotion motion = located(stated_smoothing != nullptr ? *stated_smoothing : name,

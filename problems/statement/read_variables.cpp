@@ -79,7 +79,7 @@ void read_values(const Entry& table, const Entry& values, const Element& element
                  VariableStatement& variable) {
   for (const char* key : {"lower", "upper", "scale", "type"}) {
     if (const Entry* other = find(table, key)) {
-      refuse(*other, "values are given, so that there is nothing to bound; drop one of the two");
+      refuse(*other, "values are given, so there is nothing to bound; drop one of the two");
     }
   }
   expect(values, Kind::List, "a list of numbers, such as [1, 2]");

@@ -67,8 +67,7 @@ void read_distribution(const Entry& table, VariationStatement& variation) {
   const std::string& name = text_of(*entry);
   const std::vector<std::string> known{"normal", "uniform"};
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    refuse(*entry,
-           fmt::format("no distribution is called '{}'; {}", name, suggestion(name, known)));
+    refuse(*entry, fmt::format("there is no distribution '{}'; {}", name, suggestion(name, known)));
   }
   if (variation.is_normal && name == "uniform") {
     refuse(*entry,

@@ -30,7 +30,7 @@ CycleWindow read_over_on_shaft(const Entry& over, const ProblemStatement& proble
     const ShaftCam& cam = shaft.cams[named.cam];
     if (response.uses.holds(cam.phase)) return;
     throw std::invalid_argument(
-        fmt::format("{} has nothing of {}, whose segment moves as that cam does; write from and to",
+        fmt::format("{} does not depend on {}, whose segment this is; write from and to",
                     response.name, cam.name));
   });
   return window;

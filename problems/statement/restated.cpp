@@ -128,12 +128,11 @@ void put_laws(Entry& file, std::string_view name, std::string_view text, const s
   if (owner.empty() && cams == nullptr) {
     if (put_law(file, {}, text, place)) return;
     throw std::invalid_argument(
-        fmt::format("{}: the file names no law that this could take the place of", name));
+        fmt::format("{}: the file names no law that this could replace", name));
   }
   if (!owner.empty() && cams == nullptr) {
     if (put_law(file, owner, text, place)) return;
-    throw std::invalid_argument(
-        fmt::format("{}: no segment of the program is called '{}'", name, owner));
+    throw std::invalid_argument(fmt::format("{}: the program has no segment '{}'", name, owner));
   }
   bool is_put = false;
   for (Entry& cam : cams->items) {
@@ -144,10 +143,10 @@ void put_laws(Entry& file, std::string_view name, std::string_view text, const s
     }
   }
   if (!is_put) {
-    throw std::invalid_argument(
-        fmt::format("{}: neither a cam nor a segment of one is called '{}'; write infeed.law or "
-                    "infeed.rise.law",
-                    name, owner));
+    throw std::invalid_argument(fmt::format(
+        "{}: there is neither a cam '{}' nor a segment of that name; write infeed.law or "
+        "infeed.rise.law",
+        name, owner));
   }
 }
 

@@ -220,7 +220,7 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
     throw std::invalid_argument(fmt::format("{}: the file has no limit with a bound {}", name,
                                             bound.is_upper ? "above" : "below"));
   }
-  refuse_name("no limit is called", name, known);
+  refuse_name("the file has no limit on", name, known);
 }
 
 /// "blades=21", without a look at whether the laws are possible.

@@ -37,7 +37,7 @@ std::size_t find_cam(const ProblemStatement& shaft, std::string_view name) {
     if (cam.name == name) return known.size();
     known.push_back(cam.name);
   }
-  refuse_name("no cam on the shaft is called", name, known);
+  refuse_name("there is no cam on the shaft named", name, known);
 }
 
 }  // namespace camlaw::problems

@@ -76,7 +76,7 @@ ShippedFile find_shipped(std::string_view name) {
     met.push_back(file.name);
   }
   if (found == nullptr) {
-    refuse_name("no example is called", name, known, "'camlaw examples' lists them");
+    refuse_name("there is no example", name, known, "'camlaw examples' lists them");
   }
   if (met.size() > 1) {
     throw std::invalid_argument(

@@ -21,13 +21,13 @@
 /// string is looked at again.
 namespace camlaw::problems {
 
-/// A variable: a parameter of the mechanism or of the law. Numbers are in the listed unit.
 /// What one of a variable is in another unit.
 struct Measure {
   double one;
   std::string unit;
 };
 
+/// A variable: a parameter of the mechanism or of the law. Numbers are in the listed unit.
 struct VariableStatement {
   std::string name;  ///< as reported: "alpha", "blades", "c[2]"; "law.v" if the machine has v too
   std::string unit;

@@ -145,7 +145,7 @@ std::string explained(std::string_view description) {
     return "it is not UTF-8; save the file as UTF-8 text";
   }
   const auto* const slip = std::find_if(kSlips.begin(), kSlips.end(), says);
-  return fmt::format("it is not TOML: {}{}{}", description, slip == kSlips.end() ? "" : "; ",
+  return fmt::format("it is not valid TOML: {}{}{}", description, slip == kSlips.end() ? "" : "; ",
                      slip == kSlips.end() ? "" : slip->remedy);
 }
 

@@ -24,10 +24,12 @@ std::string outside_ascii(std::string_view text) {
   if (!begins_letter(text)) return "it is not UTF-8; save the file as UTF-8 text";
   for (const std::string_view mark : {"“", "”", "„", "‘", "’", "‚", "«", "»"}) {
     if (text.starts_with(mark)) {
-      return fmt::format("it is not TOML: write straight quotes, such as \"40 mm\", not {}", mark);
+      return fmt::format("it is not valid TOML: write straight quotes, such as \"40 mm\", not {}",
+                         mark);
     }
   }
-  return "it is not TOML: put text with characters beyond a to z in quotes, such as \"größe\" or "
+  return "it is not valid TOML: put text with characters beyond a to z in quotes, such as "
+         "\"größe\" or "
          "\"110°\"";
 }
 

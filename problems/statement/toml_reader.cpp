@@ -22,8 +22,7 @@ constexpr std::size_t kMostNumbers = 1000;
 std::string suggestion(std::string_view typed, const std::vector<std::string>& known,
                        const std::string& lead) {
   const auto near = near_names(typed, known);
-  return near.empty() ? fmt::format("{} {}", lead, fmt::join(known, ", "))
-                      : fmt::format("did you mean {}?", fmt::join(near, ", "));
+  return near.empty() ? fmt::format("{} {}", lead, fmt::join(known, ", ")) : did_you_mean(near);
 }
 
 void expect(const Entry& entry, Kind kind, const std::string& wanted) {

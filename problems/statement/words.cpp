@@ -298,7 +298,8 @@ std::string buildable_sentence(const ProblemStatement& problem) {
   }
   const std::string& material = problem.buildable.material;
   if (!material.empty()) parts.push_back("material = " + material);
-  return parts.empty() ? "" : fmt::format("To be built it has {}.\n", listed(parts));
+  return parts.empty() ? ""
+                       : fmt::format("For the checks of [buildable] it has {}.\n", listed(parts));
 }
 
 std::string constraint_sentence(const ConstraintStatement& c) {
@@ -336,7 +337,7 @@ std::string solver_sentence(const SolverStatement& solver) {
   if (solver.time_limit) parts.push_back(fmt::format("for at most {:.6g} s", *solver.time_limit));
   std::string words = parts.empty() ? "" : fmt::format("Solve {}.\n", fmt::join(parts, ", "));
   for (const auto& [name, options] : solver.native) {
-    if (!options.empty()) words += fmt::format("Let {} run with {}.\n", name, text(options));
+    if (!options.empty()) words += fmt::format("Run {} with {}.\n", name, text(options));
   }
   return words;
 }
@@ -350,7 +351,7 @@ std::string in_words(const ProblemStatement& problem) {
   words += constants_sentence(problem) + cases_sentence(problem) + ranges_sentence(problem) +
            variation_sentence(problem) + laws_sentence(problem) + timing_sentence(problem);
   for (const LeftOut& left : problem.left_out) {
-    words += fmt::format("Left out, as it does not fit: {}: {}.\n", left.what, left.why);
+    words += fmt::format("Left out because it does not fit: {}: {}.\n", left.what, left.why);
   }
   words += parts_sentences(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {

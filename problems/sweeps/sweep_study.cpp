@@ -142,12 +142,11 @@ optim::StudySettings SweepStudy::settings() const {
 
 void SweepStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings mine = settings(), its = record.settings();
-  if (!is_sweep(its))
-    refuse_to_resume(fmt::format("it is of {}, not of a sweep", kind_of_study(its)));
+  if (!is_sweep(its)) refuse_to_resume(fmt::format("it is {}, not a sweep", kind_of_study(its)));
   check_same_problem(its, mine);
   if (find_setting(its, "set") != mine.at("set") ||
       find_setting(its, kSweepSetting) != mine.at(kSweepSetting)) {
-    refuse_to_resume("it is of another sweep: what is set or swept differs");
+    refuse_to_resume("it belongs to another sweep: other values are set or swept");
   }
   check_same_settings(its, mine, {"versions", "seed", "solver"});
 }

@@ -12,8 +12,8 @@
 #include "problems/statement/statement.h"
 
 /// What a design reaches of the reliabilities and robust objectives that it was searched for, by
-/// parts of its own: those of a search favour what was found with them (docs/theory.md, "What
-/// manufacture does").
+/// parts of its own: those of a search favour what was found with them (docs/theory.md,
+/// "Manufacturing tolerances").
 namespace camlaw::problems {
 
 /// What is known of a limit with a reliability.

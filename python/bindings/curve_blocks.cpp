@@ -8,6 +8,7 @@
 #include "machines/model/law_binding.h"
 #include "machines/model/pulse.h"
 #include "machines/model/recorded_response.h"
+#include "machines/model/rest_velocity.h"
 
 namespace camlaw::python {
 namespace {
@@ -114,7 +115,8 @@ problems::PlaceSeries<double, 3> CurveBlocks::place_at(optim::Place place,
   const problems::Cycle::Part part = cycle_.part_of(stretch);
   Series<double, 3> in_cycle(part.at(x));
   in_cycle.c[1] = part.slope<double>();
-  return {problems::follower_motion(stretch, problems::motion_series<3>(d)), in_cycle};
+  const auto motion = problems::follower_motion(stretch, problems::motion_series<3>(d));
+  return {problems::onto_ends(motion), in_cycle};
 }
 
 void CurveBlocks::add_rows() {

@@ -140,7 +140,7 @@ FoundFit fitted_motion(const FitQuestion& asked, const SampleTable& table, Work&
   }
   if (problems::goes_round(table)) {
     refuse(
-        "x and y go round as a cam's profile does: give mechanism, which says what runs on it, and "
+        "x and y go round as on a cam's profile: give mechanism, which says what runs on it, and "
         "the unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
@@ -275,12 +275,12 @@ FoundFit constants_fitted(const std::string& constants, const StatedProblem* mac
     fits = problems::fit_constants(question, problems::find_any_law(*law));
     if (fits.empty()) {
       refuse(fmt::format(
-          "law {}: no coefficients with which it has any of these constants were found", *law));
+          "law {}: no coefficients were found with which it has any of these constants", *law));
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
     if (fits.empty()) {
-      refuse("constants: no law of the catalogue explains them in fewer digits than are printed");
+      refuse("constants: no law of the catalogue gives them from fewer digits than were printed");
     }
   }
   return {std::move(fits)};

@@ -69,7 +69,7 @@ struct Study {
 
 Study studied_cutter(const std::vector<std::string>& settings, bool table, int workers,
                      Work& work) {
-  SpineCutter<double> cutter;
+  problems::CutterGivens cutter;
   for (const std::string& setting : settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter, work.stop());
   Study result{.answer = {}, .trade_off = cli::trade_off_figure(study)};
@@ -93,8 +93,8 @@ Study study(const std::string& system, const std::vector<std::string>& settings,
       [&](Work& work) {
         if (system == "spine-cutter") return studied_cutter(settings, table, crew, work);
         if (system != "sheet-delivery") {
-          throw std::invalid_argument(fmt::format(
-              "no study is called '{}'; there are spine-cutter, sheet-delivery", system));
+          throw std::invalid_argument(
+              fmt::format("there is no study '{}'; use spine-cutter or sheet-delivery", system));
         }
         if (!settings.empty()) {
           throw std::invalid_argument("the study of the sheet delivery has no givens to set");

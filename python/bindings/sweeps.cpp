@@ -150,7 +150,7 @@ SweepOwner sweep_file(const std::string& path) {
     if (!SweepStudy::is_sweep(record.settings())) {
       const std::string_view kind = problems::kind_of_study(record.settings());
       throw std::invalid_argument(
-          fmt::format("{}: the study is one of {}, not of a sweep; {} reads it", path, kind,
+          fmt::format("{}: the study is {}, not a sweep; {} reads it", path, kind,
                       kind == "a front" ? "Front.load" : "tolerance with resume"));
     }
     SweepOwner found(new FoundSweep{SweepStudy::of(record.settings())});

@@ -261,7 +261,7 @@ def law(name: str | Law, /, **coefficients: Any) -> Law:
     stated = "" if isinstance(name, Law) else known
     for twice in coefficients:
         if re.search(rf"(?:^|\s){re.escape(twice)}\s*=", stated):
-            raise InputError(f"law: {twice} is given twice, in '{known}' and beside it")
+            raise InputError(f"law: {twice} is given twice, in '{known}' and as an argument")
     return Law(native.law(known, units.settings_of(coefficients)))
 
 

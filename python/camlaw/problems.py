@@ -143,7 +143,7 @@ class Problem(Searches):
         return cls(_native=native.example(_text(name, "example")))
 
     def save(self, path: str | Path) -> None:
-        """Writes the problem's text, and beside it the laws and tables that it names, unless they are
+        """Writes the problem's text, and next to it the laws and tables that it names, unless they are
         there. Raises InputError if the text does not have all of the problem: if set() has changed
         values, or if it is a design that was found."""
         beside = self._native.found_settings()

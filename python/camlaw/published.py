@@ -42,7 +42,7 @@ class Reproduction(Answer):
 
     @property
     def values(self) -> Any:
-        """A table of the printed values beside those computed."""
+        """A table of the printed values next to those computed."""
         return tables.of_rows(self.facts.get("values") or [])
 
     def report(self, path: str | Path | None = None) -> str:

@@ -3,6 +3,7 @@
 
 import json
 import os
+import signal
 import subprocess
 from pathlib import Path
 
@@ -14,6 +15,8 @@ PROBLEMS = ROOT / "problems"
 FULL = os.environ.get("CAMLAW_FULL") == "1"
 
 os.chdir(ROOT)  # as the program is run: answers name files as they were given
+# Ctrl-C is heard, also where the tests were started in the background by a shell that shuts it out.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(config, items):

@@ -101,7 +101,7 @@ def test_published_tables_come_out():
 def test_a_study_compares_laws():
     found = cl.study("spine-cutter", table=True, set={"h": "1.0 mm"})
     assert same(found.facts, program_json("study", "spine-cutter", "--table", "--set", "h=1.0 mm"))
-    with pytest.raises(cl.InputError, match="no study is called"):
+    with pytest.raises(cl.InputError, match="there is no study"):
         cl.study("loom")
 
 

@@ -84,7 +84,7 @@ def test_every_law_has_a_name_that_makes_it():
 
 
 def test_wrong_names_and_values_are_input_errors_with_the_programs_sentence():
-    with pytest.raises(cl.InputError, match="no law is named 'cosin'; near: cosine"):
+    with pytest.raises(cl.InputError, match="there is no law 'cosin'; did you mean cosine"):
         cl.law("cosin")
     with pytest.raises(ValueError, match="crossover"):
         cl.law("modified-sine", crossover=7)

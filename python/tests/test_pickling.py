@@ -138,8 +138,8 @@ def test_a_design_keeps_the_row_that_was_chosen_from_a_catalogue(elsewhere, fold
             assert again.check().text == result.design.check().text
             assert again.evaluate() == result.design.evaluate()
             assert again.constants == result.design.constants
-        once_more = again.optimize()  # the last of the copies
-        assert [once_more[name] for name in rows] == [result[name] for name in rows]
+    once_more = again.optimize()  # the last of the copies
+    assert [once_more[name] for name in rows] == [result[name] for name in rows]
     assert len(result.table) == 6 and result.table["from_best"][0] == 0
     assert str(pickle.loads(pickle.dumps(result)).table) == str(result.table)
     assert copies(problem)[0] == problem

@@ -205,7 +205,7 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
   edits[1].first["constraints"][1]["margin"] = 0.7;
   edits[1].second = "the margin of undercut is stated as 0.7";
   edits[2].first["constraints"][0]["bound"] = 31;
-  edits[2].second = "the bound of pressure_angle";
+  edits[2].second = "the bound on pressure_angle";
   edits[3].first["design"]["variables"]["base_radius"] = 60;
   edits[3].second = "base_radius is shown as";
   const std::string page = folder / "page.html";
@@ -236,7 +236,7 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
   ParsedJson side = whole;
   side["constraints"][0]["side"] = "lower";
   CHECK(verified(side).status == 4);
-  CHECK_THAT(verified(side).out, Contains("is stated as its lower one"));
+  CHECK_THAT(verified(side).out, Contains("is stated as its lower bound"));
   ParsedJson twice = whole;
   twice["constraints"].push_back(twice["constraints"][0]);
   CHECK_THAT(verified(twice).out, Contains("is stated twice"));

@@ -46,7 +46,8 @@ std::vector<Vector2d> points_of(const PlaneCurve& curve) {
   return points;
 }
 
-/// How far points are from a polyline at most, both in one order: each is looked for near the last.
+/// How far points are from a polyline at most, both in one order: each is looked for near the last,
+/// the first on all of it. One that is not looked for far enough seems further away.
 double departure(const std::vector<Vector2d>& points, const std::vector<Vector2d>& line) {
   double worst = 0;
   std::size_t near = 0;
@@ -56,15 +57,18 @@ double departure(const std::vector<Vector2d>& points, const std::vector<Vector2d
     const double share = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0;
     return (p - a - share * way).norm();
   };
-  const std::size_t count = line.size() - 1, window = std::min(count, count / 20 + 50);
+  const std::size_t count = line.size() - 1;
+  std::size_t window = count;
   for (const Vector2d& p : points) {
     double least = 1e9;
     const std::size_t first = near + count - std::min(window, count - 1);
     for (std::size_t k = 0; k < 2 * window; ++k) {
       const std::size_t i = (first + k) % count;
-      if (distance(p, i) < least) least = distance(p, i), near = i;
+      const double apart = distance(p, i);
+      if (apart < least) least = apart, near = i;
     }
     worst = std::max(worst, least);
+    window = std::min(count, 8 * count / points.size() + 16);
   }
   return worst;
 }
@@ -166,6 +170,42 @@ TEST_CASE("a drawing's splines run along the exact curves, as ezdxf reads them",
       }
     }
     CHECK(count == drawing.entities.size());
+  }
+}
+
+TEST_CASE("a curve with cusps is drawn as splines that end there", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "cam.toml";
+  std::ofstream(path) << "mechanism = 'disc-cam-oscillating-flat'\n[program]\nsegments = [{name = "
+                         "'rise', angle = 100, law = 'poly-3-4-5'}, {name = 'high', angle = 40}, "
+                         "{name = 'return', angle = 120, law = 'cycloidal'}, {name = 'low'}]\n";
+  const Drawing drawing = drawn({path, "--curve", "profile"});
+  const PlaneCurve curve = exact_curve(path, "profile");
+  const std::vector<double> turns = problems::cusps(curve);
+  REQUIRE(turns.size() >= 2);
+  REQUIRE(drawing.entities.size() == turns.size() + 1);
+  std::vector<double> ends = turns;
+  ends.insert(ends.begin(), curve.begin());
+  ends.push_back(curve.end());
+  for (std::size_t k = 0; k < drawing.entities.size(); ++k) {
+    const Entity& entity = drawing.entities[k];
+    CHECK(entity.type == "SPLINE");
+    // ezdxf counts the knots of a spline from 0.
+    const double first = entity.numbers.front(), last = entity.numbers[entity.numbers.size() - 3];
+    Vector2d before(0, 0);
+    double worst = 0;
+    for (std::size_t i = 0; i < entity.numbers.size(); i += 3) {
+      const Vector2d p(entity.numbers[i + 1], entity.numbers[i + 2]);
+      const double share = (entity.numbers[i] - first) / (last - first);
+      const double angle = std::clamp(std::lerp(ends[k], ends[k + 1], share), ends[k], ends[k + 1]);
+      worst = std::max(worst, (curve.at({angle, i > 0}).at - p).norm());
+      if (i + 3 >= entity.numbers.size()) continue;
+      // Nowhere inside does it turn back.
+      const Vector2d way = Vector2d(entity.numbers[i + 4], entity.numbers[i + 5]) - p;
+      CHECK(way.dot(before) >= 0);
+      before = way;
+    }
+    CHECK(worst <= kTolerance);
   }
 }
 
@@ -408,7 +448,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(failed({"export", problem("cams/flat_least_base.toml"), "--format", "json", "--curve",
                      "pitch"},
                     2),
-             Contains("disc-cam-flat has no curve 'pitch' of its own; it has profile"));
+             Contains("disc-cam-flat has no curve 'pitch'; it has profile"));
   CHECK_THAT(failed({"export", folder / "none.json", "--format", "dxf"}, 2), Contains("none.json"));
   CHECK_THAT(failed({"export", "study.db", "--format", "dxf"}, 2),
              Contains("'camlaw front study.db --knee --result FILE'"));
@@ -423,7 +463,8 @@ TEST_CASE("the help of export explains every option", "[export]") {
         "--depth",        "--slave",    "--set",       "--unit",      "--master",
         "--cycle",        "--columns",  "--separator", "--lead",      "--allowances",
         "--compensation", "--drawing",  "--bore",      "--keyway",    "--form-tolerance"}) {
-    const std::size_t at = help.find(std::string("  ") + option + " ");
+    std::size_t at = help.find(std::string("  ") + option + " ");
+    if (at == std::string::npos) at = help.find(std::string(", ") + option + " ");  // "-o, --out"
     REQUIRE(at != std::string::npos);
     CHECK(help.find("\n  -", at) > at + 50);
   }

@@ -101,12 +101,15 @@ TEST_CASE("an infeasible answer says what would cure it, and that it is none", "
   const Outcome shown = run({"optimize", file});
   CHECK(shown.status == 3);
   // The least radius is that of the shipped problem, 52.6479 mm.
-  CHECK_THAT(shown.out, Contains("easing the upper bound of base_radius by 12.65 mm\n") &&
-                            Contains("the design that comes nearest to the limits, which is no "
-                                     "answer\nbase_radius = 40 mm") &&
-                            Contains("not met") && Contains("not tried"));
+  CHECK_THAT(
+      shown.out,
+      Contains("easing the upper bound of base_radius by 12.65 mm\n") &&
+          Contains(
+              "not an answer: the design that comes nearest to the limits\nbase_radius = 40 mm") &&
+          Contains("not met") && Contains("not tried"));
   const ParsedJson json = ParsedJson::parse(run({"optimize", file, "--json"}).out);
-  CHECK(json["shown"].get<std::string>().starts_with("the design that comes nearest"));
+  CHECK(
+      json["shown"].get<std::string>().starts_with("not an answer: the design that comes nearest"));
   const ParsedJson& cures = json["cures"];
   CHECK(cures["alone"] == true);
   bool has_bound = false;
@@ -129,8 +132,8 @@ TEST_CASE("a limit that no variable changes is cured by easing it, and the start
   const Words asked{"optimize", file, "--set", "speed=900 rpm"};
   const Outcome shown = run(asked);
   CHECK(shown.status == 3);
-  CHECK_THAT(shown.out, Contains("the values at the start, which are no answer\n") &&
-                            Contains("what would let every limit be met\n  easing the limit on "
+  CHECK_THAT(shown.out, Contains("not an answer: the values at the start\n") &&
+                            Contains("this would let every limit be met\n  easing the limit on "
                                      "follower_force by ") &&
                             Contains("; then [buildable] still fails: contact\n"));
   Words as_json = asked;
@@ -205,7 +208,8 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   CHECK_THAT(refused("--time-limit", "nan"), Contains("--time-limit: nan"));
   CHECK_THAT(refused("--time-limit", "-1"), Contains("-1 s is not a time above zero"));
   CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is needed"));
-  CHECK_THAT(refused("--solver", "ipot"), Contains("near: ipopt") && Contains("auto, ipopt"));
+  CHECK_THAT(refused("--solver", "ipot"),
+             Contains("did you mean ipopt") && Contains("auto, ipopt"));
   failed({"optimize", shipped("least_radius.toml"), "--json=3"}, 2);
   const ParsedJson answer =
       json_of({"optimize", shipped("least_radius.toml"), "--json", "--solver", "IPOPT",
@@ -228,7 +232,7 @@ TEST_CASE("options of one solver are kept, and have effect where it runs", "[pro
   CHECK(adaptive["design"]["problem"] == plain + own);
   CHECK(answer(plain + own, "slsqp")["iterations"] == answer(plain, "slsqp")["iterations"]);
   CHECK_THAT(done({"check", written(folder, plain + own)}),
-             Contains("Let ipopt run with mu_strategy = adaptive."));
+             Contains("Run ipopt with mu_strategy = adaptive."));
   CHECK_THAT(failed({"optimize", written(folder, plain + "[solver.ipopt]\nmax_iter = 3\n")}, 2),
              Contains("solver.ipopt.max_iter: ipopt: option max_iter cannot be set"));
 }

@@ -83,7 +83,7 @@ TEST_CASE("a response's formula is printed", "[program][formula]") {
                       "active_coils)\n") &&
                  Contains("in N/mm"));
   CHECK_THAT(failed({"mechanisms", "helical-spring", "--formula", "rat"}, 2),
-             Contains("near: rate"));
+             Contains("did you mean rate"));
   CHECK_THAT(failed({"mechanisms", "--formula", "rate"}, 2), Contains("needs a mechanism"));
   CHECK_THAT(failed({"mechanisms", "helical-spring", "--formula", "wire_diameter"}, 2),
              Contains("is a parameter"));

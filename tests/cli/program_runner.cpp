@@ -6,9 +6,22 @@
 #include <sys/resource.h>
 
 #include <boost/property_tree/xml_parser.hpp>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace camlaw::cli {
+
+bool has_made(pid_t child, const std::string& file) {
+  while (!fs::exists(file)) {
+    siginfo_t ended{};
+    const bool is_child =
+        waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0;
+    if (!is_child || ended.si_pid != 0) return fs::exists(file);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
 
 Running::Running(Words words) {
   words.insert(words.begin(), "camlaw");
@@ -31,8 +44,12 @@ Outcome Running::wait() const {
   rusage used{};
   wait4(child_, &status, 0, &used);
   constexpr double kKibibyte = 1024;
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out_), read(err_),
-          kKibibyte * static_cast<double>(used.ru_maxrss)};
+          kKibibyte * static_cast<double>(used.ru_maxrss),
+          seconds(used.ru_utime) + seconds(used.ru_stime)};
 }
 
 Outcome run(Words words) { return Running(std::move(words)).wait(); }

@@ -32,7 +32,12 @@ struct Outcome {
   int status = -1;
   std::string out, err;
   double memory = 0;  ///< the most that it held, bytes
+  /// What it worked, s of the processor: whatever else the machine does.
+  double worked = 0;
 };
+
+/// Waits until a child has made a file: true; or has ended without it: false.
+bool has_made(pid_t child, const std::string& file);
 
 /// The program as a process of its own, its output in files of a folder that is gone afterwards.
 class Running {

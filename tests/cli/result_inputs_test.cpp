@@ -135,7 +135,7 @@ TEST_CASE("a search replaces its own earlier result and no other's", "[program]"
   // A file that no search wrote stays.
   testing::write(result, "{\"mine\": 1}");
   CHECK_THAT(failed({"optimize", folder / "new/laws.toml", "--out", folder / "l"}, 2),
-             Contains("is no result of camlaw, and would be replaced"));
+             Contains("is not a camlaw result, and it would be replaced"));
   CHECK(read(result) == "{\"mine\": 1}");
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("synthesize replaces no law of another origin", "[program]") {
   const std::string law = problems::law_text(find_law("modified-sine crossover=0.4").law(), "mine");
   testing::write(folder / "out/law.json", law);
   const Words words{"synthesize", folder / "f.toml", "--out", folder / "out"};
-  CHECK_THAT(failed(words, 2), Contains("is no law that was found for this problem"));
+  CHECK_THAT(failed(words, 2), Contains("is not a law found for this problem"));
   CHECK(read(folder / "out/law.json") == law);
   fs::remove(folder / "out/law.json");
   done(words);

@@ -3,6 +3,7 @@
 // is drawn, and the cam moves as it is said to.
 #include <Eigen/Core>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "machines/cams/cam_shape.h"
@@ -21,6 +22,7 @@ using problems::PlaneCurve;
 /// The file of a machine as `camlaw new` writes it, and its drawing as ezdxf reads it.
 struct Drawn {
   explicit Drawn(const std::string& machine) {
+    const Folder folder;
     std::ofstream(folder / "my.toml") << done({"new", machine});
     run({"export", folder / "my.toml", "--drawing", "--out", folder / "cam.dxf"});
     text = read_by_ezdxf(folder / "cam.dxf");
@@ -31,10 +33,15 @@ struct Drawn {
   }
   double size(const char* name) const { return problems::constant_of(statement, name); }
 
-  Folder folder;
   std::string text;
   problems::ProblemStatement statement;
 };
+
+/// Of each machine one, for all tests.
+const Drawn& drawing_of(const std::string& machine) {
+  static std::map<std::string, Drawn> all;
+  return all.try_emplace(machine, machine).first->second;
+}
 
 /// Signed distances of a profile's points from a roller, a face: the least one.
 template <class F>
@@ -68,7 +75,7 @@ TEST_CASE("the follower that is drawn touches the cam", "[export][shop]") {
        {"disc-cam-roller", "disc-cam-oscillating-roller", "disc-cam-leading-roller", "end-cam",
         "end-cam-oscillating", "linear-cam", "balancing-cam", "balancing-cam-spherical"}) {
     INFO(machine);
-    const Drawn drawn(machine);
+    const Drawn& drawn = drawing_of(machine);
     const auto circles = entities(drawn.text, "CIRCLE FOLLOWER");
     REQUIRE(!circles.empty());
     CHECK(circles[0][2] == Approx(drawn.size("roller_radius")));
@@ -83,7 +90,7 @@ TEST_CASE("the follower that is drawn touches the cam", "[export][shop]") {
 }
 
 TEST_CASE("both rollers of a conjugate pair are drawn, each on its cam", "[export][shop]") {
-  const Drawn drawn("disc-cam-conjugate");
+  const Drawn& drawn = drawing_of("disc-cam-conjugate");
   const auto rollers = entities(drawn.text, "CIRCLE FOLLOWER");
   REQUIRE(rollers.size() == 2);
   CHECK(gap(rollers[0], drawn.curve("profile")) == Approx(0).margin(1e-3));
@@ -95,7 +102,7 @@ TEST_CASE("both rollers of a conjugate pair are drawn, each on its cam", "[expor
 TEST_CASE("a flat face and a knife edge are drawn where they touch", "[export][shop]") {
   for (const char* machine : {"disc-cam-flat", "disc-cam-oscillating-flat"}) {
     INFO(machine);
-    const Drawn drawn(machine);
+    const Drawn& drawn = drawing_of(machine);
     const auto lines = entities(drawn.text, "LINE FOLLOWER");
     REQUIRE(lines.size() > 3);
     const Vector2d from(lines[0][0], lines[0][1]), to(lines[0][2], lines[0][3]);
@@ -111,7 +118,7 @@ TEST_CASE("a flat face and a knife edge are drawn where they touch", "[export][s
     CHECK(along.dot(cross - from) > 0);
     CHECK(along.dot(cross - from) < (to - from).norm());
   }
-  const Drawn knife("disc-cam-knife-edge");
+  const Drawn& knife = drawing_of("disc-cam-knife-edge");
   const auto edge = entities(knife.text, "LINE FOLLOWER");
   REQUIRE(edge.size() == 3);
   const PlaneCurve profile = knife.curve("profile");
@@ -124,7 +131,7 @@ TEST_CASE("every drawing of a cam says which way it moves", "[export][shop]") {
     const bool along = shape == problems::CamShape::Drum || shape == problems::CamShape::Plate;
     if (!shape) continue;
     INFO(mechanism.name);
-    const Drawn drawn(mechanism.name);
+    const Drawn& drawn = drawing_of(mechanism.name);
     if (problems::cam_curves(drawn.statement, "profile").empty()) continue;
     CHECK_THAT(drawn.text, Contains("layer ROTATION ") && Contains("layer FOLLOWER "));
     const bool left = drawn.text.find(" moves to the left as drawn") != std::string::npos;

@@ -91,6 +91,28 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
              Contains("dxf with --drawing"));
 }
 
+TEST_CASE("the title block stands clear of cam and follower", "[export][shop]") {
+  const Folder folder;
+  for (const char* name : {"oscillating_flat_least_base", "leading_least_base", "roller_least_base",
+                           "oscillating_end_least_radius"}) {
+    INFO(name);
+    done({"export", testing::source("problems/cams/") + name + ".toml", "--drawing", "--out",
+          folder / "cam.dxf"});
+    const std::string text = read_by_ezdxf(folder / "cam.dxf");
+    double left = 1e9, right = -1e9;
+    for (const auto& line : entities(text, "LINE TITLE")) {
+      left = std::min({left, line[0], line[2]});
+    }
+    for (const char* layer : {"LINE FOLLOWER", "LINE ROTATION", "LINE CENTRE"}) {
+      for (const auto& line : entities(text, layer)) right = std::max({right, line[0], line[2]});
+    }
+    for (const auto& circle : entities(text, "CIRCLE FOLLOWER")) {
+      right = std::max(right, circle[0] + circle[2]);
+    }
+    CHECK(left > right + 10);
+  }
+}
+
 TEST_CASE("the wall is judged with the bore and the keyway that are drawn", "[export][shop]") {
   const Folder folder;
   // The wall is what the base circle leaves, and must be a quarter of the bore's radius.
@@ -469,7 +491,7 @@ TEST_CASE("an export refuses steps whose chords cut deep into the cam", "[export
   for (const char* format : {"csv", "dxf", "svg", "gcode"}) {
     INFO(format);
     CHECK_THAT(failed({"export", kRoller, "--format", format, "--step", "90 deg"}, 2),
-               Contains("--step 90 deg: lines between these points leave the exact ") &&
+               Contains("--step 90 deg: lines between these points deviate from the exact ") &&
                    Contains("more than a thousandth of its size") &&
                    Contains("or a step such as "));
     done({"export", kRoller, "--format", format, "--step", "4.5 deg"});

@@ -161,7 +161,7 @@ TEST_CASE("a lost task is named, the other designs are shown, and it is searched
     CHECK(json["record"]["faults"][0]["what"] == "lost");
     CHECK(json["points"].size() >= whole["points"].size() - 1);
     CHECK_THAT(run({"front", db}).out,
-               Contains("task 4 is lost: its row is gone; --resume solves it again"));
+               Contains("task 4 is lost: its row is missing; --resume solves it again"));
     Words resumed = words;
     resumed.push_back("--resume");
     CHECK(run(resumed).status == 0);

@@ -113,9 +113,9 @@ TEST_CASE("Laws of one's own folder are listed and known by name", "[program]") 
       done({"check", written(folder, "p.toml", "mechanism = \"law\"\n[law]\nname = \"thirds\"\n")}),
       Contains("The motion law is thirds"));
   written(folder, "own/broken.json", "{");
-  CHECK_THAT(failed({"laws"}, 2), Contains("broken.json: it is not JSON"));
+  CHECK_THAT(failed({"laws"}, 2), Contains("broken.json: it is not valid JSON"));
   unsetenv("CAMLAW_LAWS");
-  CHECK_THAT(failed({"law", "thirds"}, 2), Contains("no law is named 'thirds'"));
+  CHECK_THAT(failed({"law", "thirds"}, 2), Contains("there is no law 'thirds'"));
 }
 
 TEST_CASE("Many numbers of a list are said in one line", "[program]") {

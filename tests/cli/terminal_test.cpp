@@ -50,11 +50,11 @@ TEST_CASE("words of optimisation are explained where they are printed", "[progra
   const std::string checked = says("camlaw check problems/cams/roller_least_base.toml");
   CHECK_THAT(checked, Contains("By default, as the file does not state them, it has ") &&
                           Contains("displacements are in strokes: 0 is where the stroke begins") &&
-                          Contains("all at once: while all that it depends on varies"));
+                          Contains("jointly: with everything that it depends on varying together"));
   CHECK_THAT(checked.substr(checked.find("By default")), Contains("offset = 0 mm"));
   CHECK_THAT(says("camlaw pareto problems/spine_cutter/front.toml --points 4"),
              Contains("(the best of each objective alone)") &&
-                 Contains("(the worst of each on the front)") && Contains("more is better)"));
+                 Contains("(the worst of each on the front)") && Contains("larger is better)"));
   CHECK_THAT(shell(folder, "camlaw pareto problems/cams/roller_least_base.toml").err,
              Contains("write a table [[objectives]] with minimize"));
 }

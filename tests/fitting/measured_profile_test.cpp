@@ -19,11 +19,16 @@ namespace {
 
 using namespace camlaw::testing;
 
+/// What a follower does at an angle, in plain numbers.
+struct PlainMotion {
+  double s, ds, dds;
+};
+
 /// A cam of machines/cams: its motion, its profile as cut, and what is to be measured with.
 struct Forward {
   std::string name;
   double stroke;
-  std::function<FollowerMotion<double>(double)> motion;
+  std::function<PlainMotion(double)> motion;
   std::function<Point(double)> profile;
   MeasuredFollower follower;
   Rotation rotation = Rotation::Counterclockwise;
@@ -36,38 +41,42 @@ Forward forward(const std::string& name, const Cam& cam, double stroke,
                 const MeasuredFollower& follower) {
   return {name,
           stroke,
-          [cam](double phi) { return motion_at(cam, phi); },
+          [cam](double phi) -> PlainMotion {
+            const auto f = motion_at(cam, phi);
+            return {plain(f.s), plain(f.ds), plain(f.dds)};
+          },
           [cam](double phi) {
             const auto f = motion_at(cam, phi);
             if constexpr (requires { cam.roller_radius; }) {
-              const auto [x, y] = cam.pitch_curve(f).inside(cam.roller_radius).place();
+              const auto [x, y] = plain(cam.pitch_curve(f).inside(cam.roller_radius).place());
               return on_cam({x, y}, phi);
             } else {
-              const auto [x, y] = cam.profile(f).place();
+              const auto [x, y] = plain(cam.profile(f).place());
               return on_cam({x, y}, phi);
             }
           },
           follower,
           Rotation::Counterclockwise,
-          cam.base_radius};
+          plain(cam.base_radius)};
 }
 
 Forward roller_cam(double offset) {
-  RollerCam<double> cam;
+  RollerCam cam;
   cam.offset = offset;
-  return forward("roller, offset " + std::to_string(offset), cam, cam.stroke,
-                 TranslatingRoller{cam.roller_radius, offset});
+  return forward("roller, offset " + std::to_string(offset), cam, plain(cam.stroke),
+                 TranslatingRoller{plain(cam.roller_radius), offset});
 }
 
 Forward leading_cam() {
-  const LeadingRollerCam<double> cam;
+  const LeadingRollerCam cam;
   Forward result =
-      forward("leading arm", static_cast<const OscillatingRollerCam<double>&>(cam), cam.swing,
-              OscillatingRoller{cam.roller_radius, cam.arm_length, cam.pivot_distance});
+      forward("leading arm", static_cast<const OscillatingRollerCam&>(cam), plain(cam.swing),
+              OscillatingRoller{plain(cam.roller_radius), plain(cam.arm_length),
+                                plain(cam.pivot_distance)});
   result.rotation = Rotation::Clockwise;
   result.profile = [cam](double phi) {
-    const auto inside = cam.pitch_curve(motion_at(cam, phi)).inside(cam.roller_radius);
-    const auto [x, y] = cam.placed(inside, phi);
+    const auto inside = cam.pitch_curve(motion_at(cam, phi)).inside(plain(cam.roller_radius));
+    const auto [x, y] = plain(cam.placed(inside, Expression(phi)));
     return Point(x, y);
   };
   return result;
@@ -86,28 +95,29 @@ Forward mirrored_roller_cam() {
 }
 
 std::vector<Forward> all_cams() {
-  KnifeEdgeCam<double> knife;
+  KnifeEdgeCam knife;
   knife.offset = -0.008;
-  FlatCam<double> flat;
+  FlatCam flat;
   flat.base_radius = 0.060;
-  OscillatingRollerCam<double> arm;
-  OscillatingFlatCam<double> face;
+  OscillatingRollerCam arm;
+  OscillatingFlatCam face;
   face.swing = 0.15;
   face.face_offset = 0.012;
   std::vector<Forward> cams{
       roller_cam(0),
       roller_cam(0.012),
       mirrored_roller_cam(),
-      forward("knife edge", knife, knife.stroke, TranslatingRoller{0, knife.offset}),
-      forward("flat face", flat, flat.stroke, TranslatingFace{}),
-      forward("arm", arm, arm.swing,
-              OscillatingRoller{arm.roller_radius, arm.arm_length, arm.pivot_distance}),
+      forward("knife edge", knife, plain(knife.stroke), TranslatingRoller{0, plain(knife.offset)}),
+      forward("flat face", flat, plain(flat.stroke), TranslatingFace{}),
+      forward("arm", arm, plain(arm.swing),
+              OscillatingRoller{plain(arm.roller_radius), plain(arm.arm_length),
+                                plain(arm.pivot_distance)}),
       leading_cam(),
-      forward("face on an arm", face, face.swing,
-              OscillatingFace{face.pivot_distance, face.face_offset})};
-  for (Forward& cam : cams) {
-    if (std::holds_alternative<OscillatingRoller>(cam.follower)) cam.lever = arm.arm_length;
-    if (std::holds_alternative<OscillatingFace>(cam.follower)) cam.lever = 0.1;
+      forward("face on an arm", face, plain(face.swing),
+              OscillatingFace{plain(face.pivot_distance), plain(face.face_offset)})};
+  for (Forward& its : cams) {
+    if (std::holds_alternative<OscillatingRoller>(its.follower)) its.lever = plain(arm.arm_length);
+    if (std::holds_alternative<OscillatingFace>(its.follower)) its.lever = 0.1;
   }
   return cams;
 }
@@ -153,6 +163,7 @@ Errors errors_of(const MeasuredLift& lift, const Forward& cam) {
 }  // namespace
 
 TEST_CASE("a profile without noise gives the motion that it was cut for", "[measured]") {
+  const PlainNumbers numbers;
   for (const Forward& cam : all_cams()) {
     INFO(cam.name);
     const MeasuredLift lift(profile_of(measured(cam, 3600, 0, 1)), cam.follower, cam.rotation);
@@ -168,6 +179,7 @@ TEST_CASE("a profile without noise gives the motion that it was cut for", "[meas
 }
 
 TEST_CASE("the follower's velocity and angles are those of the motion", "[measured]") {
+  const PlainNumbers numbers;
   for (const Forward& cam : all_cams()) {
     INFO(cam.name);
     const MeasuredLift lift(profile_of(measured(cam, 3600, 0, 2)), cam.follower, cam.rotation);
@@ -184,6 +196,7 @@ TEST_CASE("the follower's velocity and angles are those of the motion", "[measur
 }
 
 TEST_CASE("the other rotation is the motion backwards", "[measured]") {
+  const PlainNumbers numbers;
   for (const Forward& cam : all_cams()) {
     INFO(cam.name);
     const auto profile = profile_of(measured(cam, 720, 0, 2));
@@ -233,6 +246,7 @@ TEST_CASE("an eccentric circle lifts a roller and a face as geometry says", "[me
 }
 
 TEST_CASE("noise of 5 micrometres stays in the lift and not in the acceleration", "[measured]") {
+  const PlainNumbers numbers;
   for (const Forward& cam : all_cams()) {
     INFO(cam.name);
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -247,6 +261,7 @@ TEST_CASE("noise of 5 micrometres stays in the lift and not in the acceleration"
 }
 
 TEST_CASE("finite differences of the same lift are far worse", "[measured]") {
+  const PlainNumbers numbers;
   const Forward cam = roller_cam(0);
   Random random(3);
   std::vector<double> phi, s;
@@ -266,6 +281,7 @@ TEST_CASE("finite differences of the same lift are far worse", "[measured]") {
 }
 
 TEST_CASE("standard errors of lift and acceleration are what they say", "[measured]") {
+  const PlainNumbers numbers;
   for (const Forward& cam : all_cams()) {
     INFO(cam.name);
     int count = 0, s = 0, dds = 0;
@@ -286,6 +302,7 @@ TEST_CASE("standard errors of lift and acceleration are what they say", "[measur
 }
 
 TEST_CASE("the order of the points does not matter as long as they go round", "[measured]") {
+  const PlainNumbers numbers;
   const Forward cam = roller_cam(0.012);
   const auto points = measured(cam, 720, 5e-6, 5);
   const MeasuredLift lift(profile_of(points), cam.follower);
@@ -307,6 +324,7 @@ TEST_CASE("the order of the points does not matter as long as they go round", "[
 }
 
 TEST_CASE("a wrong point is found and left out", "[measured]") {
+  const PlainNumbers numbers;
   const Forward cam = roller_cam(0);
   auto points = measured(cam, 720, 5e-6, 6);
   for (const std::size_t k : {100u, 101u, 500u}) points[k] *= 1 + 1e-4 / std::abs(points[k]);
@@ -320,6 +338,7 @@ TEST_CASE("a wrong point is found and left out", "[measured]") {
 }
 
 TEST_CASE("the lift becomes a law over the cycle", "[measured]") {
+  const PlainNumbers numbers;
   const Forward cam = roller_cam(0.012);
   const MeasuredLift lift(profile_of(measured(cam, 3600, 0, 1)), cam.follower);
   const Law<double> law = lift.law();
@@ -368,6 +387,7 @@ TEST_CASE("a fitted spline is a law", "[measured][smoothing]") {
 }
 
 TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
+  const PlainNumbers numbers;
   const Forward cam = roller_cam(0);
   const auto points = measured(cam, 720, 0, 1);
   const auto said = [](const std::vector<Point>& p) { return complaint([&] { profile_of(p); }); };
@@ -402,7 +422,7 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
   begins(with(TranslatingRoller{0.01, 0.06}), "measured profile: the offset 0.06 is not less than");
   begins(with(TranslatingRoller{-0.01, 0}),
          "measured profile: a roller radius of -0.01 is below 0");
-  KnifeEdgeCam<double> sharp;
+  KnifeEdgeCam sharp;
   sharp.base_radius = 0.015;
   sharp.stroke = 0.030;
   const auto hollow = profile_of(measured(forward("", sharp, 0.030, {}), 720, 0, 1));

@@ -6,28 +6,67 @@
 #include <numbers>
 
 #include "machines/registry.h"
+#include "numerics/scalar/root.h"
 #include "problems/published/systems.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::balancing_cam_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using testing::design_of, testing::response_of, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
 
 const Mechanism& balancing() { return find_mechanism("balancing-cam"); }
 
+/// How many springs, their preload over the stroke, and their cone's height, m.
+using Design = std::array<double, 3>;
+
+/// A formula of a machine with these, and of what comes behind them.
+template <class Machine, class F>
+Formula recorded(std::size_t inputs, const F& formula) {
+  return Formula::record(inputs, [&](std::span<const Expression> u) -> Expression {
+    Machine machine;
+    machine.springs = u[0], machine.preload_ratio = u[1], machine.cone_height = u[2];
+    return formula(machine, u);
+  });
+}
+double at(const Formula& formula, const Design& design) {
+  return formula(std::span<const double>(design));
+}
+
+template <class Machine>
+double deflection(const Design& design) {
+  static const Formula formula = recorded<Machine>(3, [](const Machine& machine, const auto&) {
+    return machine.deflection(surplus_of(machine.designed()).range);
+  });
+  return at(formula, design);
+}
+
 /// Greatest residual torque over a grid, and K with it.
 template <class Machine>
-double coefficient(const Machine& machine) {
-  const BalancedTurn turn(machine);
+double coefficient(const Design& design) {
+  const auto touching = [](std::size_t section) {
+    return recorded<Machine>(4, [section](const Machine& machine, const auto& u) {
+      return BalancedTurn(machine).touching_torque(section, u[3]);
+    });
+  };
+  static const Formula moving = touching(1), locked = touching(2);
+  static const Formula peak = recorded<Machine>(
+      3, [](const Machine& machine, const auto&) { return BalancedTurn(machine).peak_torque(); });
+  static const Formula engagement = recorded<Machine>(
+      3, [](const Machine& machine, const auto&) { return machine.engagement(); });
+  const FormulaAlong<double> sections[] = {{moving, design}, {locked, design}};
+  const double end = at(engagement, design);
   double greatest = 0;
   for (int i = 0; i < 7200; ++i) {
     const double phi = 2 * kPi * i / 7200;
-    greatest =
-        std::max(greatest, std::abs(turn.touching_torque(phi < machine.engagement() ? 1 : 2, phi)));
+    const double torque = sections[phi < end ? 0 : 1](std::span<const double>(&phi, 1));
+    greatest = std::max(greatest, std::abs(torque));
   }
-  return turn.peak_torque() / greatest;
+  return at(peak, design) / greatest;
 }
 
 /// Against one count of springs after the other, `least` the coefficient that is asked for.
@@ -37,18 +76,16 @@ void check_fewest(const char* file, int from, int to, double least) {
   const BoundProblem bound = testing::shipped(file);
   const auto optimum = optim::optimise(bound.space());
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  const PlainNumbers numbers;
+  const double height = plain(Machine().cone_height);
   const auto works = [&](int springs) {
-    Machine machine;
-    machine.springs = springs;
-    const double range = surplus_of(machine.designed()).range;
     // K grows with the preload here, and so does the deflection.
     const auto deflected = [&](double psi) {
-      machine.preload_ratio = psi;
-      return machine.deflection(range) - 0.75 * machine.cone_height;
+      return deflection<Machine>({springs * 1.0, psi, height}) - 0.75 * height;
     };
     if (deflected(0.6) > 0) return false;
-    machine.preload_ratio = deflected(2) < 0 ? 2 : root_between(deflected, 0.6, 2);
-    return coefficient(machine) >= least;
+    const double psi = deflected(2) < 0 ? 2 : root_between(deflected, 0.6, 2);
+    return coefficient<Machine>({springs * 1.0, psi, height}) >= least;
   };
   int springs = from;
   while (springs < to && !works(springs)) ++springs;
@@ -92,11 +129,13 @@ TEST_CASE("the profile touches the roller and nothing of it lies deeper", "[bala
   const TestDesign design = design_of(balancing(), "constant-velocity", {}, {});
   const auto x = response_of(balancing(), "profile_x", design.binding).curve().trace(design.x);
   const auto y = response_of(balancing(), "profile_y", design.binding).curve().trace(design.x);
-  const PlanarBalancingCam<double> machine;
+  const PlainNumbers numbers;
+  const PlanarBalancingCam machine;
   const BalancedTurn turn(machine);
   for (const double degrees : {10.0, 52.0, 80.0, 200.0}) {
     const double phi = degrees * kPi / 180;
-    const double height = 85 + 1e3 * turn.roller(phi < machine.engagement() ? 1 : 2, phi).s;
+    const double height =
+        85 + 1e3 * plain(turn.roller(phi < plain(machine.engagement()) ? 1 : 2, phi).s);
     double nearest = 1e9;
     for (int i = 0; i < 36000; ++i) {
       const double at = i / 100.0;
@@ -112,24 +151,25 @@ TEST_CASE("the profile touches the roller and nothing of it lies deeper", "[bala
 
 TEST_CASE("the fewest springs are those of a loop over all",
           "[balancing-cam][problem-files][heavy]") {
-  check_fewest<PlanarBalancingCam<double>>("balancing_cam/fewest_springs.toml", 40, 60, 9.1);
-  check_fewest<SphericalBalancingCam<double>>("balancing_cam/fewest_springs_spherical.toml", 25, 40,
-                                              3.7);
+  check_fewest<PlanarBalancingCam>("balancing_cam/fewest_springs.toml", 40, 60, 9.1);
+  check_fewest<SphericalBalancingCam>("balancing_cam/fewest_springs_spherical.toml", 25, 40, 3.7);
 }
 
 TEST_CASE("the least stress of the springs is that of a grid", "[balancing-cam][problem-files]") {
   const auto optimum = optim::optimise(testing::shipped("balancing_cam/least_stress.toml").space());
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
-  PlanarBalancingCam<double> machine;
-  machine.springs = 48;
+  using Machine = PlanarBalancingCam;
+  const Formula stress = recorded<Machine>(4, [](const Machine& machine, const auto& u) {
+    return machine.spring().stress_lower_outer(u[3]);
+  });
   double least = 1e18;
   for (int i = 0; i <= 70; ++i) {
     for (int k = 0; k <= 35; ++k) {
-      machine.preload_ratio = 0.6 + i / 50.0;
-      machine.cone_height = (0.65 + k / 100.0) * 1e-3;
-      const double f = machine.deflection(surplus_of(machine.designed()).range);
-      if (f > 0.75 * machine.cone_height || coefficient(machine) < 9.1) continue;
-      least = std::min(least, machine.spring().stress_lower_outer(f) * 1e-6);
+      const Design design{48, 0.6 + i / 50.0, (0.65 + k / 100.0) * 1e-3};
+      const double f = deflection<Machine>(design);
+      if (f > 0.75 * design[2] || coefficient<Machine>(design) < 9.1) continue;
+      const std::array<double, 4> u{design[0], design[1], design[2], f};
+      least = std::min(least, stress(std::span<const double>(u)) * 1e-6);
     }
   }
   CHECK(optimum.found.assessment.objective.value <= least * (1 + 1e-9));
@@ -141,11 +181,12 @@ TEST_CASE("the printed coefficients name the loads that they would need", "[bala
   REQUIRE(result.values.size() == 2);
   CHECK(result.unexplained == 2);
   // Planar, 6 slots: the ratio named gives 7.82 on a grid.
-  const GenevaDrive<double, PlanarGeneva> drive{{}, 6, 1, 0.4553, 1};
+  const PlainNumbers numbers;
+  const GenevaDrive<PlanarGeneva> drive{{}, 6, 1, 0.4553, 1};
   double greatest = 0;
   for (int i = 0; i <= 7200; ++i) {
-    const double phi = drive.engagement() * i / 7200;
-    greatest = std::max(greatest, drive.torque(drive.wheel(true, phi)));
+    const double phi = plain(drive.engagement()) * i / 7200;
+    greatest = std::max(greatest, plain(drive.torque(drive.wheel(true, phi))));
   }
   CHECK(greatest * 6 == Approx(7.82).epsilon(1e-4));
   const auto& causes = result.values[1].causes;

@@ -104,20 +104,32 @@ TEST_CASE("no arm and pivot on a grid have a smaller pressure angle", "[cams]") 
                                           {"low", 90, 0, true, {}}},
                                          Matched::Acceleration)
                               .law();
-  OscillatingRollerCam<double> cam;
-  cam.swing = 25 * kPi / 180;
-  cam.base_radius = 0.04;
+  const auto recorded = [](const auto& formula) {
+    return Formula::record(6, [&](std::span<const Expression> u) -> Expression {
+      OscillatingRollerCam cam;
+      cam.swing = 25 * kPi / 180;
+      cam.base_radius = 0.04;
+      cam.arm_length = u[0], cam.pivot_distance = u[1];
+      return formula(cam, cam.over_angle(Motion<Expression>{u[2], u[3], u[4], u[5]}));
+    });
+  };
+  const Formula pressure_angle =
+      recorded([](const auto& cam, const auto& f) { return cam.pressure_angle(f); });
+  const Formula undercut = recorded([](const auto& cam, const auto& f) {
+    return cam.roller().undercut(cam.pitch_curve(f).curvature());
+  });
   double least = 1e300;
   for (double arm = 0.06; arm <= 0.1201; arm += 0.005) {
     for (double pivot = 0.08; pivot <= 0.1401; pivot += 0.00025) {
-      cam.arm_length = arm;
-      cam.pivot_distance = pivot;
-      if (!is_possible(cam)) continue;
+      // Base radius and roller make a triangle with arm and pivot.
+      if (!(0.05 < arm + pivot && 0.05 > std::abs(arm - pivot))) continue;
       double peak = 0;
       for (int i = 0; i < 360; ++i) {
-        const auto f = cam.over_angle(law(i / 360.0));
-        peak = std::max(peak, std::abs(cam.pressure_angle(f)));
-        if (cam.roller().undercut(cam.pitch_curve(f).curvature()) > 0.7) peak = 1e300;
+        const Motion<double> m = law(i / 360.0);
+        const std::array<double, 6> u{arm, pivot, m.s, m.v, m.a, m.j};
+        const std::span<const double> at(u);
+        peak = std::max(peak, std::abs(pressure_angle(at)));
+        if (undercut(at) > 0.7) peak = 1e300;
       }
       least = std::min(least, peak);
     }

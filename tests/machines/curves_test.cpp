@@ -10,9 +10,12 @@
 #include "machines/spine_cutter.h"
 #include "optim/cycle/extremes.h"
 #include "tests/machines/mechanism_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::curves_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using optim::Place;
 using testing::design_of, testing::response_of, testing::TestDesign;
@@ -66,10 +69,11 @@ Motion<double> follower(const Law<double>& law, double angle, Side side = Side::
 
 TEST_CASE("rows of curves follow the formulas over the cam angle", "[mechanism][curves]") {
   const TestDesign design = design_of(cutter(), "modified-sine", {}, kMachine);
-  const SpineCutter<double> m;
+  const PlainNumbers numbers;
+  const SpineCutter m;
   const Law<double> law = find_law("modified-sine").law();
-  const double period = m.path_per_revolution() / (2 * m.block_speed);
-  const double force = m.mass * m.stroke / (period * period);
+  const double period = plain(m.path_per_revolution()) / (2 * plain(m.block_speed));
+  const double force = plain(m.mass) * plain(m.stroke) / (period * period);
   const auto row = [&](const char* name, double angle) {
     return response_of(cutter(), name, design.binding).curve().at({angle}).value(design.x);
   };
@@ -79,12 +83,12 @@ TEST_CASE("rows of curves follow the formulas over the cam angle", "[mechanism][
     const auto near = [](double value) { return Approx(value).epsilon(1e-12).margin(1e-12); };
     CHECK(row("displacement", angle) == near(40 * motion.s));
     CHECK(row("inertia_force", angle) == near(force * motion.a));
-    CHECK(row("drive_torque", angle) ==
-          near(force * motion.a * m.stroke * motion.v / period / m.angular_velocity()));
-    const double slope = m.stroke * motion.v / (std::numbers::pi * m.cam_radius);
+    CHECK(row("drive_torque", angle) == near(force * motion.a * plain(m.stroke) * motion.v /
+                                             period / plain(m.angular_velocity())));
+    const double slope = plain(m.stroke) * motion.v / (std::numbers::pi * plain(m.cam_radius));
     CHECK(row("cam_pressure_angle", angle) == near(std::atan(slope) * 180 / std::numbers::pi));
     CHECK(row("required_cam_radius", angle) ==
-          near(1e3 * m.cam_radius * slope * std::sqrt(3.0)));  // tan 30 deg
+          near(1e3 * plain(m.cam_radius) * slope * std::sqrt(3.0)));  // tan 30 deg
   }
 }
 
@@ -132,10 +136,11 @@ TEST_CASE("one variable may stand behind several parameters", "[mechanism][curve
   CHECK(row.inputs() == std::vector<std::size_t>{0, 1});
   testing::check_derivatives(row, {2.5, 3.5});
   const Law<double> at = find_law("legendre c=3.5,2.5").law();
-  SpineCutter<double> machine;
+  const PlainNumbers numbers;
+  SpineCutter machine;
   machine.stroke = 0.0035, machine.mass = 2.5;
   CHECK(row.value(std::vector{2.5, 3.5}) ==
-        Approx(machine.force_scale() * at(40.0 / 180).a).epsilon(1e-12));
+        Approx(plain(machine.force_scale()) * at(40.0 / 180).a).epsilon(1e-12));
 }
 
 TEST_CASE("a row of a spline takes the few coefficients that matter there", "[mechanism][curves]") {
@@ -185,7 +190,8 @@ TEST_CASE("breaks are the law's in every stretch, and values jump there as the l
   const auto breaks = trace->breaks();
   REQUIRE(breaks.size() == expected.size());
   for (std::size_t i = 0; i < breaks.size(); ++i) CHECK(breaks[i] == Approx(expected[i]));
-  const double scale = SpineCutter<double>{}.force_scale(), B = 1 / 0.75;
+  const PlainNumbers numbers;
+  const double scale = plain(SpineCutter{}.force_scale()), B = 1 / 0.75;
   const auto value = [&](std::size_t i, bool left) { return trace->at({breaks[i], left})[0]; };
   CHECK(value(1, true) == Approx(scale * B / 0.3));
   CHECK(value(1, false) == Approx(0).margin(1e-12));
@@ -328,7 +334,8 @@ optim::Bounds proved_peak(const optim::Trace& trace) {
 
 TEST_CASE("peaks proved by enclosures are the law's peaks times the machine's factors",
           "[mechanism][curves]") {
-  const SpineCutter<double> m;
+  const PlainNumbers numbers;
+  const SpineCutter m;
   for (const char* law : {"poly-3-4-5", "polynomial-7 A=48", "modified-sine", "scca a=0.37",
                           "cycloidal", "universal", "legendre c=-3,1,-0.3"}) {
     INFO(law);
@@ -342,9 +349,9 @@ TEST_CASE("peaks proved by enclosures are the law's peaks times the machine's fa
       CHECK(found.upper >= expected * (1 - 1e-13));
       CHECK(found.upper <= found.lower * (1 + 1e-10));
     };
-    check("minimum_cam_radius", m.minimum_cam_radius(peak.max_velocity()) * 1e3);
-    check("peak_inertia_force", m.peak_inertia_force(peak.max_acceleration()));
-    check("peak_drive_torque", m.peak_drive_torque(peak.max_dynamic_moment()));
+    check("minimum_cam_radius", plain(m.minimum_cam_radius(peak.max_velocity())) * 1e3);
+    check("peak_inertia_force", plain(m.peak_inertia_force(peak.max_acceleration())));
+    check("peak_drive_torque", plain(m.peak_drive_torque(peak.max_dynamic_moment())));
     check("displacement", 40);
   }
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "machines/follower_train/follower_train.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -9,9 +11,12 @@
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::follower_train_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using testing::design_of, testing::response_of, testing::TestDesign;
 
@@ -48,14 +53,15 @@ TEST_CASE("the train's numbers are those of a numerical integration", "[follower
   for (const char* law : {"poly-3-4-5", "cycloidal", "modified-sine"}) {
     INFO(law);
     const TestDesign design = design_of(train(), law, {}, {});
-    const ElasticFollower<double> machine;
-    const double time = machine.rise_time();
+    const PlainNumbers numbers;
+    const ElasticFollower machine;
+    const double time = plain(machine.rise_time());
     const auto value = [&](const char* name) {
       return response_of(train(), name, design.binding).function().value({});
     };
     CHECK(value("period_ratio") == Approx(0.05 * std::sqrt(1e5) / (2 * std::numbers::pi)));
     const Integrated end =
-        integrated(find_law(law).law(), value("period_ratio"), machine.damping_ratio);
+        integrated(find_law(law).law(), value("period_ratio"), plain(machine.damping_ratio));
     CHECK(value("residual_displacement") == Approx(20 * end.z).epsilon(1e-6).margin(1e-9));
     CHECK(value("residual_velocity") == Approx(0.02 / time * end.rate).epsilon(1e-6).margin(1e-9));
     const auto curve = response_of(train(), "mass_acceleration", design.binding);
@@ -180,7 +186,8 @@ TEST_CASE("no other law of the family is quieter over the range of speeds",
   const auto& assessment = optimum.found.assessment;
   CHECK(assessment.verdict == optim::Verdict::Certified);
   CHECK(assessment.global);
-  ElasticFollower<double> machine;
+  const PlainNumbers numbers;
+  ElasticFollower machine;
   machine.damping_ratio = 0.02;
   struct Looked {
     double left, peak;  // mm, m/s^2
@@ -191,11 +198,11 @@ TEST_CASE("no other law of the family is quieter over the range of speeds",
     const Law<double> law = member.law();
     Looked looked{0, 0};
     for (int rpm = 240; rpm <= 360; rpm += 2) {
-      const double tau = machine.natural_frequency() * 60 / rpm / 4;
+      const double tau = plain(machine.natural_frequency()) * 60 / rpm / 4;
       looked.left = std::max(looked.left, 20 * residual_vibration(law, tau, 0.02));
     }
-    const double time = machine.rise_time();
-    looked.peak = 0.02 / (time * time) * integrated(law, machine.period_ratio(), 0.02).peak;
+    const double time = plain(machine.rise_time());
+    looked.peak = 0.02 / (time * time) * integrated(law, plain(machine.period_ratio()), 0.02).peak;
     return looked;
   };
   const Looked best = of(optimum.found.x);
@@ -219,16 +226,17 @@ TEST_CASE("no other law of the family is quieter and softer", "[follower-train][
   const auto& assessment = optimum.found.assessment;
   CHECK(assessment.verdict == optim::Verdict::Certified);
   CHECK(assessment.global);
-  ElasticFollower<double> machine;
+  const PlainNumbers numbers;
+  ElasticFollower machine;
   machine.damping_ratio = 0.02;
-  const double time = machine.rise_time();
+  const double time = plain(machine.rise_time());
   struct Looked {
     double place, velocity, peak;  // mm, mm/s, m/s^2
   };
   const auto of = [&](const std::vector<double>& c) {
     Member member = find_law("legendre c=-3,0,0");
     member.arguments.values()[member.family->parameter("c")] = c;
-    const Integrated end = integrated(member.law(), machine.period_ratio(), 0.02);
+    const Integrated end = integrated(member.law(), plain(machine.period_ratio()), 0.02);
     return Looked{20 * end.z, 20 * end.rate / time, 0.02 * end.peak / (time * time)};
   };
   const auto meets = [](const Looked& c, double slack) {

@@ -6,9 +6,12 @@
 #include "machines/geneva/geneva_drive.h"
 #include "machines/registry.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::geneva_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using testing::design_of, testing::response_of, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
@@ -60,10 +63,12 @@ TEST_CASE("the fastest Geneva is that of its known peaks", "[geneva][problem-fil
   double best = 0;
   for (const double n : {4.0, 5.0, 6.0, 8.0}) {
     if (400 * (1 - std::cos(kPi / n)) < 45) continue;
-    const PlanarGeneva<double> geneva{n};
+    const PlainNumbers numbers;
+    const PlanarGeneva geneva{n};
     double peak = 0;
     for (int i = 0; i <= 40000; ++i) {
-      peak = std::max(peak, std::abs(geneva.at(geneva.half_engagement() * i / 40000).second));
+      peak = std::max(
+          peak, std::abs(plain(geneva.at(plain(geneva.half_engagement()) * i / 40000).second)));
     }
     best = std::max(best, std::sqrt(60 / peak) * 30 / kPi);
   }

@@ -17,9 +17,12 @@
 #include "problems/statement/parameters.h"
 #include "tests/machines/index_fixture.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::rib_index_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using Catch::Contains, testing::Curves, testing::refusal_of;
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
@@ -49,20 +52,20 @@ struct Line {
   Vector at, along;
 };
 /// Where a roller's axis is at the turret's angle psi, its point at u.
-Line axis_of(const GloboidalCam<double>& drive, double psi, double u) {
+Line axis_of(const GloboidalCam& drive, double psi, double u) {
   const Vector e{-std::cos(psi), std::sin(psi), 0};
-  return {Vector{drive.axis_distance, 0, 0} + u * e, e};
+  return {Vector{plain(drive.axis_distance), 0, 0} + u * e, e};
 }
-Line axis_of(const BarrelIndexCam<double>& drive, double psi, double u) {
-  return {{u, drive.turret_radius * std::sin(psi),
-           drive.turret_radius * std::cos(psi) - drive.axis_distance},
+Line axis_of(const BarrelIndexCam& drive, double psi, double u) {
+  return {{u, plain(drive.turret_radius) * std::sin(psi),
+           plain(drive.turret_radius) * std::cos(psi) - plain(drive.axis_distance)},
           {1, 0, 0}};
 }
 /// The roller's way with the turret, and what is square to it and to the axis.
-std::pair<Vector, Vector> way_of(const GloboidalCam<double>&, double psi) {
+std::pair<Vector, Vector> way_of(const GloboidalCam&, double psi) {
   return {{std::sin(psi), std::cos(psi), 0}, {0, 0, 1}};
 }
-std::pair<Vector, Vector> way_of(const BarrelIndexCam<double>&, double psi) {
+std::pair<Vector, Vector> way_of(const BarrelIndexCam&, double psi) {
   return {{0, std::cos(psi), -std::sin(psi)}, {0, std::sin(psi), std::cos(psi)}};
 }
 
@@ -86,10 +89,10 @@ struct Mover {
   Vector surface(double phi, double u, double theta) const {
     const auto [t, b] = way_of(drive, motion.at(phi));
     const Vector n = std::cos(theta) * t + std::sin(theta) * b;
-    return turned(axis_of(drive, motion.at(phi), u).at + drive.roller_radius * n, -phi);
+    return turned(axis_of(drive, motion.at(phi), u).at + plain(drive.roller_radius) * n, -phi);
   }
   double distance(const Vector& x, double phi) const {
-    const Line line = axis(phi, drive.distance_at(RollerPlace::Middle));
+    const Line line = axis(phi, plain(drive.distance_at(RollerPlace::Middle)));
     const Vector d = x - line.at;
     return length(d - dot(d, line.along) * line.along);
   }
@@ -123,7 +126,7 @@ struct Mover {
     const auto of_step = [&](double phi) {
       const Vector y = surface(phi, u, touching(phi, u, theta));
       const double way = dot(y - x, across);
-      return 2 * (distance(y, 0) - drive.roller_radius) / (way * way);
+      return 2 * (distance(y, 0) - plain(drive.roller_radius)) / (way * way);
     };
     const auto even = [&](double phi) { return 0.5 * (of_step(phi) + of_step(-phi)); };
     return (4 * even(0.004) - even(0.008)) / 3;
@@ -134,17 +137,17 @@ template <class Drive>
 void check_envelope(const Drive& drive, const TurretMotion& motion) {
   const Mover<Drive> mover{drive, motion};
   // s of the drive's formulas counts from half a pitch before the line of centres.
-  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
-  REQUIRE(rib_angle(drive, f.s) == Approx(motion.psi).margin(1e-9));
+  const FollowerMotion f{motion.psi + 0.5 * plain(drive.step()), motion.rate, motion.second, 0};
+  REQUIRE(plain(rib_angle(drive, f.s)) == Approx(motion.psi).margin(1e-9));
   for (const RollerPlace place : {RollerPlace::Root, RollerPlace::Middle, RollerPlace::Tip}) {
-    const RuledContact<double> contact = drive.contact(place, motion.psi, f);
-    const double u = drive.distance_at(place);
+    const RuledContact contact = drive.contact(place, motion.psi, f);
+    const double u = plain(drive.distance_at(place));
     for (const double side : {-1.0, 1.0}) {
-      const double stated = -contact.pressure_angle() + (side < 0 ? kPi : 0);
+      const double stated = -plain(contact.pressure_angle()) + (side < 0 ? kPi : 0);
       const double theta = mover.touching(0, u, stated);
       CHECK(theta == Approx(stated).margin(1e-8));
-      if (contact.undercut(drive.roller_radius, side) > 0.8) continue;
-      CHECK(contact.curvature_sum(drive.roller_radius, side) ==
+      if (plain(contact.undercut(drive.roller_radius, side)) > 0.8) continue;
+      CHECK(plain(contact.curvature_sum(drive.roller_radius, side)) ==
             Approx(mover.curvature_sum(u, theta)).epsilon(2e-5));
     }
   }
@@ -170,13 +173,13 @@ void check_random_drives(unsigned seed, double rate, const Check& check) {
   for (int trial = 0; trial < 20; ++trial) {
     // The barrel's test counts along its rollers from the cam's axis.
     const TurretMotion motion{0.35 * even(random), rate + 0.4 * even(random), 0.8 * even(random)};
-    GloboidalCam<double> gear;
+    GloboidalCam gear;
     gear.axis_distance = 120 + 20 * even(random);
     gear.turret_radius = 70;
     gear.roller_radius = 11 + 3 * even(random);
     gear.face_width = 14;
     check(gear, motion);
-    BarrelIndexCam<double> drum;
+    BarrelIndexCam drum;
     drum.axis_distance = 80 + 10 * even(random);
     drum.turret_radius = 80;
     drum.cam_radius = 60 + 10 * even(random);
@@ -190,6 +193,7 @@ void check_random_drives(unsigned seed, double rate, const Check& check) {
 
 TEST_CASE("lines of contact and curvatures along a roller are those of a numerical envelope",
           "[index-drives]") {
+  const PlainNumbers numbers;
   check_random_drives(20261126, 0.4, [](const auto& drive, const TurretMotion& motion) {
     check_envelope(drive, motion);
   });
@@ -202,21 +206,23 @@ namespace {
 template <class Drive>
 void check_rolling(const Drive& drive, const TurretMotion& motion) {
   const Mover<Drive> mover{drive, motion};
-  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
-  const RuledContact<double> contact = drive.contact(RollerPlace::Middle, motion.psi, f);
-  const double u = drive.distance_at(RollerPlace::Middle), r = drive.roller_radius, h = 1e-3;
+  const FollowerMotion f{motion.psi + 0.5 * plain(drive.step()), motion.rate, motion.second, 0};
+  const RuledContact contact = drive.contact(RollerPlace::Middle, motion.psi, f);
+  const double u = plain(drive.distance_at(RollerPlace::Middle)), r = plain(drive.roller_radius),
+               h = 1e-3;
   for (const double side : {-1.0, 1.0}) {
-    if (contact.undercut(r, side) > 0.8) continue;
-    const double theta = mover.touching(0, u, -contact.pressure_angle() + (side < 0 ? kPi : 0));
+    if (plain(contact.undercut(r, side)) > 0.8) continue;
+    const double theta =
+        mover.touching(0, u, -plain(contact.pressure_angle()) + (side < 0 ? kPi : 0));
     // A point that is fixed to the turret, seen from the cam.
     const Vector body = 1 / (2 * h) * (mover.surface(h, u, theta) - mover.surface(-h, u, theta));
     const Line roller = mover.axis(0, u);
     const Vector spoke = unit(mover.surface(0, u, theta) - roller.at);
     const Vector round = cross(roller.along, spoke);
     CHECK(dot(body, spoke) == Approx(0).margin(1e-5 * length(body) + 1e-6));
-    CHECK(contact.turns(r, side) == Approx(std::abs(dot(body, round)) / r).epsilon(1e-5));
+    CHECK(plain(contact.turns(r, side)) == Approx(std::abs(dot(body, round)) / r).epsilon(1e-5));
     const double slip = dot(body, roller.along);
-    CHECK(std::abs(contact.axial_slip(r, side)) == Approx(std::abs(slip)).margin(1e-4));
+    CHECK(std::abs(plain(contact.axial_slip(r, side))) == Approx(std::abs(slip)).margin(1e-4));
     // The line of contact: along it, and where its points are on the cam a little later.
     const Vector line = unit(mover.surface(0, u * (1 + h), mover.touching(0, u * (1 + h), theta)) -
                              mover.surface(0, u * (1 - h), mover.touching(0, u * (1 - h), theta)));
@@ -227,7 +233,7 @@ void check_rolling(const Drive& drive, const TurretMotion& motion) {
     // The roller rolls: only the slip along its axis is left of its surface's velocity.
     const double flank = -dot(moved, across);
     const double mean = flank + 0.5 * slip * dot(roller.along, across);
-    CHECK(contact.rolled_way(r, side) == Approx(std::abs(mean)).epsilon(1e-4));
+    CHECK(plain(contact.rolled_way(r, side)) == Approx(std::abs(mean)).epsilon(1e-4));
   }
 }
 
@@ -235,6 +241,7 @@ void check_rolling(const Drive& drive, const TurretMotion& motion) {
 
 TEST_CASE("a roller between ribs turns, slides and moves its contact as small steps show",
           "[index-drives]") {
+  const PlainNumbers numbers;
   check_random_drives(20261130, 0.5, [](const auto& drive, const TurretMotion& motion) {
     check_rolling(drive, motion);
   });
@@ -260,7 +267,7 @@ std::array<double, 2> crowned_gap(const Mover<Drive>& mover, double u, double th
       const double turned_to = mover.touching(phi, u + along_axis, theta);
       const Vector at = mover.surface(phi, u + along_axis, turned_to);
       const double p = dot(at - middle, roller.along), q = dot(at - middle, round);
-      const double own = mover.drive.roller_radius - 0.5 * p * p / crown;
+      const double own = plain(mover.drive.roller_radius) - 0.5 * p * p / crown;
       gaps[row] = 2 * (mover.distance(at, 0) - own);
       int term = 0;
       for (int degree = 2; degree <= 4; ++degree) {
@@ -283,18 +290,19 @@ std::array<double, 2> crowned_gap(const Mover<Drive>& mover, double u, double th
 template <class Drive>
 void check_crown(Drive drive, const TurretMotion& motion, double crown) {
   const Mover<Drive> mover{drive, motion};
-  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
-  const RuledContact<double> contact = drive.contact(RollerPlace::Middle, motion.psi, f);
-  const double u = drive.distance_at(RollerPlace::Middle);
+  const FollowerMotion f{motion.psi + 0.5 * plain(drive.step()), motion.rate, motion.second, 0};
+  const RuledContact contact = drive.contact(RollerPlace::Middle, motion.psi, f);
+  const double u = plain(drive.distance_at(RollerPlace::Middle));
   for (const double side : {-1.0, 1.0}) {
-    if (contact.undercut(drive.roller_radius, side) > 0.8) continue;
-    const double theta = mover.touching(0, u, -contact.pressure_angle() + (side < 0 ? kPi : 0));
+    if (plain(contact.undercut(drive.roller_radius, side)) > 0.8) continue;
+    const double theta =
+        mover.touching(0, u, -plain(contact.pressure_angle()) + (side < 0 ? kPi : 0));
     const auto found = crowned_gap(mover, u, theta, crown);
-    const auto stated =
-        pressed_askew(1.0, contact.curvature_sum(drive.roller_radius, side),
-                      contact.slant(drive.roller_radius), 1 / crown, drive.face_width, {});
-    CHECK(stated.rolling == Approx(found[1]).epsilon(2e-3));
-    CHECK(stated.along == Approx(found[0]).epsilon(1e-2));
+    const auto stated = pressed_askew(1.0, plain(contact.curvature_sum(drive.roller_radius, side)),
+                                      plain(contact.slant(drive.roller_radius)), 1 / crown,
+                                      plain(drive.face_width), {});
+    CHECK(plain(stated.rolling) == Approx(found[1]).epsilon(2e-3));
+    CHECK(plain(stated.along) == Approx(found[0]).epsilon(1e-2));
   }
 }
 
@@ -302,18 +310,19 @@ void check_crown(Drive drive, const TurretMotion& motion, double crown) {
 
 TEST_CASE("a crowned roller touches a cam with ribs by the curvatures of the gap between them",
           "[index-drives]") {
+  const PlainNumbers numbers;
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> even(-1, 1);
   for (int trial = 0; trial < 12; ++trial) {
     const TurretMotion motion{0.35 * even(random), 0.6 + 0.5 * even(random), 0.8 * even(random)};
     const double crown = 300 + 250 * even(random);
-    GloboidalCam<double> gear;
+    GloboidalCam gear;
     gear.axis_distance = 120 + 20 * even(random);
     gear.turret_radius = 70;
     gear.roller_radius = 13;
     gear.face_width = 14;
     check_crown(gear, motion, crown);
-    BarrelIndexCam<double> drum;
+    BarrelIndexCam drum;
     drum.axis_distance = 80 + 10 * even(random);
     drum.turret_radius = 80;
     drum.cam_radius = 60;
@@ -324,6 +333,7 @@ TEST_CASE("a crowned roller touches a cam with ribs by the curvatures of the gap
 }
 
 TEST_CASE("a crowned roller of a cam with ribs is pressed over Hertz's ellipse", "[index-drives]") {
+  const PlainNumbers numbers;
   for (const std::string& text : {globoidal("crown_radius = 250\nload_torque = 10\n"),
                                   barrel("crown_radius = 250\nload_torque = 10\n")}) {
     const Curves curves(read_problem(text, "drive.toml"), 720);
@@ -336,7 +346,7 @@ TEST_CASE("a crowned roller of a cam with ribs is pressed over Hertz's ellipse",
       const double across = curves[drives ? "curvature_sum" : "second_curvature_sum"][i];
       const auto ellipse =
           contact_ellipse(std::abs(curves["contact_force"][i]), across, 1.0 / 250, modulus);
-      const double off = curves["crown_stress"][i] / ellipse.pressure - 1;
+      const double off = curves["crown_stress"][i] / plain(ellipse.pressure) - 1;
       if (i < 230) CHECK(off == Approx(0).margin(1e-6));
       askew = std::max(askew, std::abs(off));
       CHECK(curves["crown_stress"][i] > 0);
@@ -378,7 +388,7 @@ void check_contact_lines(const ProblemStatement& statement, Drive drive) {
                                                               : "tip_";
       const double alpha = curves[prefix + "pressure_angle"][i] * kDegree;
       for (const bool drives : {true, false}) {
-        const double u = drive.distance_at(place);
+        const double u = plain(drive.distance_at(place));
         const double theta = mover.touching(0, u, (drives ? kPi : 0) - alpha);
         const Vector found = turned(mover.surface(0, u, theta), -phi);
         const std::string name = (drives ? "" : "second_") + prefix + "contact_";
@@ -397,18 +407,20 @@ void check_contact_lines(const ProblemStatement& statement, Drive drive) {
 
 TEST_CASE("stated lines of contact are where a roller that moves over the cam touches it",
           "[index-drives]") {
-  check_contact_lines(read_problem(globoidal(), "drive.toml"), GloboidalCam<double>{});
+  const PlainNumbers numbers;
+  check_contact_lines(read_problem(globoidal(), "drive.toml"), GloboidalCam{});
   const ProblemStatement statement = read_problem(barrel(), "drive.toml");
-  BarrelIndexCam<double> drum;
+  BarrelIndexCam drum;
   drum.cam_radius = constant_of(statement, "cam_radius");
   check_contact_lines(statement, drum);
 }
 
 TEST_CASE("the radii of cams with ribs are those that the rollers' edges reach", "[index-drives]") {
+  const PlainNumbers numbers;
   // Least and greatest distance from the cam's axis of the edge of a roller at u, over its path.
   const auto reach = [](const auto& drive, double u) {
     constexpr int kSteps = 900;
-    const double half = kPi / drive.rollers;
+    const double half = kPi / plain(drive.rollers);
     std::pair<double, double> found{1e9, 0};
     for (int i = -kSteps; i <= kSteps; ++i) {
       const double psi = half * i / kSteps;
@@ -416,8 +428,8 @@ TEST_CASE("the radii of cams with ribs are those that the rollers' edges reach",
       const auto [along, across] = way_of(drive, psi);
       for (int k = 0; k < kSteps; ++k) {
         const double beta = 2 * kPi * k / kSteps;
-        const Vector p = at + drive.roller_radius * std::cos(beta) * along +
-                         drive.roller_radius * std::sin(beta) * across;
+        const Vector p = at + plain(drive.roller_radius) * std::cos(beta) * along +
+                         plain(drive.roller_radius) * std::sin(beta) * across;
         const double radius = std::hypot(p[0], p[2]);
         found = {std::min(found.first, radius), std::max(found.second, radius)};
       }
@@ -426,51 +438,54 @@ TEST_CASE("the radii of cams with ribs are those that the rollers' edges reach",
   };
   for (const double rollers : {6.0, 8.0, 16.0}) {
     INFO(rollers);
-    GloboidalCam<double> gear;
+    GloboidalCam gear;
     gear.rollers = rollers;
     gear.turret_radius = 0.075;
     gear.axis_distance = 0.13;
     gear.roller_radius = 0.09 / rollers;
-    CHECK(gear.throat_radius() ==
-          Approx(reach(gear, gear.distance_at(RollerPlace::Tip)).first).epsilon(1e-5));
-    CHECK(gear.outer_radius() ==
-          Approx(reach(gear, gear.distance_at(RollerPlace::Root)).second).epsilon(1e-5));
-    BarrelIndexCam<double> barrel;
+    CHECK(plain(gear.throat_radius()) ==
+          Approx(reach(gear, plain(gear.distance_at(RollerPlace::Tip))).first).epsilon(1e-5));
+    CHECK(plain(gear.outer_radius()) ==
+          Approx(reach(gear, plain(gear.distance_at(RollerPlace::Root))).second).epsilon(1e-5));
+    BarrelIndexCam barrel;
     barrel.rollers = rollers;
     for (const double distance : {0.07, 0.078, 0.083}) {
       barrel.axis_distance = distance;
-      CHECK(barrel.outer_radius() ==
-            Approx(reach(barrel, barrel.distance_at(RollerPlace::Root)).second).epsilon(1e-5));
+      CHECK(
+          plain(barrel.outer_radius()) ==
+          Approx(reach(barrel, plain(barrel.distance_at(RollerPlace::Root))).second).epsilon(1e-5));
     }
   }
 }
 
 TEST_CASE("forces on radial and on axial rollers do the cam's work", "[index-drives]") {
+  const PlainNumbers numbers;
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> even(-1, 1);
   const auto check = [&](const auto& drive) {
     const TurretMotion motion{0.3 * even(random), 0.4 + 0.3 * even(random), even(random)};
-    const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
-    const double torque = drive.follower().torque(f);
+    const FollowerMotion f{motion.psi + 0.5 * plain(drive.step()), motion.rate, motion.second, 0};
+    const double torque = plain(drive.follower().torque(f));
     const auto contact = drive.contact(RollerPlace::Middle, motion.psi, f);
-    const double force = torque / drive.lever() * contact.inclination();
-    const double theta = kPi - contact.pressure_angle();  // the flank that drives
+    const double force = torque / plain(drive.lever()) * plain(contact.inclination());
+    const double theta = kPi - plain(contact.pressure_angle());  // the flank that drives
     const auto [t, b] = way_of(drive, motion.psi);
     const Vector n = std::cos(theta) * t + std::sin(theta) * b;
-    const Vector point = axis_of(drive, motion.psi, drive.distance_at(RollerPlace::Middle)).at +
-                         drive.roller_radius * n;
+    const Vector point =
+        axis_of(drive, motion.psi, plain(drive.distance_at(RollerPlace::Middle))).at +
+        plain(drive.roller_radius) * n;
     // On the roller acts -n; on the cam n, which turns about y.
     const Vector moment = cross(point, force * n);
     CHECK(-moment[1] == Approx(torque * motion.rate).epsilon(1e-9));
-    CHECK(drive.follower().drive_torque(f) == Approx(torque * motion.rate).epsilon(1e-12));
-    const double h = 1e-6, u = drive.distance_at(RollerPlace::Middle);
+    CHECK(plain(drive.follower().drive_torque(f)) == Approx(torque * motion.rate).epsilon(1e-12));
+    const double h = 1e-6, u = plain(drive.distance_at(RollerPlace::Middle));
     const Vector way =
         0.5 / h * (axis_of(drive, motion.psi + h, u).at - axis_of(drive, motion.psi - h, u).at);
     CHECK(-dot(force * n, way) == Approx(torque).epsilon(1e-6));
   };
   for (int trial = 0; trial < 20; ++trial) {
-    check(GloboidalCam<double>{});
-    check(BarrelIndexCam<double>{});
+    check(GloboidalCam{});
+    check(BarrelIndexCam{});
   }
 }
 
@@ -524,10 +539,11 @@ double distance_between(const Cylinder& a, const Cylinder& b) {
 /// Two neighbouring rollers, one half a pitch on either side of the line of centres.
 template <class Drive>
 double distance_of_neighbours(const Drive& drive) {
-  const double half = 0.5 * drive.step(), middle = drive.distance_at(RollerPlace::Middle);
+  const double half = 0.5 * plain(drive.step()),
+               middle = plain(drive.distance_at(RollerPlace::Middle));
   const auto roller = [&](double psi) {
-    return Cylinder{axis_of(drive, psi, middle), -0.5 * drive.face_width, 0.5 * drive.face_width,
-                    drive.roller_radius};
+    return Cylinder{axis_of(drive, psi, middle), -0.5 * plain(drive.face_width),
+                    0.5 * plain(drive.face_width), plain(drive.roller_radius)};
   };
   return distance_between(roller(half), roller(-half));
 }
@@ -536,17 +552,18 @@ double distance_of_neighbours(const Drive& drive) {
 
 TEST_CASE("the gap between neighbouring rollers is the distance of two solid cylinders",
           "[index-drives]") {
+  const PlainNumbers numbers;
   int apart = 0, overlapping = 0;
   for (const double rollers : {2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 24.0}) {
     for (const double radius : {5.0, 11.0, 13.0, 20.0}) {
       for (const double face : {4.0, 15.0, 40.0}) {
         INFO(rollers << " rollers of " << radius << " mm by " << face);
-        GloboidalCam<double> gear;
+        GloboidalCam gear;
         gear.rollers = rollers;
         gear.turret_radius = 45;
         gear.roller_radius = radius;
         gear.face_width = face;
-        BarrelIndexCam<double> drum;
+        BarrelIndexCam drum;
         drum.rollers = rollers;
         drum.turret_radius = 45;
         drum.cam_radius = 60;
@@ -556,8 +573,8 @@ TEST_CASE("the gap between neighbouring rollers is the distance of two solid cyl
           CHECK(distance == Approx(std::max(gap, 0.0)).margin(1e-3));
           ++(gap > 0 ? apart : overlapping);
         };
-        check(gear.roller_gap(), distance_of_neighbours(gear));
-        check(drum.roller_gap(), distance_of_neighbours(drum));
+        check(plain(gear.roller_gap()), distance_of_neighbours(gear));
+        check(plain(drum.roller_gap()), distance_of_neighbours(drum));
       }
     }
   }
@@ -613,6 +630,7 @@ TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angl
 
 TEST_CASE("curves of cams with ribs have exact derivatives and close enclosures",
           "[index-drives]") {
+  const PlainNumbers numbers;
   for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
     const Mechanism mechanism = testing::rigid_drive(name);
     const auto design =

@@ -252,7 +252,7 @@ TEST_CASE("the middle of two possible machines is possible where rules find so",
   }
   CHECK(found > 100);
   CHECK(open > 0);
-  // Which those of a pair of cams are not: docs/theory.md, "Which machines there are".
+  // Which those of a pair of cams are not: docs/theory.md, "Possible and impossible machines".
   CHECK(refutes_possible(find_mechanism("disc-cam-conjugate"), {"offset"}, random, 20000));
 }
 
@@ -262,8 +262,8 @@ TEST_CASE("an impossible machine is met in however narrow a part of a box", "[sh
     for (const double middle : {0.1234567, 0.5, 0.98765432}) {
       Margin margin;
       margin.write = [=](Numbers p, Numbers) {
-        const Expression off = p[0] - middle;
-        return off * off - half_width * half_width;
+        const Expression off = p[0] - Expression(middle);
+        return off * off - Expression(half_width * half_width);
       };
       margin.accepted = [](std::size_t) { return Interval(0, 1); };
       const PossibleBy by = possible_by({margin}, 1);

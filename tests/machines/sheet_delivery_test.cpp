@@ -7,13 +7,17 @@
 
 #include "kinematics/laws/polynomial.h"
 #include "machines/registry.h"
+#include "numerics/scalar/absolute.h"
 #include "optim/cycle/extremes.h"
 #include "problems/published/sheet_delivery/trade_off.h"
 #include "problems/published/systems.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::sheet_delivery_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers, testing::written;
 
 using testing::design_of, testing::response_of, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
@@ -57,26 +61,27 @@ double least_by_hand(const Law<double>& law, double lambda, double alpha_max) {
 }  // namespace
 
 TEST_CASE("the free forms are the paper's equations", "[sheet-delivery]") {
-  const SheetDelivery<double> m;
+  const PlainNumbers numbers;
+  const SheetDelivery m;
   const Law<double> law = find_law("cycloidal").law();
   for (const double x : {0.0, 0.11, 0.35, 0.5, 0.77, 1.0}) {
     const auto motion = law(x);
-    const auto at = m.place(motion);
+    const auto at = m.place(written(motion));
     const ByHand dissipating = by_hand(motion.s, motion.v, 0.4, kPi / 3, size);
     const ByHand printed = by_hand(motion.s, motion.v, 0.4, kPi / 3, as_it_is);
     const auto near = [](double value) { return Approx(value).epsilon(1e-12).margin(1e-12); };
-    CHECK(m.rod_angle(motion) == near(printed.alpha));
-    CHECK(m.guide_angle(motion) == near(printed.beta));
-    CHECK(m.speed_ratio(at) == near(printed.K));
-    CHECK(m.slow_speed_ratio(at) ==
+    CHECK(plain(m.rod_angle(written(motion))) == near(printed.alpha));
+    CHECK(plain(m.guide_angle(written(motion))) == near(printed.beta));
+    CHECK(plain(m.speed_ratio(at)) == near(printed.K));
+    CHECK(plain(m.slow_speed_ratio(at)) ==
           near(std::cos(printed.alpha + printed.beta) / std::cos(printed.alpha)));
-    CHECK(m.relative_speed(at) == near(std::sin(printed.beta) / std::cos(printed.alpha)));
+    CHECK(plain(m.relative_speed(at)) == near(std::sin(printed.beta) / std::cos(printed.alpha)));
     for (const auto& [friction, hand] :
          {std::pair{Friction::Dissipates, dissipating}, {Friction::AsPrinted, printed}}) {
-      CHECK(m.efficiency_B(at, friction) == near(hand.eta_B));
-      CHECK(m.efficiency_A(at, friction) == near(hand.eta_A));
-      CHECK(m.efficiency(at, friction) == near(hand.eta));
-      CHECK(m.reverse_efficiency(at, friction) == near(hand.reverse));
+      CHECK(plain(m.efficiency_B(at, friction)) == near(hand.eta_B));
+      CHECK(plain(m.efficiency_A(at, friction)) == near(hand.eta_A));
+      CHECK(plain(m.efficiency(at, friction)) == near(hand.eta));
+      CHECK(plain(m.reverse_efficiency(at, friction)) == near(hand.reverse));
     }
   }
 }
@@ -84,23 +89,25 @@ TEST_CASE("the free forms are the paper's equations", "[sheet-delivery]") {
 TEST_CASE("the speed ratio is the derivative of the carriage's place", "[sheet-delivery]") {
   // Units of the rod's length; A at (X, sin alpha), the carriage at X - cos alpha; chain speed
   // along the guide dX / cos beta.
-  const SheetDelivery<double> m;
+  const PlainNumbers numbers;
+  const SheetDelivery m;
   const Law<double> law = find_law("poly-3-4-5").law();
   const double length = std::sin(kPi / 3) / 0.4;  // x_max over l
   const auto carriage = [&](double x, double sign) {
     return length * x - sign * std::cos(std::asin(law(x).s * std::sin(kPi / 3)));
   };
   for (const double x : {0.2, 0.5, 0.8}) {
-    const auto at = m.place(law(x));
+    const auto at = m.place(written(law(x)));
     const double h = 1e-5;
     for (const double sign : {1.0, -1.0}) {  // the link ahead of the carriage, or behind it
       const double rate = (carriage(x + h, sign) - carriage(x - h, sign)) / (2 * h) / length;
-      const double ratio = sign > 0 ? m.speed_ratio(at) : m.slow_speed_ratio(at);
-      CHECK(rate * at.cos_beta == Approx(ratio).epsilon(1e-8));
+      const double ratio = sign > 0 ? plain(m.speed_ratio(at)) : plain(m.slow_speed_ratio(at));
+      CHECK(rate * plain(at.cos_beta) == Approx(ratio).epsilon(1e-8));
     }
   }
-  CHECK(m.slow_down() == Approx((1 - std::cos(kPi / 3)) / length).epsilon(1e-13));
-  CHECK(m.slow_down() == Approx(1 - (carriage(1, -1) - carriage(0, -1)) / length).epsilon(1e-13));
+  CHECK(plain(m.slow_down()) == Approx((1 - std::cos(kPi / 3)) / length).epsilon(1e-13));
+  CHECK(plain(m.slow_down()) ==
+        Approx(1 - (carriage(1, -1) - carriage(0, -1)) / length).epsilon(1e-13));
 }
 
 TEST_CASE("no efficiency exceeds the straight one where friction dissipates, the print's does",
@@ -109,12 +116,13 @@ TEST_CASE("no efficiency exceeds the straight one where friction dissipates, the
   const auto extreme = [&](const char* name, double sign) {
     return optim::highest(*response_of(delivery(), name, design.binding).curve().trace({}), sign);
   };
-  const SheetDelivery<double> m;
-  CHECK(m.straight_efficiency() == Approx(0.9852).margin(5e-5));
-  CHECK(m.boundary_efficiency() == Approx(0.6943).margin(5e-5));
-  CHECK(extreme("efficiency", 1).value == Approx(m.straight_efficiency()).epsilon(1e-13));
+  const PlainNumbers numbers;
+  const SheetDelivery m;
+  CHECK(plain(m.straight_efficiency()) == Approx(0.9852).margin(5e-5));
+  CHECK(plain(m.boundary_efficiency()) == Approx(0.6943).margin(5e-5));
+  CHECK(extreme("efficiency", 1).value == Approx(plain(m.straight_efficiency())).epsilon(1e-13));
   CHECK(extreme("efficiency", 1).place.angle == 0);
-  CHECK(extreme("efficiency", -1).value == Approx(m.boundary_efficiency()).epsilon(1e-13));
+  CHECK(extreme("efficiency", -1).value == Approx(plain(m.boundary_efficiency())).epsilon(1e-13));
   CHECK(extreme("efficiency", -1).place.angle == 1);
   CHECK(extreme("printed_efficiency", 1).value == Approx(0.99693).margin(1e-5));
   CHECK(extreme("printed_efficiency", 1).place.angle == Approx(0.2405).margin(1e-3));

@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -12,36 +13,59 @@
 #include "kinematics/laws/catalogue.h"
 #include "numerics/scalar/dual.h"
 #include "problems/published/spine_cutter/study.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::spine_cutter_test {
 namespace {
 
 using Catch::Matchers::Contains;
 constexpr double kPi = std::numbers::pi;
-using Cutter = SpineCutter<double>;
+using Cutter = CutterGivens;
+using testing::plain, testing::PlainNumbers;
 
 /// Every result of the mechanism, for B = 1.7, C = 5.5, Cm = 5.4.
-template <class T>
-std::vector<T> results(const SpineCutter<T>& c) {
-  return {c.chord_of_contact(),
-          c.contact_angle(),
-          c.blades_in_contact(),
-          c.path_per_revolution(),
-          c.angular_velocity(),
-          c.minimum_cam_radius(number<T>(1.7)),
-          c.peak_inertia_force(number<T>(5.5)),
-          c.printed_inertia_force(number<T>(5.5)),
-          c.peak_drive_torque(number<T>(5.4))};
+std::vector<Expression> formulas(const SpineCutter& c) {
+  return {c.chord_of_contact(),      c.contact_angle(),
+          c.blades_in_contact(),     c.path_per_revolution(),
+          c.angular_velocity(),      c.minimum_cam_radius(1.7),
+          c.peak_inertia_force(5.5), c.printed_inertia_force(5.5),
+          c.peak_drive_torque(5.4)};
 }
 
-template <class T>
-using Field = T SpineCutter<T>::*;
+std::vector<double> results(const Cutter& givens) {
+  const PlainNumbers numbers;
+  std::vector<double> values;
+  for (const Expression& result : formulas(cutter_of(givens))) values.push_back(plain(result));
+  return values;
+}
 
+constexpr std::array kFields{&Cutter::cutter_diameter, &Cutter::blades, &Cutter::stroke,
+                             &Cutter::block_speed,     &Cutter::depth,  &Cutter::mass,
+                             &Cutter::pressure_angle};
+
+/// The results as records of the seven givens.
+std::vector<Formula> records() {
+  std::vector<Formula> all;
+  for (std::size_t k = 0; k < results(Cutter()).size(); ++k) {
+    all.push_back(Formula::record(kFields.size(), [k](std::span<const Expression> u) {
+      SpineCutter c;
+      c.cutter_diameter = u[0], c.blades = u[1], c.stroke = u[2], c.block_speed = u[3];
+      c.depth = u[4], c.mass = u[5], c.pressure_angle = u[6];
+      return formulas(c)[k];
+    }));
+  }
+  return all;
+}
 template <class T>
-constexpr std::array<Field<T>, 7> kFields{
-    &SpineCutter<T>::cutter_diameter, &SpineCutter<T>::blades, &SpineCutter<T>::stroke,
-    &SpineCutter<T>::block_speed,     &SpineCutter<T>::depth,  &SpineCutter<T>::mass,
-    &SpineCutter<T>::pressure_angle};
+std::vector<T> results_at(const Cutter& givens,
+                          const std::function<void(std::vector<T>&)>& change) {
+  std::vector<T> u;
+  for (const auto field : kFields) u.push_back(T(givens.*field));
+  change(u);
+  std::vector<T> values;
+  for (const Formula& record : records()) values.push_back(record(std::span<const T>(u)));
+  return values;
+}
 
 /// The stroke over time, numerically: y(t) = S s(2 V t / S_rev) over half a revolution.
 struct Simulation {
@@ -80,23 +104,27 @@ TEST_CASE("the givens are the paper's", "[spine-cutter]") {
 TEST_CASE("chord, angle and blades agree with other forms of (1) to (3)", "[spine-cutter]") {
   for (const double h : {1e-4, 4e-4, 6e-4, 8e-4, 1e-3, 5e-3, 0.024}) {
     INFO("h = " << h);
-    Cutter c;
+    const PlainNumbers numbers;
+    SpineCutter c;
     c.depth = h;
-    const double r = c.cutter_diameter / 2;
+    const double r = plain(c.cutter_diameter) / 2;
     // As printed, by Pythagoras; and the half angle whose cosine is (r - h) / r.
-    CHECK(c.chord_of_contact() == Approx(2 * std::sqrt(r * r - (r - h) * (r - h))).epsilon(1e-12));
-    const double angle = 2 * std::acos(1 - 2 * h / c.cutter_diameter);
-    CHECK(c.contact_angle() == Approx(angle).epsilon(1e-11));
-    CHECK(c.blades_in_contact() == Approx(angle / (2 * kPi / c.blades)).epsilon(1e-11));
+    CHECK(plain(c.chord_of_contact()) ==
+          Approx(2 * std::sqrt(r * r - (r - h) * (r - h))).epsilon(1e-12));
+    const double angle = 2 * std::acos(1 - 2 * h / plain(c.cutter_diameter));
+    CHECK(plain(c.contact_angle()) == Approx(angle).epsilon(1e-11));
+    CHECK(plain(c.blades_in_contact()) ==
+          Approx(angle / (2 * kPi / plain(c.blades))).epsilon(1e-11));
   }
 }
 
 TEST_CASE("path and angular velocity agree: a revolution takes 2 pi / omega", "[spine-cutter]") {
-  Cutter c;
+  const PlainNumbers numbers;
+  SpineCutter c;
   c.block_speed = 1.2;
-  CHECK(c.angular_velocity() == Approx(1.2 / (0.025 - 0.0004)).epsilon(1e-14));
-  CHECK(c.path_per_revolution() ==
-        Approx(c.block_speed * 2 * kPi / c.angular_velocity()).epsilon(1e-14));
+  CHECK(plain(c.angular_velocity()) == Approx(1.2 / (0.025 - 0.0004)).epsilon(1e-14));
+  CHECK(plain(c.path_per_revolution()) ==
+        Approx(plain(c.block_speed) * 2 * kPi / plain(c.angular_velocity())).epsilon(1e-14));
 }
 
 TEST_CASE("radius, force and torque agree with the simulated motion", "[spine-cutter]") {
@@ -107,34 +135,36 @@ TEST_CASE("radius, force and torque agree with the simulated motion", "[spine-cu
     c.pressure_angle = 0.4;
     const Law<double> law = find_law(name).law();
     const Peaks<double> peak = peaks(law);
-    const Simulation simulated(c, law, c.minimum_cam_radius(peak.max_velocity()));
+    const PlainNumbers numbers;
+    const SpineCutter machine = cutter_of(c);
+    const Simulation simulated(c, law, plain(machine.minimum_cam_radius(peak.max_velocity())));
     CHECK(simulated.peak_slope == Approx(std::tan(0.4)).epsilon(1e-6));
     CHECK(c.mass * simulated.peak_acceleration ==
-          Approx(c.peak_inertia_force(peak.max_acceleration())).epsilon(1e-5));
+          Approx(plain(machine.peak_inertia_force(peak.max_acceleration()))).epsilon(1e-5));
     CHECK(simulated.peak_torque ==
-          Approx(c.peak_drive_torque(peak.max_dynamic_moment())).epsilon(1e-5));
+          Approx(plain(machine.peak_drive_torque(peak.max_dynamic_moment()))).epsilon(1e-5));
   }
 }
 
 TEST_CASE("the printed force is half the physical one", "[spine-cutter]") {
-  Cutter c;
+  const PlainNumbers numbers;
+  const SpineCutter c;
   const double path = kPi * (0.050 - 2 * 0.0004);
-  CHECK(c.printed_inertia_force(6) ==
+  CHECK(plain(c.printed_inertia_force(6)) ==
         Approx(2.4 * 6 * 2 * 0.040 * 0.3 * 0.3 / (path * path)).epsilon(1e-14));
-  CHECK(c.peak_inertia_force(6) == Approx(2 * c.printed_inertia_force(6)).epsilon(1e-15));
+  CHECK(plain(c.peak_inertia_force(6)) ==
+        Approx(2 * plain(c.printed_inertia_force(6))).epsilon(1e-15));
 }
 
 TEST_CASE("duals carry the gradient by every given", "[spine-cutter]") {
-  for (std::size_t field = 0; field < kFields<double>.size(); ++field) {
-    SpineCutter<Dual> dual;
-    (dual.*kFields<Dual>[field]).v[0] = 1;
-    const auto exact = results(dual);
+  for (std::size_t field = 0; field < kFields.size(); ++field) {
+    const auto exact = results_at<Dual>(Cutter(), [field](auto& u) { u[field].v[0] = 1; });
     const auto moved = [&](double by) {
       Cutter c;
-      c.*kFields<double>[field] += by;
+      c.*kFields[field] += by;
       return results(c);
     };
-    const double step = 1e-3 * Cutter{}.*kFields<double>[field];
+    const double step = 1e-3 * Cutter{}.*kFields[field];
     const auto up = moved(step), down = moved(-step), up2 = moved(2 * step),
                down2 = moved(-2 * step);
     for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -149,16 +179,15 @@ TEST_CASE("duals carry the gradient by every given", "[spine-cutter]") {
 }
 
 TEST_CASE("intervals enclose the results over a range of depths", "[spine-cutter]") {
-  const auto point = results(SpineCutter<Interval>{});
-  const auto plain = results(Cutter{});
+  const auto point = results_at<Interval>(Cutter(), [](auto&) {});
+  const auto exact = results(Cutter());
   for (std::size_t i = 0; i < point.size(); ++i) {
     INFO("result " << i);
-    CHECK(boost::numeric::in(plain[i], point[i]));
-    CHECK(boost::numeric::width(point[i]) < 1e-13 * std::abs(plain[i]));
+    CHECK(boost::numeric::in(exact[i], point[i]));
+    CHECK(boost::numeric::width(point[i]) < 1e-13 * std::abs(exact[i]));
   }
-  SpineCutter<Interval> wide;
-  wide.depth = Interval(0.0004, 0.001);
-  const auto range = results(wide);
+  const auto range =
+      results_at<Interval>(Cutter(), [](auto& u) { u[4] = Interval(0.0004, 0.001); });
   for (int step = 0; step <= 20; ++step) {
     Cutter c;
     c.depth = std::lerp(0.0004, 0.001, step / 20.0);
@@ -175,7 +204,7 @@ TEST_CASE("givens are set by name or symbol, with or without unit", "[spine-cutt
   }
   const std::array expected{0.060, 21.0, 0.020, 1.2, 0.001, 2.5, 0.5};
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    CHECK(c.*kFields<double>[i] == Approx(expected[i]).epsilon(1e-14));
+    CHECK(c.*kFields[i] == Approx(expected[i]).epsilon(1e-14));
   }
   set_given(c, "h=0.8");
   set_given(c, "pressure_angle=45");
@@ -191,7 +220,7 @@ TEST_CASE("what is listed of a given sets the same given again", "[spine-cutter]
     const std::string value = std::to_string(given.value);
     set_given(to, given.symbol + "=" + value + (given.unit == "1" ? "" : " " + given.unit));
   }
-  for (const auto field : kFields<double>) {
+  for (const auto field : kFields) {
     CHECK(to.*field == Approx(from.*field).epsilon(1e-6));
   }
 }
@@ -221,7 +250,7 @@ TEST_CASE("a bad given is refused, named, and changes nothing", "[spine-cutter][
     Cutter c;
     CHECK_THROWS_AS(set_given(c, bad.text), std::invalid_argument);
     CHECK_THROWS_WITH(set_given(c, bad.text), Contains(bad.says) && Contains(bad.accepts));
-    for (const auto field : kFields<double>) CHECK(c.*field == Cutter{}.*field);
+    for (const auto field : kFields) CHECK(c.*field == Cutter{}.*field);
   }
 }
 
@@ -335,7 +364,7 @@ TEST_CASE("trapezoidal velocity and the parabola lie on the limit curve", "[stud
           Approx(row.inertia_force).epsilon(1e-12));
   }
   CHECK(met >= 3);
-  CHECK(std::isinf(least_inertia_force(study.cutter, study.cutter.minimum_cam_radius(1))));
+  CHECK(std::isinf(least_inertia_force(study.cutter, minimum_cam_radius(study.cutter, 1))));
 }
 
 TEST_CASE("the paper's six laws are there with its radii and, at 1 mm depth, its forces",

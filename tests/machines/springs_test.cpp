@@ -7,9 +7,12 @@
 #include "machines/springs/disc_spring_stack.h"
 #include "machines/springs/helical_spring.h"
 #include "tests/machines/system_fixture.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::springs_test {
 namespace {
+
+using testing::plain, testing::PlainNumbers;
 
 using testing::design_of, testing::response_of, testing::root, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
@@ -73,58 +76,62 @@ TEST_CASE("numbers of disc springs are those of the stack", "[springs]") {
   };
   set("parallel", 2), set("surface_friction", 0.02), set("edge_friction", 0.03);
   set("thickness_ratio", 0.94);
-  DiscSpring<double> spring{0.05, 0.0254, 0.002, 0.0014};
+  const PlainNumbers numbers;
+  DiscSpring spring{0.05, 0.0254, 0.002, 0.0014};
   spring.thickness_ratio = 0.94;
-  const DiscSpringStack<double> stack{spring, 2, 10, 0.02, 0.03};
+  const DiscSpringStack stack{spring, 2, 10, 0.02, 0.03};
   const double s1 = 0.0021, s2 = 0.0105;
   const auto is = [&](const char* name, double expected) {
     INFO(name);
     CHECK(value_of(discs(), name, design) == Approx(expected).epsilon(1e-12));
   };
-  is("preload_force", stack.force(s1));
-  is("working_force", stack.force(s2));
-  is("loading_force", stack.force(s2) / 0.95);
-  is("return_force", stack.force(s1) / 1.05);
-  is("preload_rate", stack.rate(s1) / 1e3);
-  is("working_rate", stack.rate(s2) / 1e3);
-  is("work", stack.work(s2) - stack.work(s1));
-  is("stress_OM", spring.stress_upper_middle(s2 / 10) / 1e6);
-  is("stress_I", spring.stress_upper_inner(s2 / 10) / 1e6);
-  is("stress_II", spring.stress_lower_inner(s2 / 10) / 1e6);
-  is("stress_III", spring.stress_lower_outer(s2 / 10) / 1e6);
-  is("stress_IV", spring.stress_upper_outer(s2 / 10) / 1e6);
+  is("preload_force", plain(stack.force(s1)));
+  is("working_force", plain(stack.force(s2)));
+  is("loading_force", plain(stack.force(s2)) / 0.95);
+  is("return_force", plain(stack.force(s1)) / 1.05);
+  is("preload_rate", plain(stack.rate(s1)) / 1e3);
+  is("working_rate", plain(stack.rate(s2)) / 1e3);
+  is("work", plain(stack.work(s2)) - plain(stack.work(s1)));
+  is("stress_OM", plain(spring.stress_upper_middle(s2 / 10)) / 1e6);
+  is("stress_I", plain(spring.stress_upper_inner(s2 / 10)) / 1e6);
+  is("stress_II", plain(spring.stress_lower_inner(s2 / 10)) / 1e6);
+  is("stress_III", plain(spring.stress_lower_outer(s2 / 10)) / 1e6);
+  is("stress_IV", plain(spring.stress_upper_outer(s2 / 10)) / 1e6);
   is("stress_range_II",
-     (spring.stress_lower_inner(s2 / 10) - spring.stress_lower_inner(s1 / 10)) / 1e6);
+     (plain(spring.stress_lower_inner(s2 / 10)) - plain(spring.stress_lower_inner(s1 / 10))) / 1e6);
   is("stress_range_III",
-     (spring.stress_lower_outer(s2 / 10) - spring.stress_lower_outer(s1 / 10)) / 1e6);
-  is("preload_flattening", stack.flattening(s1));
-  is("flattening", stack.flattening(s2));
+     (plain(spring.stress_lower_outer(s2 / 10)) - plain(spring.stress_lower_outer(s1 / 10))) / 1e6);
+  is("preload_flattening", plain(stack.flattening(s1)));
+  is("flattening", plain(stack.flattening(s2)));
   is("stroke", 8.4);
   is("springs", 20);
-  is("free_length", stack.free_length() * 1e3);
-  is("working_length", (stack.free_length() - s2) * 1e3);
-  is("flat_length", stack.flat_length() * 1e3);
-  is("mass", stack.mass(7850));
+  is("free_length", plain(stack.free_length()) * 1e3);
+  is("working_length", (plain(stack.free_length()) - s2) * 1e3);
+  is("flat_length", plain(stack.flat_length()) * 1e3);
+  is("mass", plain(stack.mass(7850)));
 }
 
 TEST_CASE("numbers of a helical spring are the spring's", "[springs]") {
   const TestDesign design = all_vary(helical());
-  const HelicalSpring<double> spring{0.002, 0.024, 8.5};
-  const double s1 = 0.01, s2 = 0.03, length = spring.free_length(s2, 1);
+  const PlainNumbers numbers;
+  const HelicalSpring spring{0.002, 0.024, 8.5};
+  const double s1 = 0.01, s2 = 0.03, length = plain(spring.free_length(s2, 1));
   const auto is = [&](const char* name, double expected) {
     INFO(name);
     CHECK(value_of(helical(), name, design) == Approx(expected).epsilon(1e-12));
   };
-  is("rate", spring.rate() / 1e3);
-  is("preload_force", spring.rate() * s1);
-  is("working_force", spring.rate() * s2);
+  is("rate", plain(spring.rate()) / 1e3);
+  is("preload_force", plain(spring.rate()) * s1);
+  is("working_force", plain(spring.rate()) * s2);
   is("stroke", 20);
-  is("work", spring.rate() * (s1 + s2) / 2 * (s2 - s1));
-  is("preload_stress", spring.shear_stress(spring.rate() * s1) / 1e6);
-  is("working_stress", spring.shear_stress(spring.rate() * s2) / 1e6);
-  is("stress_range", spring.shear_stress(spring.rate() * (s2 - s1)) / 1e6);
-  is("static_stress", spring.uncorrected_stress(spring.rate() * s2) / 1e6);
-  is("solid_stress", spring.uncorrected_stress(spring.rate() * (s2 + spring.least_gaps())) / 1e6);
+  is("work", plain(spring.rate()) * (s1 + s2) / 2 * (s2 - s1));
+  is("preload_stress", plain(spring.shear_stress(plain(spring.rate()) * s1)) / 1e6);
+  is("working_stress", plain(spring.shear_stress(plain(spring.rate()) * s2)) / 1e6);
+  is("stress_range", plain(spring.shear_stress(plain(spring.rate()) * (s2 - s1))) / 1e6);
+  is("static_stress", plain(spring.uncorrected_stress(plain(spring.rate()) * s2)) / 1e6);
+  is("solid_stress",
+     plain(spring.uncorrected_stress(spring.rate() * (Expression(s2) + spring.least_gaps()))) /
+         1e6);
   is("index", 12);
   is("outer_diameter", 26);
   is("inner_diameter", 22);
@@ -132,10 +139,10 @@ TEST_CASE("numbers of a helical spring are the spring's", "[springs]") {
   is("working_length", 21 + 5.372);
   is("preload_length", 21 + 5.372 + 20);
   is("free_length", 21 + 5.372 + 30);
-  is("buckling", spring.buckling_fraction(s2, length, 1));
-  is("mass", spring.mass());
-  is("active_mass", spring.active_mass());
-  is("surge_frequency", spring.surge_frequency());
+  is("buckling", plain(spring.buckling_fraction(s2, length, 1)));
+  is("mass", plain(spring.mass()));
+  is("active_mass", plain(spring.active_mass()));
+  is("surge_frequency", plain(spring.surge_frequency()));
 }
 
 TEST_CASE("a spring that cannot be is not a design", "[springs]") {
@@ -165,16 +172,17 @@ TEST_CASE("derivatives and shapes of the springs' problem files hold", "[springs
 }
 
 TEST_CASE("the fewest disc springs are those of a count by hand", "[springs][problem-files]") {
-  const DiscSpring<double> disc{0.05, 0.0254, 0.002, 0.0014};
+  const PlainNumbers numbers;
+  const DiscSpring disc{0.05, 0.0254, 0.002, 0.0014};
   // Of one disc: from where its force suffices to where its stress or its flattening ends it. Both
   // grow with the deflection, for h_0 / t < sqrt 2 the force does.
-  const double h = disc.cone_height;
-  const double last =
-      std::min(0.75 * h, root([&](double s) { return disc.stress_lower_outer(s) - 1100e6; }, 0, h));
+  const double h = plain(disc.cone_height);
+  const double last = std::min(
+      0.75 * h, root([&](double s) { return plain(disc.stress_lower_outer(s)) - 1100e6; }, 0, h));
   int fewest = 1000, ties = 0, best_parallel = 0;
   for (int n = 1; n <= 3; ++n) {
     const double first =
-        std::max(0.15 * h, root([&](double s) { return n * disc.force(s) - 5500; }, 0, h));
+        std::max(0.15 * h, root([&](double s) { return n * plain(disc.force(s)) - 5500; }, 0, h));
     for (int i = 1; i <= 25; ++i) {
       if (i * (last - first) < 0.008 || n * i > fewest) continue;
       ties = n * i == fewest ? ties + 1 : 1;
@@ -199,19 +207,21 @@ TEST_CASE("the lightest helical spring of a rate is as wide as it may be",
     return std::sqrt(8 * (w + 0.5) / (w - 0.75) * w * force / (kPi * stress));
   };
   const double w = root([&](double x) { return wire(x) * (x + 1) - 0.04; }, 3, 30), d = wire(w);
-  const HelicalSpring<double> spring{d, w * d, 81.5e9 * d / (8 * w * w * w * rate)};
-  CHECK(spring.rate() == Approx(rate));
+  const PlainNumbers numbers;
+  const HelicalSpring spring{d, w * d, 81.5e9 * d / (8 * w * w * w * rate)};
+  CHECK(plain(spring.rate()) == Approx(rate));
   const BoundProblem bound = testing::shipped("springs/lightest_helical.toml");
   const auto optimum = solved(bound);
-  CHECK(optimum.found.assessment.objective.value == Approx(spring.active_mass()).epsilon(1e-8));
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(plain(spring.active_mass())).epsilon(1e-8));
   CHECK(optimum.found.x[0] == Approx(d * 1e3).epsilon(1e-6));
   CHECK(optimum.found.x[1] == Approx(w * d * 1e3).epsilon(1e-6));
-  CHECK(optimum.found.x[2] == Approx(spring.active_coils).epsilon(1e-6));
+  CHECK(optimum.found.x[2] == Approx(plain(spring.active_coils)).epsilon(1e-6));
   // Of the springs with that rate and stress all narrower ones are heavier.
   for (double x = 3; x < w; x += 0.25) {
     const double thin = wire(x);
-    const HelicalSpring<double> other{thin, x * thin, 81.5e9 * thin / (8 * x * x * x * rate)};
-    CHECK(other.active_mass() > spring.active_mass());
+    const HelicalSpring other{thin, x * thin, 81.5e9 * thin / (8 * x * x * x * rate)};
+    CHECK(plain(other.active_mass()) > plain(spring.active_mass()));
   }
 }
 

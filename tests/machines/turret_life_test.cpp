@@ -36,8 +36,8 @@ ProblemStatement stated(const Drive& drive, const std::string& more, const std::
 }
 
 double number_of(const ProblemStatement& statement, const std::string& name) {
-  for (const EvaluatedResponse& r : evaluate(statement)) {
-    if (r.name == name) return r.value;
+  for (const MechanismResponse& response : statement.mechanism->responses) {
+    if (response.name == name) return evaluate_response(statement, response).value;
   }
   FAIL("no response " << name);
   return 0;
@@ -55,18 +55,21 @@ Borne borne_by_rollers(const Drive& drive, const ProblemStatement& statement) {
   const bool parallel = drive.plates > 1;
   const int all = drive.rollers * drive.plates;
   const double step = 360.0 / all, advanced = 360.0 * drive.advance / drive.stations;
+  const std::vector<double>&force = curves["contact_force"], &displacement = curves["displacement"],
+        &speed = curves["roller_speed"], &angle = curves["roller_angle"];
+  const std::vector<double>& torque = parallel ? curves["turret_torque"] : angle;
+  const std::vector<double>& second = parallel ? curves["second_roller_angle"] : angle;
   Borne borne{std::vector<double>(static_cast<std::size_t>(all))};
   for (int cycle = 0; cycle < drive.stations; ++cycle) {
     for (std::size_t i = 0; i < kPoints; ++i) {
-      const bool holds = parallel && curves["turret_torque"][i] < 0;
-      const double psi = curves[holds ? "second_roller_angle" : "roller_angle"][i];
-      const double theta = curves["displacement"][i] + cycle * advanced;
+      const double psi = parallel && torque[i] < 0 ? second[i] : angle[i];
+      const double theta = displacement[i] + cycle * advanced;
       // A roller keeps its place on the turret: of every other one it is a whole number of steps.
       const double place = (psi - theta) / step + (parallel ? 0.5 * (drive.plates - 1) : 0.5);
       const int roller = static_cast<int>(std::lround(place) % all + all) % all;
-      const double nu = curves["roller_speed"][i] / 150;
+      const double nu = speed[i] / 150;
       borne.damages[static_cast<std::size_t>(roller)] +=
-          std::pow(std::abs(curves["contact_force"][i]), kExponent) * nu;
+          std::pow(std::abs(force[i]), kExponent) * nu;
       borne.turns += nu;
     }
   }

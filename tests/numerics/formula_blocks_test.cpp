@@ -88,10 +88,10 @@ std::vector<Formula> exact_formulas() {
   add([](E x, E y, E) { return along(x, y); });
   add([](E x, E y, E) { return where_positive(x, y); });
   add([](E x, E y, E) { return unless_zero(x, y); });
-  add([](E x, E y, E z) { return sqrt(x * x + y * y) / (x * z - y) + (x * z - y) * 2.0; });
+  add([](E x, E y, E z) { return sqrt(x * x + y * y) / (x * z - y) + (x * z - y) * 2; });
   add([](E x, E, E) { return exp(x) - power(x, 3) + power(x, -2); });  // point by point
   add([](E x, E, E) { return x; });
-  add([](E, E, E) { return number<Expression>(2) / 3.0; });
+  add([](E, E, E) { return number<Expression>(2) / 3; });
   return all;
 }
 
@@ -102,7 +102,7 @@ std::vector<Formula> wave_formulas() {
        {+[](const Expression& x) { return sin(x); }, +[](const Expression& x) { return cos(x); },
         +[](const Expression& x) { return tan(x); }, +[](const Expression& x) { return asin(x); },
         +[](const Expression& x) { return atan(x); }, +[](const Expression& x) { return log(x); },
-        +[](const Expression& x) { return sin(x + 1.0) * cos(x + 1.0); },
+        +[](const Expression& x) { return sin(x + 1) * cos(x + 1); },
         +[](const Expression& x) { return cos(x + x) - sin(x + x) * x; }}) {
     all.push_back(recorded(1, [&](Inputs u) { return f(u[0]); }));
   }
@@ -189,7 +189,7 @@ TEST_CASE("formulas over points compute once what they share", "[formula]") {
     return FormulaBlocks(formulas, first).program().steps.size();
   };
   const Formula root = recorded(2, [](Inputs u) { return sqrt(u[0] + u[1] * u[1]); });
-  const Formula more = recorded(2, [](Inputs u) { return 1.0 / sqrt(u[1] * u[1] + u[0]); });
+  const Formula more = recorded(2, [](Inputs u) { return 1 / sqrt(u[1] * u[1] + u[0]); });
   CHECK(steps({root}, 1) == 3);
   CHECK(steps({root, more}, 1) == 4);  // a sum has one order
   CHECK(steps({more, root}, 0) == 4);
@@ -200,7 +200,7 @@ TEST_CASE("formulas over points compute once what they share", "[formula]") {
   // A long sum needs few registers, whatever its steps are.
   const Formula sum = recorded(1, [](Inputs u) {
     Expression result = u[0];
-    for (int i = 1; i < 50; ++i) result = result + u[0] / (u[0] + static_cast<double>(i));
+    for (int i = 1; i < 50; ++i) result = result + u[0] / (u[0] + i);
     return result;
   });
   CHECK(FormulaBlocks(std::vector{sum}, 0).program().registers <= 3);
@@ -208,7 +208,7 @@ TEST_CASE("formulas over points compute once what they share", "[formula]") {
 
 TEST_CASE("a machine's responses over points are those of its formulas", "[formula]") {
   const auto write = [](Inputs u, int which) -> Expression {
-    RollerCam<Expression> cam;
+    RollerCam cam;
     cam.offset = u[0];
     cam.guide_friction = u[1];
     cam.load = 500.0;

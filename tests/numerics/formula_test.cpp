@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "machines/cams/roller_cam.h"
 #include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/deciders.h"
 #include "numerics/formula/expression.h"
+#include "numerics/formula/plain_values.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
 #include "numerics/scalar/extremes.h"
@@ -113,10 +115,10 @@ TEST_CASE("a record knows what its value depends on, and nothing else", "[formul
 
 TEST_CASE("equal steps are written once, and what is exact is worked out", "[formula]") {
   CHECK(steps([](const auto& u) { return u[0] * u[1] + u[0] * u[1]; }) == 4);
-  CHECK(steps([](const auto& u) { return (u[0] + 0.0) * 1.0 - 0.0; }) == 1);
-  CHECK(steps([](const auto& u) { return u[0] / 1.0; }) == 1);
+  CHECK(steps([](const auto& u) { return (u[0] + 0) * 1 - 0; }) == 1);
+  CHECK(steps([](const auto& u) { return u[0] / 1; }) == 1);
   // 0 times what varies is not a number where that is not one.
-  CHECK(steps([](const auto& u) { return u[0] * 0.0; }) == 3);
+  CHECK(steps([](const auto& u) { return u[0] * 0; }) == 3);
   // A quotient of numbers is not exact: intervals enclose it.
   const Formula third = recorded(
       0, [](std::span<const Expression>) { return number<Expression>(1) / number<Expression>(3); });
@@ -147,7 +149,7 @@ TEST_CASE("what holds on one side alone is enclosed on both", "[formula]") {
   const Slopes both = over(loaded, -1, 1);
   CHECK((both.c[0].lower() <= 0 && both.c[0].upper() >= 3));
 
-  const Formula sided = recorded(2, [](const auto& u) { return by_side(u[0], u[1], u[1] / 0.0); });
+  const Formula sided = recorded(2, [](const auto& u) { return by_side(u[0], u[1], u[1] / 0); });
   CHECK(std::isinf(over(sided, -1, 1).c[0].upper()));  // nothing is known of what divides by 0
   const Formula same = recorded(2, [](const auto& u) {
     using T = std::decay_t<decltype(u[0])>;
@@ -298,22 +300,86 @@ TEST_CASE("without a record there is no expression", "[formula]") {
   const Formula outer = recorded(1, [](const auto& u) {
     const Formula inner = recorded(1, [](const auto& v) { return v[0] * v[0]; });
     CHECK(at(inner, std::vector<double>{3}) == 9);
-    return u[0] + 1.0;
+    return u[0] + 1;
   });
   CHECK(at(outer, std::vector<double>{3}) == 4);
 }
 
+namespace {
+
+template <class T>
+concept Decides = requires(T x) {
+  x > 0 ? 1 : 2;
+}
+|| requires(T x) { static_cast<double>(x); };
+template <class T>
+concept TakesFraction = requires(T x) {
+  0.815 * x;
+}
+|| requires(T x) { x / 0.815; }
+|| requires(T x) { x + 0.815; }
+|| requires(T x) { 0.815f - x; };
+template <class T>
+concept TakesWholeNumber = requires(T x) {
+  2 * x - 1;
+}
+&&requires(T x) { 1 / (x + 3); };
+
+}  // namespace
+
+TEST_CASE("a formula takes whole numbers, neither rounded fractions nor decisions", "[formula]") {
+  STATIC_REQUIRE(Decides<double>);
+  STATIC_REQUIRE(TakesFraction<double>);
+  STATIC_REQUIRE_FALSE(Decides<Expression>);
+  STATIC_REQUIRE_FALSE(TakesFraction<Expression>);
+  STATIC_REQUIRE(TakesWholeNumber<Expression>);
+  const Formula fraction =
+      Formula::record(0, [](std::span<const Expression>) { return ratio(815, 1000); });
+  const Interval bounds = fraction(std::span<const Interval>());
+  CHECK(bounds.lower() < bounds.upper());
+  CHECK((bounds.lower() <= 0.815 && 0.815 <= bounds.upper()));
+}
+
+TEST_CASE("formulas of plain numbers come to numbers", "[formula]") {
+  const PlainValues value;
+  const Expression x = 3, y = sqrt(x + 1), low = 0, high = 4;
+  CHECK(value(y) == 2);
+  CHECK(value(pi() / 2) == std::numbers::pi / 2);
+  // A formula that is recorded meanwhile has expressions of its own, and theirs have no value here.
+  const Formula square = recorded(1, [&](const auto& u) {
+    CHECK_THROWS_AS(value(u[0]), std::logic_error);
+    return u[0] * u[0];
+  });
+  CHECK(at(square, std::vector<double>{5}) == 25);
+  CHECK(value(y * x) == 6);
+  // Roots, one within the other: z with z^2 = 3 w, w the root of w^3 = 8.
+  const auto same = [](const Expression& z) { return z; };
+  const Expression root = root_of(
+      low, high,
+      [&](const Expression& z) {
+        const Expression w = root_of(
+            low, high, [](const Expression& its) { return its * its * its - 8; }, same);
+        return z * z - w * x;
+      },
+      same);
+  CHECK(value(root) == Approx(std::sqrt(6)).epsilon(1e-12));
+  CHECK(value(root * root) == Approx(6).epsilon(1e-12));
+}
+
 TEST_CASE("a machine's record goes by the machine's own formulas", "[formula]") {
-  const auto stress = []<class T>(std::span<const T> u) -> T {
-    RollerCam<T> cam;
+  const auto stress = [](std::span<const Expression> u) -> Expression {
+    RollerCam cam;
     cam.offset = u[0];
-    cam.load = number<T>(500);
-    const auto f = cam.over_angle(Motion<T>{u[1], u[2], u[3], u[4]});
+    cam.load = 500;
+    const auto f = cam.over_angle(Motion<Expression>{u[1], u[2], u[3], u[4]});
     return cam.roller().stress(cam.contact_force(f), cam.pitch_curve(f).curvature());
   };
   const Formula record = recorded(5, stress);
   const std::vector<double> u{0.003, 0.4, 1.3, -2, 7};
-  CHECK(at(record, u) == at(stress, u));
+  // The same formula of constants, worked out step by step.
+  const PlainValues value;
+  const std::vector<Expression> constants(u.begin(), u.end());
+  CHECK(at(record, u) == value(stress(constants)));
   CHECK(record.uses() == std::vector<std::size_t>{0, 1, 2, 3});  // the jerk loads nothing
 }
 

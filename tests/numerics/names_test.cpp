@@ -37,6 +37,12 @@ TEST_CASE("blanks at the ends are cut off", "[names]") {
   CHECK(trimmed("\t a\n", " \t\n") == "a");
 }
 
+TEST_CASE("a message about a name goes on after a NUL character", "[names]") {
+  CHECK_THROWS_WITH(
+      refuse_name("no law is named", std::string_view("cyc\0loidal", 10), {"cycloidal"}),
+      Contains("'cyc\\x00loidal'; ") && Contains("cycloidal"));
+}
+
 TEST_CASE("near_names ranks what was typed, at most three", "[names]") {
   const std::vector<std::string> known{"cubic", "cosine", "cycloidal", "cycloidal-cv50",
                                        "elliptic"};
@@ -50,10 +56,13 @@ TEST_CASE("near_names ranks what was typed, at most three", "[names]") {
 
 TEST_CASE("an unknown name is refused with those that are near, or with all", "[names]") {
   const std::vector<std::string> known{"cubic", "cosine"};
+  CHECK(did_you_mean({}).empty());
+  CHECK(did_you_mean({"a"}) == "did you mean a?");
+  CHECK(did_you_mean({"a", "b", "c"}) == "did you mean a, b or c?");
   CHECK_THROWS_WITH(refuse_name("no law is called", "cubc", known, "see the list"),
-                    "no law is called 'cubc'; near: cubic; see the list");
+                    "no law is called 'cubc'; did you mean cubic? see the list");
   CHECK_THROWS_WITH(refuse_name("no law is called", "cubc", known),
-                    "no law is called 'cubc'; near: cubic; use cubic, cosine");
+                    "no law is called 'cubc'; did you mean cubic? Use cubic, cosine");
   CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", known, "see the list"),
                     "no law is called 'wwww'; use cubic, cosine");
   std::vector<std::string> many;

@@ -258,6 +258,7 @@ TEST_CASE("chart: the document is well-formed, self-contained and the same each 
           "0 0 " + root.attributes.at("width") + " " + root.attributes.at("height"));
     CHECK(svg.find("script") == std::string::npos);
     CHECK(svg.find("href") == std::string::npos);
+    CHECK(svg.find(" id=") == std::string::npos);  // which two figures of a page could share
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
     CHECK(svg.find("-0.00") == std::string::npos);
@@ -506,6 +507,24 @@ TEST_CASE("chart: bad input is refused with its name and value") {
     figure.panels[2].x.lower = 3;
     CHECK_THROWS_WITH(to_svg(figure), Catch::Contains("axis 'angle': lower 3"));
   }
+}
+
+TEST_CASE("chart: nothing has an id, which a page with several charts would have twice") {
+  Figure figure;
+  Panel panel;
+  panel.lines.push_back({.name = "a", .x = {0, 1}, .y = {0, 2}});
+  figure.panels = {panel, panel};
+  std::size_t frames = 0;
+  for (const Element& e : parse(figure)) {
+    CHECK(e.attributes.count("id") == 0);
+    if (!e.is("within")) continue;
+    ++frames;
+    // Its own coordinates are those of the page.
+    CHECK(e.attributes.at("viewBox") == fmt::format("{} {} {} {}", e.attributes.at("x"),
+                                                    e.attributes.at("y"), e.attributes.at("width"),
+                                                    e.attributes.at("height")));
+  }
+  CHECK(frames == 2);
 }
 
 }  // namespace camlaw::cli::chart_test

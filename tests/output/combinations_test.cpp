@@ -12,7 +12,7 @@ using Catch::Contains;
 
 }  // namespace
 
-TEST_CASE("combinations for which there is no time are as the search has left them", "[program]") {
+TEST_CASE("combinations for which there is no time are as the search left them", "[program]") {
   const problems::BoundProblem bound(problems::read_problem(R"(
 mechanism = "spine-cutter"
 [law]
@@ -30,13 +30,13 @@ minimize = "peak_inertia_force"
   const Answer answer{bound, space, optimum, "auto", 1};
   const Document judged = combinations_document(answer);
   CHECK(json_of(judged)["not_judged"] == 0);
-  CHECK_THAT(text_of(judged), !Contains("as the search has left"));
+  CHECK_THAT(text_of(judged), !Contains("as the search left"));
   const Document left = combinations_document(answer, nullptr, optim::Deadline(1, nullptr, 2));
   const Json json = json_of(left);
   CHECK(json["not_judged"] == 2);  // the answer's own row has its verdict
   CHECK_THAT(text_of(left),
              Contains("the time limit of 1 s was reached: 2 of 3 combinations are as "
-                      "the search has left them"));
+                      "the search left them"));
   int unproved = 0;
   for (const Json& row : json["table"]) {
     if (row["limits"] != "met, not proved") continue;

@@ -186,4 +186,16 @@ TEST_CASE("a document is HTML for a notebook: headings, sentences, tables, no ma
   CHECK(html.find_first_of("\x11\x12\x13\x14") == std::string::npos);
 }
 
+TEST_CASE("a page shows the signs of bounds, and keeps numbers and units on a line", "[document]") {
+  Table table{.columns = {words("limit"), numbers("bound")}};
+  table.add({"a", "<= 0.5"});
+  table.add({"b", ">= 3"});
+  table.add({"c", "== 2"});
+  const std::string html = html_of(table);
+  for (const char* cell : {">\u2264 0.5<", ">\u2265 3<", ">= 2<"}) {
+    CHECK_THAT(html, Catch::Matchers::Contains(cell));
+  }
+  CHECK(kept_together("2 N m, at 34 deg") == "2\u00a0N\u00a0m, at\u00a034\u00a0deg");
+}
+
 }  // namespace camlaw::cli::document_test

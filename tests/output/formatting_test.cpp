@@ -123,6 +123,15 @@ TEST_CASE("a number is shown to 7 digits of what it stands beside", "[formatting
   CHECK(significant(std::nan(""), 1) == "-");
 }
 
+TEST_CASE("numbers below a million are shown without a power of ten", "[formatting]") {
+  CHECK(significant(-15022.9, 20000, 3) == "-15000");
+  CHECK(significant(300100.4, 3e5, 4) == "300100");
+  CHECK(in_digits(124312.3, 4) == "124300");
+  CHECK(in_digits(999999.9, 3) == "1000000");
+  CHECK(in_digits(1.5e6, 3) == "1.5e+06");
+  CHECK(in_digits(-2e4, 1) == "-20000");
+}
+
 TEST_CASE("a plain number has no unit", "[formatting]") {
   CHECK(with_unit("3", "1") == "3");
   CHECK(with_unit("3", "mm") == "3 mm");

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The path that two followers make together: its picture, and that the shipped one keeps clear of
 // the wall and the nests.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "optim/search/optimise.h"
+#include "output/report/design_figure.h"
+#include "output/report/problem_sections.h"
 #include "problems/statement/bind.h"
 #include "tests/output/picture.h"
 
@@ -46,6 +50,64 @@ TEST_CASE("a stated path is drawn, and its point runs along it", "[cli][report]"
     CHECK(distance(here, there) < 0.01);
   }
   CHECK_NOTHROW(picture.shape("direction", "arrow", 0));
+}
+
+TEST_CASE("a page has every curve that a body of its picture follows", "[cli][report]") {
+  for (const char* name : {"shaft/gripper_path", "servo_axis/pick_and_place", "geneva/fastest",
+                           "cams/leading_least_base", "signature_feeder/least_acceleration"}) {
+    INFO(name);
+    const problems::ProblemStatement design = shipped(name);
+    const std::optional<Scene> scene = scene_of(design, 60);
+    REQUIRE(scene);
+    const Figure figure = design_figure(design, 60);
+    for (const std::string& curve : scene->follows()) {
+      INFO(curve);
+      CHECK(std::any_of(figure.panels.begin(), figure.panels.end(),
+                        [&](const Panel& panel) { return panel.y.label == curve; }));
+    }
+  }
+}
+
+TEST_CASE("a page leaves out the coordinates of a profile unless they are limited",
+          "[cli][report]") {
+  const auto drawn = [](const problems::ProblemStatement& design) {
+    std::set<std::string> names;
+    for (const Panel& panel : design_figure(design, 60).panels) names.insert(panel.y.label);
+    return names;
+  };
+  const std::string file = "cams/roller_least_base";
+  const problems::ProblemStatement design = shipped(file);
+  CHECK(drawn(design).count("profile_x") == 0);
+  const std::string limited =
+      design.text + "\n[[constraints]]\nresponse = \"profile_x\"\nupper = \"200 mm\"\n";
+  const auto names = drawn(problems::read_problem(limited, "f.toml"));
+  CHECK(names.count("profile_x") == 1);
+  CHECK(names.count("profile_y") == 0);
+}
+
+TEST_CASE("what the lines of a picture are is said below it", "[cli][report]") {
+  const auto words = [](const char* name) {
+    const problems::ProblemStatement design = shipped(name);
+    return motion_section(design, scene_svg(design, 60)).html;
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(words("shaft/gripper_path"), Contains("The dashed curve is the path;") &&
+                                              !Contains("pitch curve") &&
+                                              !Contains("driving part"));
+  CHECK_THAT(words("servo_axis/pick_and_place"), Contains("its torque upwards"));
+  CHECK_THAT(words("cams/roller_least_base"), Contains("The dashed curve is the pitch curve."));
+}
+
+TEST_CASE("a place that rounding leaves beside the cycle's beginning is the beginning",
+          "[cli][report]") {
+  const problems::ProblemStatement design = shipped("spine_cutter/least_radius");
+  const Figure figure = design_figure(design, 60);
+  const Panel& panel = figure.panels.front();
+  problems::EvaluatedResponse r;
+  r.name = panel.y.label, r.unit = "mm", r.along = "deg", r.is_curve = true, r.proved = true;
+  r.lowest = 0, r.lowest_at = 1.687e-8, r.highest = 300, r.highest_at = 72;
+  CHECK(panel_words(figure, design, {r}).front().extremes ==
+        "from 0 mm at 0 deg to 300 mm at 72 deg");
 }
 
 TEST_CASE("a path needs both of its coordinates, in one unit", "[cli][report]") {

@@ -87,6 +87,24 @@ TEST_CASE("Least acceleration for a peak velocity is b^2 / (b - 1)", "[free]") {
   }
 }
 
+TEST_CASE("The optimum of a linear problem is judged once, as an answer is", "[free]") {
+  const BoundProblem bound(read_problem(
+      "mechanism = 'law'\n[law]\nname = 'free'\n[free]\ndegree = 3\nknots = 40\n"
+      "[objective]\nminimize = 'C_a'\n[[constraints]]\nresponse = 'C_v'\nupper = 1.6\n",
+      "f.toml"));
+  int judged = 0;
+  optim::OptimiseOptions how;
+  how.candidate = [&](const optim::Candidate& candidate) {
+    if (!candidate.is_best) return;
+    ++judged;
+    CHECK(candidate.assessment.verdict == Verdict::Certified);
+    CHECK(candidate.assessment.global.has_value());
+  };
+  const Optimum optimum = optim::optimise(bound.space(), how);
+  CHECK(judged == 1);
+  CHECK(optimum.found.assessment.verdict == Verdict::Certified);
+}
+
 TEST_CASE("Least jerk is 32, at B = 2 and C = 8", "[free]") {
   const Solved least = globally_solved(shipped("least_jerk.toml"));
   CHECK(least.objective() == Approx(32).epsilon(1e-7));

@@ -197,6 +197,40 @@ TEST_CASE("a study that was made without NSGA-II is read without it", "[fronts]"
   CHECK(study.run(another).tasks == 0);
 }
 
+TEST_CASE("without NSGA-II a front whose end has a twin goes on from the better one", "[fronts]") {
+  // f1 has two equal minima, at x2 = -0.315 and 0.942, and f2 is less by 0.8 at the first.
+  const std::string text = R"toml(
+[machine]
+name = "m"
+[machine.parameters.x1]
+default = 1
+[machine.parameters.x2]
+default = 0.5
+[responses.f1]
+formula = "x1^2 + 0.9 * sin(5 * x2 + 2 * x1)"
+[responses.f2]
+formula = "(x1 - 2)^2 + abs(x2) * 4 / 3"
+[variables.x1]
+lower = -2
+upper = 3
+[variables.x2]
+lower = -1
+upper = 2
+[[objectives]]
+minimize = "f1"
+[[objectives]]
+minimize = "f2"
+)toml";
+  const FrontStudy study(text, "front.toml", {.points = 8, .scouts = false});
+  optim::DirectExecutor direct(study.space(), study.options().solve);
+  const optim::Front front = study.run(direct);
+  REQUIRE(front.points.size() >= 8);
+  // At f1 = -0.9, its least: x1 = 0 and sin = -1 at x2 = -pi / 10, f2 = 4 + 4 / 3 pi / 10.
+  CHECK(front.points.front().costs[0] == Approx(-0.9).epsilon(1e-5));
+  CHECK(front.points.front().costs[1] == Approx(4.41888).epsilon(3e-3));
+  CHECK_THAT(front.remark, Catch::Contains("sample"));
+}
+
 TEST_CASE("a study keeps the options of its solvers", "[fronts][solvers]") {
   const auto study_with = [](const std::string& value) {
     return FrontStudy(shipped_front() + "[solver.ipopt]\nmu_strategy = '" + value + "'\n",

@@ -93,13 +93,13 @@ TEST_CASE("A law is known by its path, and in one's own folder by its name", "[l
   CHECK(find_any_law("cosine").family == find_law("cosine").family);
   REQUIRE(own_laws().size() == 2);
   CHECK(own_laws()[1].family->name == "mine");
-  CHECK_THROWS_WITH(find_any_law("mind"), Contains("no law is named 'mind'"));
+  CHECK_THROWS_WITH(find_any_law("mind"), Contains("there is no law 'mind'"));
   CHECK_THROWS_WITH(find_any_law("Sinoide"), Contains("Bestehorn-Sinoide (cycloidal)"));
   CHECK(find_any_law("modifizierte Sinoide").family->name == "modified-sine");
   CHECK(find_any_law("Parabel").family->name == "parabolic");
   CHECK(find_any_law("einfache Sinoide").family->name == "cosine");
   unsetenv(kOwnLaws);
-  CHECK_THROWS_WITH(find_any_law("mine"), Contains("no law is named 'mine'"));
+  CHECK_THROWS_WITH(find_any_law("mine"), Contains("there is no law 'mine'"));
   CHECK(own_laws().empty());
   setenv(kOwnLaws, (own.folder() + "/none").c_str(), 1);
   CHECK_THROWS_WITH(own_laws(), Contains("CAMLAW_LAWS") && Contains("none"));
@@ -217,8 +217,8 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
     return complaint(file.dump());
   };
   CHECK(complaint(good.dump()) == "accepted");
-  CHECK_THAT(complaint(""), Contains("not JSON"));
-  CHECK_THAT(complaint(good.dump().substr(0, 300)), Contains("not JSON"));
+  CHECK_THAT(complaint(""), Contains("not valid JSON"));
+  CHECK_THAT(complaint(good.dump().substr(0, 300)), Contains("not valid JSON"));
   CHECK_THAT(complaint("[1, 2]"), Contains("not a law file"));
   CHECK_THAT(complaint("{\"pieces\": []}"), Contains("not a law file"));
   CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }),
@@ -247,12 +247,12 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
                  piece["polynomial"][0] = piece["polynomial"][0].get<double>() + 0.5;
                }
              }),
-             Contains("lead from 0.5 to 1.5, not from 0 to 1"));
+             Contains("go from 0.5 to 1.5, not from 0 to 1"));
   CHECK_THAT(changed([](Json& f) {
                f["pieces"][0]["curves"] = {
                    {{"curve", "spiral"}, {"amplitude", 1}, {"rate", 1}, {"shift", 0}}};
              }),
-             Contains("pieces[1].curves[1].curve is none of"));
+             Contains("pieces[1].curves[1].curve must be half-ellipse"));
   CHECK_THAT(
       changed([](Json& f) { f["pieces"][0]["polynomial"] = std::vector<double>(3002, 0.0); }),
       Contains("pieces[1].polynomial has 3002 terms; at most 101"));

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <random>
@@ -16,12 +14,12 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
 #include "tests/problems/complaint.h"
+#include "tests/temporary_folder.h"
 
 /// A lift table as the motion of a cam.
 namespace camlaw::problems::lift_table_test {
 
 using Catch::Contains, testing::complaint;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -142,17 +140,15 @@ TEST_CASE("a table is read as people have written it", "[lift_table]") {
   CHECK(lift(with_table(good + "360.000;0.000000000\n")) ==
         Approx(lift(with_table(good))).epsilon(1e-6));
   // Latin-1 becomes UTF-8, which a result can carry.
-  const fs::path folder = fs::temp_directory_path() / fmt::format("camlaw_table_{}", getpid());
-  fs::create_directories(folder);
+  const testing::Folder folder;
   std::string latin = good;
   latin.replace(latin.find("[deg]"), 5, "[\xb0]");
   std::ofstream(folder / "lift.csv") << latin;
   std::ofstream(folder / "cam.toml")
       << "mechanism = 'disc-cam-roller'\n[program]\ntable = 'lift.csv'\n";
-  const ProblemStatement read = read_problem_file((folder / "cam.toml").string());
+  const ProblemStatement read = read_problem_file(folder / "cam.toml");
   CHECK_THAT(read.files.tables.at("lift.csv"), Contains("[\xc2\xb0]"));
   CHECK(lift(read) == Approx(lift(with_table(good))).epsilon(1e-9));
-  fs::remove_all(folder);
 }
 
 TEST_CASE("a table is smoothed as little as is stated", "[lift_table]") {
@@ -178,11 +174,10 @@ TEST_CASE("a table is smoothed as little as is stated", "[lift_table]") {
 
 TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
   const std::string good = table_of(program(), 1, 0, 6);
-  CHECK_THAT(
-      complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
-      Contains("f.toml:6: constants.stroke: the table's lift already says what the stroke is"));
+  CHECK_THAT(complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
+             Contains("f.toml:6: constants.stroke: the table's lift already gives the stroke"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\n10;2\n20;3\n"); }),
-             Contains("program.table: there is nothing from 20 to 360 deg"));
+             Contains("program.table: there are no rows from 20 to 360 deg"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\nabc;2\n20;3\n"); }),
              Contains("program.table: lift.csv:3: 'abc'"));
   CHECK_THAT(complaint([&] { with_table("angle [deg];lift [kg]\n0;1\n10;2\n20;3\n"); }),
@@ -234,7 +229,7 @@ TEST_CASE("a slip in a table is named, a row without a number counted", "[lift_t
   slipped.replace(row, length, "32.5");
   lacking.replace(row, length, "");
   CHECK_THAT(complaint([&] { with_table(slipped); }),
-             Contains("the row at 100 deg, 32.5 mm, is far from where its neighbours lead"));
+             Contains("the row at 100 deg, 32.5 mm, is far off the curve through its neighbours"));
   CHECK(complaint([&] { with_table(slipped, "smoothing = 'none'"); }) == "accepted");
   CHECK_THAT(in_words(with_table(lacking)), Contains("71 rows (1 row without a number left out)"));
   CHECK_THAT(in_words(with_table(good)), !Contains("left out"));

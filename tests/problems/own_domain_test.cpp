@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
@@ -100,6 +101,118 @@ TEST_CASE("numbers of peaks that hold one another search each peak once", "[form
     if (response.name == "running_force") highest = response.highest;
   }
   CHECK(evaluated(file).value == Approx(1346269.0 * highest).epsilon(1e-12));
+}
+
+namespace {
+
+/// A follower that goes up and down again, by this law on its way back.
+std::string up_and_down(const std::string& law, const std::string& formula) {
+  return "[machine]\nmoved_by = \"program\"\n[[program.segments]]\nname = \"rise\"\n"
+         "angle = \"80 deg\"\nlaw = \"cycloidal\"\n[[program.segments]]\nname = \"high\"\n"
+         "angle = \"60 deg\"\n[[program.segments]]\nname = \"return\"\nangle = \"100 deg\"\n"
+         "law = \"" +
+         law + "\"\n[[program.segments]]\nname = \"low\"\n[responses.own]\nformula = \"" + formula +
+         "\"\n";
+}
+
+/// By a law alone.
+std::string by_law(const std::string& law, const std::string& formula) {
+  return "[machine]\nmoved_by = \"law\"\n[machine.parameters.p]\ndefault = 2\nlower = -5\n"
+         "upper = 5\n[law]\nname = \"" +
+         law + "\"\n[responses.own]\nformula = \"" + formula + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("what rounding leaves of a displacement beyond its ends has the value at the end",
+          "[formula][problems]") {
+  struct Known {
+    const char* formula;
+    double lowest, highest;
+  };
+  for (const char* law : {"cycloidal", "poly-3-4-5", "poly-4-5-6-7", "modified-sine",
+                          "modified-trapezoid", "cosine"}) {
+    for (const auto& [formula, lowest, highest] :
+         {Known{"sqrt(30 * s)", 0, std::sqrt(30)}, Known{"sqrt(1 - s)", 0, 1}, Known{"s^1.5", 0, 1},
+          Known{"asin(sqrt(s))", 0, std::acos(0.0)},
+          Known{"acos(2 * s - 1)", 0, std::acos(-1.0)}}) {
+      INFO(law << ": " << formula);
+      const std::string matched =
+          std::string(law) == "cosine" ? "[program]\nmatched = \"velocity\"\n" : "";
+      const EvaluatedResponse own = evaluated(matched + up_and_down(law, formula));
+      CHECK(std::abs(own.lowest - lowest) < 1e-7);
+      CHECK(std::abs(own.highest - highest) < 1e-7);
+      CHECK(own.proved);
+    }
+  }
+}
+
+TEST_CASE("a displacement that overshoots its ends is not moved there", "[formula][problems]") {
+  // s = x - (1.5 sin(2 pi x) - 0.25 sin(4 pi x)) / (2 pi) is -0.0025 at x = 0.1.
+  const std::string law = "[machine]\nmoved_by = \"law\"\n[law]\nname = \"fourier\"\na = [-0.5]\n";
+  CHECK(evaluated(law + "[responses.own]\nformula = \"s\"\n").lowest < -2e-3);
+  CHECK(std::isnan(evaluated(law + "[responses.own]\nformula = \"sqrt(s)\"\n").highest));
+}
+
+TEST_CASE("a curve that has a pole is reported as infinite there", "[formula][problems]") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto own = [](const std::string& formula) {
+    return evaluated(by_law("cycloidal", formula));
+  };
+  CHECK(own("1 / v + p").highest == inf);
+  CHECK(own("1 / v + p").lowest == Approx(2.5));
+  CHECK(own("a / v").highest == inf);
+  CHECK(own("a / v").lowest == -inf);
+  CHECK(own("1 / (s - 0.3)").highest == inf);
+  CHECK(own("1 / (s - 0.3)").lowest == -inf);
+  const EvaluatedResponse square = own("1 / (s - 0.3)^2");
+  CHECK(square.highest == inf);
+  CHECK(square.lowest == Approx(1 / 0.49));
+  // s is 0.3 at this x.
+  CHECK(square.highest_at == Approx(0.3964207).epsilon(1e-6));
+  CHECK(own("log(abs(s - 0.3))").lowest == -inf);
+  CHECK(own("-1 / sqrt(abs(s - 0.3))").lowest == -inf);
+  // These have a bound, though not a slope.
+  CHECK(own("sqrt(abs(s - 0.3))").lowest == Approx(0).margin(1e-6));
+  CHECK(own("1 / (1e-6 + (s - 0.3)^2)").highest == Approx(1e6));
+  CHECK(own("-abs(s - 0.3)^0.2").highest == Approx(0).margin(1e-2));
+}
+
+TEST_CASE("a power with an exponent that varies has a value at 0 where the exponent is above 0",
+          "[formula][problems]") {
+  const auto own = [](const std::string& formula) {
+    return evaluated(by_law("cycloidal", formula));
+  };
+  const EvaluatedResponse root = own("s^(p / 4)");
+  CHECK(root.lowest == 0);
+  CHECK(root.highest == 1);
+  CHECK(root.proved);
+  CHECK(own("s^p").proved);
+  CHECK(std::isnan(own("s^(p - 2)").highest));  // 0^0
+  CHECK(own("s^(-p)").highest == std::numeric_limits<double>::infinity());
+  CHECK(std::isnan(own("(s - 0.5)^p").highest));
+  // A limit at the rest has slopes that a search can use.
+  const auto found = solved("s^(1.5 + p / 10)",
+                            "[objective]\nminimize = \"p\"\n[[constraints]]\nresponse = \"own\"\n"
+                            "lower = 0\nupper = 1\n");
+  CHECK(found.found.assessment.verdict == Verdict::Certified);
+  CHECK(found.found.x.front() == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("an objective without a value is told of, and no limit is blamed",
+          "[formula][problems]") {
+  const std::string rest =
+      "[responses.twice]\nformula = \"2 * p\"\n[objective]\nminimize = \"own\"\n"
+      "[[constraints]]\nresponse = \"twice\"\nlower = 20\n";  // met by p = 10 alone
+  const auto none = solved("p * acos(2)", rest).found.assessment;
+  CHECK(none.verdict == Verdict::Failed);
+  CHECK(none.blamed.empty());
+  CHECK_THAT(none.reason,
+             Catch::Contains("the objective own is undefined: it has no value at the start") &&
+                 Catch::Contains("it takes the arcsine or arccosine of 2"));
+  const auto beyond = solved("log(5 - p)", rest).found.assessment;
+  CHECK(beyond.verdict != Verdict::Infeasible);
+  CHECK_THAT(beyond.reason, Catch::Contains("logarithm of -5"));
 }
 
 }  // namespace camlaw::problems::own_domain_test

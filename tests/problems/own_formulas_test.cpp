@@ -278,8 +278,8 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
       Contains("responses.own.formula: the formula is a mass (kg), but its unit 1 is a plain"));
   CHECK_THAT(
       of("own", "formula = \"mas\"\nunit = \"kg\"\n"),
-      Contains("own.toml:5: responses.own.formula: at character 1: die-press: no response or "
-               "parameter is called 'mas'; near: mass"));
+      Contains("own.toml:5: responses.own.formula: at character 1: die-press has no response "
+               "or parameter 'mas'; did you mean mass"));
   CHECK_THAT(of("mass", "formula = \"1\"\n"), Contains("die-press has a parameter of this name"));
   CHECK_THAT(of("load", "formula = \"1\"\n"), Contains("die-press has a response of this name"));
   CHECK_THAT(of("least_force", "formula = \"1\"\n"), Contains("has a response of this name"));

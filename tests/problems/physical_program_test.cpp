@@ -233,7 +233,7 @@ TEST_CASE("what belongs to other segments is refused", "[physical_program]") {
       Contains("joining is not among laws to choose from"));
   CHECK_THAT(
       refusal("{name = 'a', angle = 180, law = 'MS', continuity = 2}, {name = 'b', law = 'MS'}"),
-      Contains("its law has its own"));
+      Contains("the law of this one sets its continuity"));
   CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b', law = 'MS'}", "",
                      "[free]\nknots = 8\n"),
              Contains("free: no segment's law is free; write law = \"free\" in a segment"));
@@ -283,7 +283,8 @@ TEST_CASE("laws of a class that do not fit in a segment are left out by name",
     INFO(family.name);
     if (is_left) CHECK_THROWS_AS(with("'" + law + "'", "'MS'"), std::invalid_argument);
   }
-  CHECK_THAT(in_words(one), Contains("Left out, as it does not fit: rise = constant-velocity: "));
+  CHECK_THAT(in_words(one),
+             Contains("Left out because it does not fit: rise = constant-velocity: "));
   // In both segments: those that fit nowhere are told once for each.
   const ProblemStatement both = with("'all'", "'all'");
   CHECK(both.laws.size() == one.laws.size() * one.laws.size());

@@ -70,7 +70,7 @@ TEST_CASE("what makes no polydyne lift is refused in a sentence", "[polydyne]") 
   CHECK_THAT(refusal("mechanism = 'disc-cam-roller'\n[program]\npolydyne_damping = 0.1\nsegments = "
                      "[{name = 'rise', angle = 180, law = 'cycloidal'}, {name = 'return', law = "
                      "'cycloidal'}]\n"),
-             Contains("say with polydyne how many natural periods"));
+             Contains("state with polydyne how many natural periods"));
   CHECK_THAT(refusal(text("14.5", "", "modified-sine")),
              Contains("jumps: use laws in which it does not, such as 5-6-7-8-9"));
   CHECK_THAT(refusal(text("'600 rpm'", "", "poly-5-6-7-8-9", "", "servo-axis")),

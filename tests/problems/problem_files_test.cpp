@@ -15,6 +15,7 @@
 #include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
 #include "tests/paths.h"
+#include "tests/plain.h"
 
 namespace camlaw::problems::problem_files_test {
 namespace {
@@ -69,7 +70,12 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "index_drives/globoidal_eight.toml"};
 
 /// The machine of the force problems: SI units.
-const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};
+SpineCutter force_cutter() {
+  SpineCutter cutter;
+  cutter.stroke = 0.04, cutter.block_speed = 0.3, cutter.depth = 0.001, cutter.mass = 2.4;
+  return cutter;
+}
+using testing::plain, testing::PlainNumbers;
 
 TEST_CASE("every problem file is certified by our own verdict", "[problem-files][long]") {
   for (const char* name : kShipped) {
@@ -107,25 +113,28 @@ TEST_CASE("the least radius from the 3-4-5 to the cubic is the cubic's", "[probl
 }
 
 TEST_CASE("the least force is that of alpha = -10/3", "[problem-files]") {
+  const PlainNumbers numbers;
   // s'' = u (9 - 5 u^2) with u = 1 - 2x: greatest at u^2 = 3/5, C = 6 sqrt(3/5), where alpha does
   // not move it: d s''/d alpha = 0.6 P3(u) = 0.3 u (5 u^2 - 3) vanishes there.
   const Optimum optimum = optim::optimise(shipped("least_force.toml").space());
   const double C = 6 * std::sqrt(0.6);
   CHECK(optimum.found.x[0] == Approx(-10.0 / 3).epsilon(1e-8));
   CHECK(optimum.found.assessment.objective.value ==
-        Approx(kCutter.peak_inertia_force(C)).epsilon(1e-10));
+        Approx(plain(force_cutter().peak_inertia_force(C))).epsilon(1e-10));
   for (double alpha = -10; alpha <= 10; alpha += 0.25) {
     CHECK(peaks(polynomial_5(alpha)).max_acceleration() >= C * (1 - 1e-12));
   }
 }
 
 TEST_CASE("the least force over Legendre laws has no better neighbour", "[problem-files]") {
+  const PlainNumbers numbers;
+  const SpineCutter cutter = force_cutter();
   const Optimum optimum = optim::optimise(shipped("least_force_legendre.toml").space());
   const auto& x = optimum.found.x;
   const auto best = peaks(legendre<double>(x));
   CHECK(optimum.found.assessment.objective.value ==
-        Approx(kCutter.peak_inertia_force(best.max_acceleration())).epsilon(1e-9));
-  CHECK(kCutter.minimum_cam_radius(best.max_velocity()) == Approx(0.036).epsilon(1e-8));
+        Approx(plain(cutter.peak_inertia_force(best.max_acceleration()))).epsilon(1e-9));
+  CHECK(plain(cutter.minimum_cam_radius(best.max_velocity())) == Approx(0.036).epsilon(1e-8));
   CHECK(optimum.found.assessment.global);
   // Linear programming on 4001 even x, a bound from below: 6.735524760 N.
   CHECK(optimum.found.assessment.objective.value >= 6.735524759);
@@ -138,17 +147,18 @@ TEST_CASE("the least force over Legendre laws has no better neighbour", "[proble
         c[static_cast<std::size_t>(k)] += step * (digits % 3 - 1);
       }
       const auto other = peaks(legendre<double>(c));
-      const bool fits = kCutter.minimum_cam_radius(other.max_velocity()) <= 0.036;
+      const bool fits = plain(cutter.minimum_cam_radius(other.max_velocity())) <= 0.036;
       CHECK((!fits || other.max_acceleration() >= best.max_acceleration() * (1 - 1e-9)));
     }
   }
 }
 
 TEST_CASE("the least moment is below every other on a grid", "[problem-files]") {
+  const PlainNumbers numbers;
   const Optimum optimum = optim::optimise(shipped("least_moment.toml").space());
   const double Cm = peaks(legendre<double>(optimum.found.x)).max_dynamic_moment();
   CHECK(optimum.found.assessment.objective.value ==
-        Approx(kCutter.peak_drive_torque(Cm)).epsilon(1e-9));
+        Approx(plain(force_cutter().peak_drive_torque(Cm))).epsilon(1e-9));
   for (double c3 = -8; c3 <= 8; c3 += 0.5) {
     for (double c5 = -8; c5 <= 8; c5 += 0.5) {
       CHECK(peaks(legendre<double>({c3, c5})).max_dynamic_moment() >= Cm * (1 - 1e-9));

@@ -252,8 +252,8 @@ TEST_CASE("Of waves that are not small beside the cam nothing is proved", "[prof
 TEST_CASE("The amplitude that the shop must hold costs the stated loss", "[profile]") {
   const std::vector<double> counts{8, 60, 200};
   const std::vector<Touching> followers = touching();
-  for (std::size_t i = 0; i < 2 * followers.size(); ++i) {  // each by two of them, in turns
-    const Touching& own = followers[i / 2];
+  for (std::size_t i = 0; i < followers.size(); ++i) {  // each by one of them, in turns
+    const Touching& own = followers[i];
     const ProblemStatement design = cam(own.mechanism, own.constants);
     for (const double waves : {counts[i % counts.size()]}) {
       ProfileErrors errors;

@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "optim/cycle/extremes.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
+#include "problems/sensitivity/design_numbers.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/ranges.h"
 #include "tests/problems/complaint.h"
 
 namespace camlaw::problems::program_timing_test {
@@ -126,11 +129,12 @@ TEST_CASE("an axis keeps its times at another speed, and its angles change", "[p
   ProblemStatement cut = axis("times_at = '120 rpm'\n");
   set_value(cut, "speed=60");
   CHECK(up_angle(cut) == Approx(72));
-  for (const char* rest : {"[ranges.speed]\nlower = 60\nupper = 120\n",
-                           "[variation.speed]\nplus = 1\n[[cases]]\nname = 'slow'\nspeed = 60\n"}) {
-    INFO(rest);
-    CHECK_THAT(complaint([&] { axis("cycle_time = '0.5 s'\n", rest); }), Contains("times_at"));
-  }
+  const char* const varied = "[variation.speed]\nplus = 1\n[[cases]]\nname = 'slow'\nspeed = 60\n";
+  CHECK_THAT(complaint([&] { axis("cycle_time = '0.5 s'\n", varied); }), Contains("times_at"));
+  CHECK_THAT(complaint([&] {
+               axis("cycle_time = '0.5 s'\n", "[ranges.speed]\nlower = 60\nupper = 120\n");
+             }),
+             Contains("drop cycle_time"));
   CHECK_NOTHROW(axis("times_at = '120 rpm'\n", "[ranges.speed]\nlower = 60\nupper = 120\n"));
 }
 
@@ -313,6 +317,124 @@ TEST_CASE("each load case of an axis has the program of its speed", "[program_ti
   CHECK_THAT(complaint(moves(kPure + "[[cases]]\nname = 'slow'\nspeed = '60 rpm'\n"
                                      "[[cases]]\nname = 'fast'\nspeed = '300 rpm'\n")),
              Contains("in case fast") && Contains("no angle is left"));
+}
+
+TEST_CASE("over a range of speeds an axis has the program of each", "[program_timing]") {
+  // The way back takes what 100 and 60 ms leave of a turn: 80 ms at 250 rpm, the least.
+  const auto axis = [](const std::string& upper, const std::string& rest) {
+    return read_problem(
+        "mechanism = 'servo-axis'\n[program]\nmatched = 'velocity'\nsegments = "
+        "[{name = 'up', time = '100 ms', law = 'parabolic'},\n{name = 'high', time "
+        "= '60 ms'}, {name = 'back', law = 'parabolic'}]\n" +
+            kPure + "[ranges.speed]\nlower = 60\nupper = " + upper +
+            "\n[variables.gear_ratio]\nlower = 10\nupper = 20\nstart = 10\n" + rest,
+        "f.toml");
+  };
+  const double torque = (1.6e-4 + 0.3e-4 + 0.02 / 100) * 10 * 4 * 1.5707963267949;
+  const std::string limits =
+      "[objective]\nminimize = 'peak motor_torque'\n"
+      "[[constraints]]\nresponse = 'motor_torque'\nupper = 100\n"
+      "[[constraints]]\nresponse = 'motor_torque'\nover = 'up'\nupper = 100\n";
+  const ProblemStatement problem = axis("250", limits);
+  const optim::Problem made = bound(problem);
+  CHECK(made.objectives[0].response.function().value(made.start()) ==
+        Approx(torque / (0.08 * 0.08)).epsilon(1e-6));
+  REQUIRE(made.constraints.size() == 2);
+  CHECK(made.constraints[0].response.function().value(made.start()) ==
+        Approx(torque / (0.08 * 0.08)).epsilon(1e-6));
+  CHECK(made.constraints[1].response.function().value(made.start()) ==
+        Approx(torque / (0.1 * 0.1)).epsilon(1e-6));
+  CHECK_NOTHROW(design_numbers(
+      problem, design_parameters(problem)));  // of a limit over a part of the cycle too
+  const ConstraintStatement& limit = problem.constraints.front();
+  const auto worst = worst_in_ranges(problem, limit.response, {});
+  REQUIRE(worst.size() == 1);
+  CHECK(worst.front().parameter == "speed");
+  CHECK(worst.front().value == Approx(250));
+  // At 400 rpm a turn takes 150 ms.
+  CHECK_THAT(complaint([&] { axis("400", limits); }),
+             Contains("at speed = 400 rpm") && Contains("no angle is left"));
+  // Where a time varies, what the fastest turn leaves is a limit.
+  const optim::Problem roomy = bound(
+      axis("250",
+           "[variables.up_time]\nlower = '20 ms'\nupper = '300 ms'\nstart = '100 ms'\n" + limits));
+  const auto room = std::find_if(roomy.constraints.begin(), roomy.constraints.end(),
+                                 [](const auto& c) { return c.lower == 0.0; });
+  REQUIRE(room != roomy.constraints.end());
+  CHECK(room->response.function().value(roomy.start()) == Approx(1 - 250 * 0.16 / 60));
+}
+
+TEST_CASE("a design without values is not nearer to a limit than one with them",
+          "[program_timing]") {
+  // At most designs of the box the times take more than a turn, and the energy has no value. Its
+  // least, 9.306 J, is at the longest time and the least ratio, at any of the lower speeds.
+  const ProblemStatement problem = read_problem(R"toml(
+mechanism = "linear-servo-axis"
+[constants]
+stroke = "160 mm"
+feed = "40 mm"
+gear_inertia = 0.6
+gear_efficiency = 0.83
+mass = "23 kg"
+load_force = "-70 N"
+friction_force = "35 N"
+viscous_friction = 60
+motor_inertia = 1.1
+continuous_torque = 2
+maximum_torque = 6
+corner_speed = 1500
+maximum_speed = 4000
+end_torque = 1.5
+[program]
+matched = "velocity"
+[[program.segments]]
+name = "out"
+time = "210 ms"
+law = "parabolic"
+to = 1
+[[program.segments]]
+name = "dw"
+angle = "3 deg"
+[[program.segments]]
+name = "back"
+time = "330 ms"
+law = "modified-sine"
+to = 0.25
+[[program.segments]]
+name = "back2"
+angle = "40 deg"
+law = "cosine"
+to = 0
+[[program.segments]]
+name = "rest"
+[variables.speed]
+lower = "20 rpm"
+upper = "95 rpm"
+start = "50 rpm"
+[variables.out_time]
+lower = "120 ms"
+upper = "400 ms"
+[variables.gear_ratio]
+lower = 0.5
+upper = 6
+[objective]
+maximize = "speed"
+[[cases]]
+name = "full"
+mass = "30 kg"
+[[cases]]
+name = "empty"
+mass = "9 kg"
+load_force = "120 N"
+[[constraints]]
+response = "regenerated_energy"
+upper = 8
+)toml",
+                                                "f.toml");
+  const optim::Assessment a = optim::optimise(BoundProblem(problem).space()).found.assessment;
+  CHECK(a.verdict == optim::Verdict::Infeasible);
+  REQUIRE_FALSE(a.blamed.empty());
+  CHECK(a.blamed.front() == "full.regenerated_energy");
 }
 
 TEST_CASE("a program at a speed that varies leaves room for its last segment", "[program_timing]") {

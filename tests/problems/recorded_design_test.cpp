@@ -121,7 +121,8 @@ TEST_CASE("What is not a result is refused with what it should be", "[results]")
   CHECK(complaint(result_text(design)) == "accepted");
   CHECK(recorded_design(bound, {1, 0}, std::vector{-2.0}).is_null());
   CHECK(recorded_design(bound, {1, 0}, std::vector{std::nan(""), 30.0}).is_null());
-  CHECK_THAT(complaint("{\"verdict\": \"fea"), Contains("r.json: it is not JSON, or not all"));
+  CHECK_THAT(complaint("{\"verdict\": \"fea"),
+             Contains("r.json: it is not valid JSON, or it is incomplete"));
   const std::string deep(100000, '[');
   CHECK_THAT(complaint("{\"verdict\": " + deep),
              Contains("r.json: its brackets are nested more than 64 deep"));
@@ -158,7 +159,7 @@ TEST_CASE("A design is read from a problem file or from a result, whatever it is
   const auto read = read_design_file(folder / "b");
   CHECK(read.verdict == "feasible");
   CHECK(read.statement.laws.front().name() == "cosine");
-  CHECK_THROWS_WITH(read_design_file(folder / "none"), Contains("none: it cannot be read"));
+  CHECK_THROWS_WITH(read_design_file(folder / "none"), Contains("none: cannot be read"));
 }
 
 }  // namespace camlaw::problems::recorded_design_test

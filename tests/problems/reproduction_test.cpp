@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "machines/spine_cutter.h"
+#include "numerics/formula/plain_values.h"
 #include "problems/published/systems.h"
 
 namespace camlaw::problems::reproduction_test {
@@ -227,10 +228,11 @@ SystemReproduction reproduce_blades(const std::string& csv) {
     table.depends.push_back({0});
   }
   table.model = [printed](std::size_t row, std::span<const int> choice) {
-    SpineCutter<double> cutter;
+    const PlainValues value;
+    SpineCutter cutter;
     cutter.blades = 17 + choice[0];
     cutter.depth = given(printed[row].condition, "h", 0) * 1e-3;
-    return cutter.blades_in_contact();
+    return value(cutter.blades_in_contact());
   };
   return reproduce_system("blades", "title", "source", printed, table);
 }

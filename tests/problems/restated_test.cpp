@@ -266,10 +266,10 @@ TEST_CASE("what cannot be set so is refused by name", "[statement][restated]") {
     ProblemStatement problem = plain;
     return complaint([&] { set_value(problem, setting); });
   };
-  CHECK_THAT(says("law=cycloidol"), Contains("cycloidol") && Contains("near: cycloidal"));
+  CHECK_THAT(says("law=cycloidol"), Contains("cycloidol") && Contains("did you mean cycloidal"));
   CHECK_THAT(says("rize.law=cycloidal"), Contains("no segment") && Contains("rize"));
   CHECK_THAT(says("law="), Contains("give a value"));
-  CHECK_THAT(says("undercutt.upper=0.6"), Contains("no limit is called 'undercutt"));
+  CHECK_THAT(says("undercutt.upper=0.6"), Contains("the file has no limit on 'undercutt"));
   CHECK_THAT(says("undercut.upper=3 deg"), Contains("undercut"));
   CHECK_THAT(says("follower_force.upper='50 N'"),
              Contains("constraints[") && !Contains("constraints.constraints"));

@@ -347,7 +347,7 @@ TEST_CASE("A limit with a reliability in a case that is not there is refused",
           "[variation][cases]") {
   CHECK_THAT(testing::complaint(
                  machine("c + p * b", kUpAndDown + kMost + limit(0.9, "cases = ['dwon']\n"))),
-             Contains("no case is called 'dwon'") && Contains("down"));
+             Contains("there is no case 'dwon'") && Contains("down"));
 }
 
 }  // namespace camlaw::problems::robust_cases_test

@@ -416,13 +416,14 @@ TEST_CASE("a file of several cams says in words what it does not accept", "[shaf
   CHECK_THAT(complaint(a + formula + "'angle * 3 mm'\n"), Contains("uses a curve of a cam"));
   CHECK_THAT(complaint(a + formula + "'a.displacment'\n"), Contains("a.displacement"));
   CHECK_THAT(complaint(a + "[[constraints]]\nresponse = 'a.pressure_angle'\nover = 'rest'\n"),
-             Contains("no segment is called 'rest'"));
+             Contains("there is no segment 'rest'"));
   CHECK_THAT(complaint("[cams]\n"), Contains("0 cams; a file may have 1 to 40"));
   ProblemStatement pair = read(a + b);
   CHECK_THAT(complaint([&] { set_value(pair, "a.base_radus=3"); }), Contains("a.base_radius"));
   set_value(pair, "b.base_radius=41 mm");
   CHECK(constant_of(pair, "b.base_radius") == 41);
-  CHECK_THAT(complaint([&] { find_cam(pair, "c"); }), Contains("no cam on the shaft is called"));
+  CHECK_THAT(complaint([&] { find_cam(pair, "c"); }),
+             Contains("there is no cam on the shaft named"));
 }
 
 }  // namespace camlaw::problems::shaft_test

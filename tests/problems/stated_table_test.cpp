@@ -320,7 +320,7 @@ TEST_CASE("a wrong table is refused with its file, line, row and key", "[stated-
       {kPendulum + pendulum_value("1 m", "2.01 kg"), {"values[1] '1 m'.printed", "kg"}},
       {kPendulum + pendulum_value("1 m", ""), {"values[1] '1 m'.printed: the text is empty"}},
       {kPendulum + pendulum_value("1 kg", "2.01 s"), {"values[1] '1 kg'.set", "kg"}},
-      {kPendulum + good + good, {"values[2] '1 m'", "already"}},
+      {kPendulum + good + good, {"values[2] '1 m'", "another value"}},
       {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"period\"\nprinted = 2.01\n",
        {"'a'.printed", "quotes"}},
       {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"perod\"\nprinted = \"2.01\"\n",

@@ -61,9 +61,9 @@ const std::string kBounds = "lower = -5\nupper = 5\n";
 
 }  // namespace
 
-TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
+TEST_CASE("text that is not valid TOML is refused with its line", "[statement]") {
   check({
-      {"title = 'x'\nmechanism =\n", ":2: ", {"not TOML", "expected value"}},
+      {"title = 'x'\nmechanism =\n", ":2: ", {"not valid TOML", "expected value"}},
       {"a = 1\na = 2\n", ":2: ", {"cannot redefine", "stated only once"}},
       {"[[constraints]]\n[constraints]\n", ":2: ", {"double brackets: [[constraints]]"}},
       {"title = 'x\nmechanism = 'law'\n", ":1: ", {"close the quotes"}},
@@ -77,11 +77,11 @@ TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
       {"mechanism = law\n", ":1: ", {"put a name in quotes"}},
       {"[constants]\nstroke = 4,5\n", ":2: ", {"use a point for the decimals"}},
       {"title = 'x'\nmechanism = '\xff'\n", ":2: ", {"not UTF-8", "save the file as UTF-8"}},
-      {"# größe\nname = косинус\n", ":2: ", {"not TOML", "in quotes"}},
+      {"# größe\nname = косинус\n", ":2: ", {"not valid TOML", "in quotes"}},
       {"title = \"\"\"\né\\\"\"\"\"\"\"\" # 'é\nü = 3\n", ":3: ", {"in quotes"}},
       {"title = 'größe' # \"é\"\n'ü' = 3\n", ":2: ü: unknown key", {}},
       {"\xff\xfet\n", ":1: ", {"not UTF-8"}},
-      {"a = 1\n[[[a]]]\n", ":2: ", {"not TOML"}},
+      {"a = 1\n[[[a]]]\n", ":2: ", {"not valid TOML"}},
       {"a = 1\n" + nested("b", 33) + " = 1\n", ":2: ", {"a key has more than 32 parts"}},
       {nested("b", 15000) + " = 1\n", ":1: ", {"more than 32 parts"}},
       {nested("'b'", 15000) + " = 1\n", ":1: ", {"more than 32 parts"}},
@@ -91,7 +91,7 @@ TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
       {"title = '" + nested("b", 50) + "' # " + nested("b", 50) + "\nb = " + numbers(50),
        ":2: b: unknown key",
        {}},
-      {"a = " + std::string(100000, '['), ":1: ", {"not TOML", "depth"}},
+      {"a = " + std::string(100000, '['), ":1: ", {"not valid TOML", "depth"}},
       {"", ": it is empty", {"mechanism", "law"}},
       {"# only a comment\n", ": it is empty", {}},
   });
@@ -127,7 +127,7 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
        {"[solver]\nseeds = 3", ":5: solver.seeds: ", {"did you mean seed"}},
        {"[variable.alpha]\nlower = 1",
         ":4: variable: ",
-        {"did you mean variables, variation, buildable?"}}}));
+        {"did you mean variables, variation or buildable?"}}}));
 }
 
 TEST_CASE("a table where a value is expected is refused, and the reverse", "[statement]") {
@@ -177,10 +177,10 @@ TEST_CASE("constants are known, of their kind, in range and given once", "[state
 TEST_CASE("laws are known, different and made of accepted values", "[statement]") {
   const std::string head = "mechanism = 'spine-cutter'\n[law]\nname = ";
   check({
-      {head + "'cosin'", ":3: law.name: no law is named 'cosin'", {"cosine"}},
+      {head + "'cosin'", ":3: law.name: there is no law 'cosin'", {"cosine"}},
       {head + "[]", ":3: law.name: the list is empty", {}},
       {head + "3", ":3: law.name: a number is given", {"a list of names"}},
-      {head + "['cosine',\n'cosin']", ":4: law.name[2]: no law is named 'cosin'", {}},
+      {head + "['cosine',\n'cosin']", ":4: law.name[2]: there is no law 'cosin'", {}},
       {head + "['cosine', 'simple harmonic']", ":3: law.name: 'cosine' appears twice", {}},
       {head + "'polynomial-5 alpha=50'", ":3: law.name: 50 is outside -30 .. 30", {"alpha"}},
       {head + "'polynomial-5 beta=5'", ":3: law.name: ", {"no parameter 'beta'", "alpha"}},
@@ -440,7 +440,7 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
       kAlpha,
       {{"[solver]\nname = 'ipot'",
         ":5: solver.name: ",
-        {"'ipot'", "near: ipopt", "use one of auto, "}},
+        {"'ipot'", "did you mean ipopt", "Use one of auto, "}},
        {"[solver]\nstarts = 0", ":5: solver.starts: 0 is outside 1 .. 1000000", {}},
        {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"an integer"}},
        {"[solver]\nseed = -1", ":5: solver.seed: -1 is outside", {}},
@@ -456,7 +456,7 @@ TEST_CASE("options of one solver are those that it has", "[statement][solvers]")
        {"[solver]\nipopt = 'fast'", ":5: solver.ipopt: a text", {"a table, [solver.ipopt]"}},
        {"[solver.ipopt]\nmu_stratgy = 'adaptive'",
         ":5: solver.ipopt.mu_stratgy: ipopt has no option 'mu_stratgy'",
-        {"near: mu_strategy"}},
+        {"did you mean mu_strategy"}},
        {"[solver.ipopt]\nmu_strategy = 'adaptve'",
         ":5: solver.ipopt.mu_strategy: ipopt: option mu_strategy: 'adaptve' is not ",
         {"monotone, adaptive"}},

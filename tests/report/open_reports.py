@@ -4,12 +4,13 @@
 
     open_reports.py [--shots FOLDER] REPORT.html...
 
-Checked of each, at 1280 and at 400 pixels: no message in the browser's log, no error in a script, no
-request to anywhere, nothing wider than the page, no empty picture, no words that lie on others or are
-cut; that the mechanism moves and, of fronts, that a click on a point shows its design and curves. In a
-light and in a dark scheme words stand out from what is behind them, and curves from the paper. Printed,
-also from a dark scheme, the page is dark on white, no wider than a sheet of A4, and a PDF of such sheets.
-Needs chromedriver and nothing but Python's own modules. Prints a line for each fault; status 1 with any.
+No id is given twice in a page. Checked of each, at 1280 and at 400 pixels: no message in the browser's
+log, no error in a script, no request to anywhere, nothing wider than the page, no empty picture, no
+words that lie on others or are cut; that every body of the mechanism moves and, of fronts, that a
+click on a point shows its design and curves. In a light and in a dark scheme words stand out from what
+is behind them, and curves from the paper. Printed, also from a dark scheme, the page is dark on white,
+no wider than a sheet of A4, and a PDF of such sheets. Needs chromedriver and nothing but Python's own
+modules. Prints a line for each fault; status 1 with any.
 """
 import base64
 import json
@@ -75,7 +76,9 @@ return faults;
 # curves below its 3. Returns the faults and the luminance of the paper.
 CONTRAST = r"""
 const faults = [];
-const numbers = (colour) => (colour.match(/[\d.]+/g) || [0, 0, 0, 0]).map(Number);
+// Mixed colours are told in shares of one: "color(srgb 0.7 0.8 0.9)".
+const numbers = (colour) => (colour.match(/[\d.]+/g) || [0, 0, 0, 0]).map(
+  (text, i) => (colour.startsWith('color(') && i < 3 ? 255 : 1) * Number(text));
 const over = ([r, g, b, a = 1], under) => [r, g, b].map((c, i) => a * c + (1 - a) * under[i]);
 const luminance = (rgb) => rgb.map((c) => c / 255).map((c) => c <= 0.04045 ? c / 12.92
   : ((c + 0.055) / 1.055) ** 2.4).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
@@ -211,19 +214,31 @@ class Browser:
 
 
 def moving_faults(browser):
-    """The slider moves the mechanism and the mark in the curves."""
+    """The slider moves every body of the mechanism, and the mark in the curves."""
     if not browser.run("return document.getElementById('place') !== null"):
         return []
-    moved = browser.run("""
-        const look = () => [...document.querySelectorAll('.scene [data-motion]')]
-          .map((body) => body.getAttribute('transform')).join() +
-          report.plots.map((plot) => plot.output.textContent).join();
-        const before = look(), slider = document.getElementById('place');
-        slider.value = 370; slider.dispatchEvent(new Event('input'));
+    moved, still = browser.run("""
+        const bodies = [...document.querySelectorAll('.scene [data-motion]')];
+        const poses = () => bodies.map((body) => body.getAttribute('transform'));
+        const look = () => poses().join() + report.plots.map((plot) => plot.output.textContent).join();
+        const go = (value) => { slider.value = value; slider.dispatchEvent(new Event('input')); };
+        const before = look(), slider = document.getElementById('place'), at = [];
+        for (const value of [90, 370, 620, 810]) { go(value); at.push(poses()); }
         const after = look(), place = report.place;
-        slider.value = 0; slider.dispatchEvent(new Event('input'));
-        return [before !== after, place > report.cycle.lower, before === look()];""")
-    return [] if moved == [True, True, True] else [f"the mechanism does not follow its slider: {moved}"]
+        go(0);
+        const still = bodies.filter((_, i) => at.every((one) => one[i] === at[0][i]))
+          .map((body) => body.querySelector('title').textContent);
+        return [[before !== after, place > report.cycle.lower, before === look()], still];""")
+    faults = [f"{name} does not move" for name in still]
+    return faults if moved == [True, True, True] else faults + [
+        f"the mechanism does not follow its slider: {moved}"]
+
+
+def name_faults(path):
+    """No id is given twice: a link or a picture would find the first alone."""
+    names = re.findall(r'<[a-zA-Z][^<>]*?\sid="([^"]*)"', pathlib.Path(path).read_text())
+    return [f"the id {name} is given {names.count(name)} times" for name in sorted(set(names))
+            if names.count(name) > 1]
 
 
 def contact_faults(browser):
@@ -232,7 +247,7 @@ def contact_faults(browser):
         const faults = [], scene = document.querySelector('.scene');
         const cam = scene && scene.querySelector('path.cam:not(.second)');
         const roller = scene && scene.querySelector('circle.roller');
-        if (!cam || !roller) return faults;
+        if (!cam || !roller || cam.closest('.body').dataset.motion === undefined) return faults;
         const length = cam.getTotalLength(), radius = Number(roller.getAttribute('r'));
         const outline = Array.from({length: 4000}, (_, i) => cam.getPointAtLength(length * i / 4000));
         const share = radius * 0.02;
@@ -368,7 +383,7 @@ def print_faults(browser, shots, stem):
 
 
 def faults_of(browser, path, shots):
-    faults = []
+    faults = [f"{path}: {fault}" for fault in name_faults(path)]
     address = pathlib.Path(path).resolve().as_uri()
     for width in WIDTHS:
         browser.width(width)

@@ -7,7 +7,7 @@
 #include "output/export/motion.h"
 
 /// Motions as polynomials between knots, as controllers interpolate them, and how far that is from
-/// the exact motion (docs/theory.md, "How exact an export is").
+/// the exact motion (docs/theory.md, "Accuracy of exports").
 namespace camlaw::problems {
 
 /// What a table tells of the motion at a place of the master: in the units that are written.

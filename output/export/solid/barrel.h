@@ -7,8 +7,8 @@
 #include "output/export/plane_curve.h"
 #include "output/export/solid/flank_surface.h"
 
-/// A barrel cam's groove: two flanks and a floor about the cam's axis (docs/theory.md, "Barrels as
-/// solids"). Lengths are in mm, angles in rad about the axis, z runs along it.
+/// A barrel cam's groove: two flanks and a floor about the cam's axis (docs/theory.md, "Solids of
+/// barrel cams"). Lengths are in mm, angles in rad about the axis, z runs along it.
 namespace camlaw::problems {
 
 /// How far a flank is from the surface that stands for it at most.

@@ -6,7 +6,7 @@
 #include "numerics/scalar/interval.h"
 
 /// The flank of the groove that a roller cuts into a barrel, its axis radial (docs/theory.md,
-/// "Barrels as solids"). Lengths are in mm, angles in rad.
+/// "Solids of barrel cams"). Lengths are in mm, angles in rad.
 namespace camlaw::problems {
 
 inline double squared(double x) { return x * x; }

@@ -173,7 +173,7 @@ CamSolid cam_solid(const ProblemStatement& design, const SolidSettings& settings
   if (is_barrel(design)) {
     if (settings.groove) return barrel_solid(design, settings, accuracy);
     throw std::invalid_argument(
-        "a solid of an end cam is a barrel with a groove: say how deep that is, such as --groove "
+        "a solid of an end cam is a barrel with a groove: state its depth, such as --groove "
         "'10 mm'");
   }
   std::vector<PlaneCurve> sides{cam_curves(design, settings.curve).front()};

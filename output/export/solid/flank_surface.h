@@ -8,8 +8,8 @@
 
 #include "numerics/scalar/interval.h"
 
-/// The surface that stands for a flank of a barrel's groove (docs/theory.md, "Barrels as solids").
-/// Lengths are in mm, angles in rad about the cam's axis, z runs along it.
+/// The surface that stands for a flank of a barrel's groove (docs/theory.md, "Solids of barrel
+/// cams"). Lengths are in mm, angles in rad about the cam's axis, z runs along it.
 namespace camlaw::problems {
 
 inline constexpr double kWholeTurn = 2 * std::numbers::pi;  ///< rad

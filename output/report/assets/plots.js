@@ -21,7 +21,7 @@ report.text = (value, digits = 5) => {
   return String(Number(value.toPrecision(digits))).replace('-', '−');
 };
 
-report.withUnit = (text, unit) => (unit ? text + '\u00a0' + unit : text);
+report.withUnit = (text, unit) => (unit && text !== '–' ? text + '\u00a0' + unit : text);
 
 // The samples of one panel of a design, as Chart.js takes them.
 report.points = (design, index) => {

@@ -352,6 +352,7 @@ report.drawCurves = (box, size) => {
     at.set(place, [...(at.get(place) || []), row]);
   }
   const look = new Map();
+  let hatched = false;
   [...lines].forEach(([key, places], i) => {
     const colour = i < 6 ? report.colour('g' + (i + 1)) : report.colour('soft');
     const mark = i < 26 ? String.fromCharCode(65 + i) : '+';
@@ -368,6 +369,7 @@ report.drawCurves = (box, size) => {
     svg.append(report.svg('path', { d: path, fill: 'none', stroke: colour, 'stroke-width': 1.8 }));
     for (const [place, row] of sorted) {
       const missing = row.o === null || row.s === 'open';
+      hatched ||= missing || row.s === 'passes';
       const dot = report.svg('circle', { cx: x(place), r: 4.5, stroke: missing ? report.colour('limit') : colour,
         cy: missing ? y(report.min(values) - room) : y(row.o),
         fill: missing || row.s === 'passes' ? 'url(#hatch)' : colour });
@@ -382,7 +384,7 @@ report.drawCurves = (box, size) => {
         'stroke-width': 3, 'paint-order': 'stroke' }, mark));
     }
   });
-  report.sweepLegend(look, ['hatched: no design there, or one that violates a limit']);
+  report.sweepLegend(look, hatched ? ['hatched: no design there, or one that violates a limit'] : []);
 };
 
 // Words alone: bars, the best first.

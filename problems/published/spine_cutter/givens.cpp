@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "machines/model/machine.h"
+#include "numerics/formula/plain_values.h"
 #include "numerics/text/units.h"
 #include "problems/published/spine_cutter/study.h"
 
@@ -17,23 +18,33 @@ namespace {
 /// A parameter that the study takes, and its place in the machine.
 struct StudyInput {
   const MechanismParameter* parameter;
-  double SpineCutter<double>::*field;
+  double CutterGivens::*field;
+  Expression SpineCutter::*machine;
 };
 
-/// All parameters but the cam's radius, which the study works out for each law.
+/// All parameters but the cam's radius.
 std::vector<StudyInput> all_givens() {
-  using M = SpineCutter<double>;
-  static constexpr std::pair<const char*, double M::*> fields[] = {
-      {"cutter_diameter", &M::cutter_diameter}, {"blades", &M::blades}, {"stroke", &M::stroke},
-      {"block_speed", &M::block_speed},         {"depth", &M::depth},   {"mass", &M::mass},
-      {"pressure_angle", &M::pressure_angle}};
+  using G = CutterGivens;
+  using M = SpineCutter;
+  struct Field {
+    const char* name;
+    double G::*given;
+    Expression M::*machine;
+  };
+  static constexpr Field fields[] = {{"cutter_diameter", &G::cutter_diameter, &M::cutter_diameter},
+                                     {"blades", &G::blades, &M::blades},
+                                     {"stroke", &G::stroke, &M::stroke},
+                                     {"block_speed", &G::block_speed, &M::block_speed},
+                                     {"depth", &G::depth, &M::depth},
+                                     {"mass", &G::mass, &M::mass},
+                                     {"pressure_angle", &G::pressure_angle, &M::pressure_angle}};
   std::vector<StudyInput> result;
-  for (const auto& [name, field] : fields) {
+  for (const Field& field : fields) {
     const auto& all = parameters_of<SpineCutter>();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [name = name](const auto& p) { return p.name == name; });
-    if (found == all.end()) throw std::logic_error(std::string("the cutter has no ") + name);
-    result.push_back({&*found, field});
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == field.name; });
+    if (found == all.end()) throw std::logic_error(std::string("the cutter has no ") + field.name);
+    result.push_back({&*found, field.given, field.machine});
   }
   return result;
 }
@@ -41,7 +52,7 @@ std::vector<StudyInput> all_givens() {
 StudyInput find_given(const std::string& name) {
   std::vector<std::string> known;
   for (const StudyInput& given : all_givens()) {
-    const auto& [parameter, field] = given;
+    const MechanismParameter* const parameter = given.parameter;
     if (name == parameter->name || name == parameter->symbol) return given;
     known.push_back(fmt::format("{} ({})", parameter->name, parameter->symbol));
   }
@@ -51,16 +62,30 @@ StudyInput find_given(const std::string& name) {
 
 }  // namespace
 
-std::vector<SpineCutterGiven> givens(const SpineCutter<double>& cutter) {
+CutterGivens::CutterGivens() {
+  const PlainValues value;
+  const SpineCutter defaults;
+  for (const StudyInput& input : all_givens()) {
+    this->*input.field = value(defaults.*input.machine);
+  }
+}
+
+SpineCutter cutter_of(const CutterGivens& givens) {
+  SpineCutter cutter;
+  for (const StudyInput& input : all_givens()) cutter.*input.machine = givens.*input.field;
+  return cutter;
+}
+
+std::vector<SpineCutterGiven> givens(const CutterGivens& cutter) {
   std::vector<SpineCutterGiven> result;
-  for (const auto& [parameter, field] : all_givens()) {
+  for (const auto& [parameter, field, machine] : all_givens()) {
     result.push_back({parameter->name, parameter->symbol, parameter->unit, parameter->meaning,
                       convert_unit(cutter.*field, parameter->stored, parameter->unit)});
   }
   return result;
 }
 
-void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
+void set_given(CutterGivens& cutter, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
     throw std::invalid_argument(
@@ -68,8 +93,8 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
   }
   std::string name = assignment.substr(0, equals);
   std::erase(name, ' ');
-  const auto& [parameter, field] = find_given(name);
-  const MechanismParameter& p = *parameter;
+  const StudyInput given = find_given(name);
+  const MechanismParameter& p = *given.parameter;
   const double value = parse_quantity(assignment.substr(equals + 1), p.unit, p.unit, p.name);
   if (!(value >= p.low && value <= p.high)) {
     throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", p.name,
@@ -78,7 +103,7 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
   if (p.integer && value != std::floor(value)) {
     throw std::invalid_argument(fmt::format("{}: {:.6g} must be an integer", p.name, value));
   }
-  cutter.*field = convert_unit(value, p.unit, p.stored);
+  cutter.*given.field = convert_unit(value, p.unit, p.stored);
 }
 
 }  // namespace camlaw::problems

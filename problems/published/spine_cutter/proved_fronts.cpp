@@ -47,7 +47,7 @@ constexpr const char* kForce = "peak_inertia_force";
 /// without end.
 constexpr double kLeastB = 1.17, kGreatestB = 2;
 
-std::string machine_text(const SpineCutter<double>& cutter, const std::string& law) {
+std::string machine_text(const CutterGivens& cutter, const std::string& law) {
   std::string text = "mechanism = \"spine-cutter\"\n[constants]\n";
   for (const SpineCutterGiven& given : givens(cutter)) {
     text += given.unit == "1"
@@ -58,9 +58,9 @@ std::string machine_text(const SpineCutter<double>& cutter, const std::string& l
 }
 
 /// Radius against force, from B = 1.17 to 2.
-std::string front_text(const SpineCutter<double>& cutter, const std::string& law) {
-  const double smallest = cutter.minimum_cam_radius(kLeastB) * 1e3;
-  const double largest = cutter.minimum_cam_radius(kGreatestB) * 1e3;
+std::string front_text(const CutterGivens& cutter, const std::string& law) {
+  const double smallest = minimum_cam_radius(cutter, kLeastB) * 1e3;
+  const double largest = minimum_cam_radius(cutter, kGreatestB) * 1e3;
   const double force = least_inertia_force(cutter, smallest * 1e-3);
   return machine_text(cutter, law) +
          fmt::format(
@@ -104,7 +104,7 @@ optim::ParetoOptions watched(optim::ParetoOptions options, const std::string& na
   return options;
 }
 
-ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers,
+ProvedFront front_of_families(const CutterGivens& cutter, bool smooth_only, int workers,
                               const Watching& watching) {
   std::vector<FrontStudy> studies;
   std::vector<std::string> names;
@@ -132,8 +132,7 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
   return result;
 }
 
-ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
-                              const Watching& watching) {
+ProvedFront front_of_free_law(const CutterGivens& cutter, int workers, const Watching& watching) {
   FrontStudy study = study_of(front_text(cutter, kFreeLaw));
   study.options() = watched(study.options(), "free law", 2, watching);
   optim::ProcessExecutor executor(study.space(), study.options().solve, workers,
@@ -146,7 +145,7 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
 }
 
 /// The free law's least of one number with the other no greater than `bound`.
-optim::Optimum least(const SpineCutter<double>& cutter, const char* sought, const char* limited,
+optim::Optimum least(const CutterGivens& cutter, const char* sought, const char* limited,
                      double bound, const Watching& watching) {
   const std::string text =
       machine_text(cutter, kFreeLaw) +
@@ -159,11 +158,11 @@ optim::Optimum least(const SpineCutter<double>& cutter, const char* sought, cons
   return optimum;
 }
 
-Saving saving_over(const SpineCutter<double>& cutter, const char* law, const Watching& watching) {
+Saving saving_over(const CutterGivens& cutter, const char* law, const Watching& watching) {
   const Peaks<double> peak = peaks(find_law(law).law());
   Saving saving{law,
-                cutter.minimum_cam_radius(peak.max_velocity()) * 1e3,
-                cutter.peak_inertia_force(peak.max_acceleration()),
+                minimum_cam_radius(cutter, peak.max_velocity()) * 1e3,
+                peak_inertia_force(cutter, peak.max_acceleration()),
                 0,
                 0,
                 {},
@@ -179,7 +178,7 @@ Saving saving_over(const SpineCutter<double>& cutter, const char* law, const Wat
 
 }  // namespace
 
-SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
+SpineCutterFronts prove_fronts(const CutterGivens& cutter, int workers,
                                const FrontsProgress& progress, const std::atomic<bool>* stop) {
   const Watching watching{progress, stop};
   SpineCutterFronts fronts{front_of_families(cutter, false, workers, watching),

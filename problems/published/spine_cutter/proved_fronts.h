@@ -41,7 +41,7 @@ using FrontsProgress = std::function<void(const std::string& front, double done)
 
 /// `workers` processes search side by side; the answer does not depend on them. Throws
 /// optim::Interrupted where `stop` is set before the end.
-SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
+SpineCutterFronts prove_fronts(const CutterGivens& cutter, int workers,
                                const FrontsProgress& progress = {},
                                const std::atomic<bool>* stop = nullptr);
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "kinematics/peaks.h"
+#include "numerics/formula/plain_values.h"
 #include "optim/pareto/dominance.h"
 #include "optim/problem/deadline.h"
 
@@ -85,9 +86,11 @@ double excess(const Peaks<double>& peak) {
   return std::abs(above) < 1e-12 ? 0.0 : above;
 }
 
-StudyRow study_law(const SpineCutter<double>& cutter, Member member) {
+StudyRow study_law(const CutterGivens& cutter, Member member) {
   const Law<double> law = member.law();
   const Peaks<double> peak = peaks(law);
+  const PlainValues value;
+  const SpineCutter machine = cutter_of(cutter);
   std::string name = member.name(), label = member.label();
   const auto& paper = published_laws();
   const bool published = std::find(paper.begin(), paper.end(), name) != paper.end();
@@ -96,10 +99,10 @@ StudyRow study_law(const SpineCutter<double>& cutter, Member member) {
           .label = std::move(label),
           .peaks = peak,
           .limit_index = limit_index(peak),
-          .cam_radius = cutter.minimum_cam_radius(peak.max_velocity()),
-          .inertia_force = cutter.peak_inertia_force(peak.max_acceleration()),
-          .printed_inertia_force = cutter.printed_inertia_force(peak.max_acceleration()),
-          .drive_torque = cutter.peak_drive_torque(peak.max_dynamic_moment()),
+          .cam_radius = minimum_cam_radius(cutter, peak.max_velocity()),
+          .inertia_force = peak_inertia_force(cutter, peak.max_acceleration()),
+          .printed_inertia_force = value(machine.printed_inertia_force(peak.max_acceleration())),
+          .drive_torque = value(machine.peak_drive_torque(peak.max_dynamic_moment())),
           .above_limit = excess(peak),
           .smooth = smooth_through_turns(law),
           .non_dominated = false,
@@ -161,7 +164,7 @@ std::string recommend(const SpineCutterStudy& study) {
       name(study.compromise), name(study.least_force), name(study.smallest_cam));
 }
 
-void check(const SpineCutter<double>& cutter) {
+void check(const CutterGivens& cutter) {
   if (!(cutter.depth < cutter.cutter_diameter / 2)) {
     throw std::invalid_argument(
         fmt::format("depth: {:.6g} mm must be less than half the cutter's diameter, {:.6g} mm",
@@ -178,13 +181,22 @@ const std::vector<std::string>& published_laws() {
   return laws;
 }
 
-double least_inertia_force(const SpineCutter<double>& cutter, double cam_radius) {
-  const double B = cam_radius / cutter.minimum_cam_radius(1.0);
-  return cutter.peak_inertia_force(least_acceleration(B));
+double minimum_cam_radius(const CutterGivens& cutter, double B) {
+  const PlainValues value;
+  return value(cutter_of(cutter).minimum_cam_radius(B));
 }
 
-SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter,
-                                    const std::atomic<bool>* stop) {
+double peak_inertia_force(const CutterGivens& cutter, double C) {
+  const PlainValues value;
+  return value(cutter_of(cutter).peak_inertia_force(C));
+}
+
+double least_inertia_force(const CutterGivens& cutter, double cam_radius) {
+  const double B = cam_radius / minimum_cam_radius(cutter, 1.0);
+  return peak_inertia_force(cutter, least_acceleration(B));
+}
+
+SpineCutterStudy study_spine_cutter(const CutterGivens& cutter, const std::atomic<bool>* stop) {
   check(cutter);
   const optim::Deadline deadline({}, stop);
   SpineCutterStudy study{};

@@ -13,6 +13,20 @@
 /// Which motion law should the spine cutter's cam have?
 namespace camlaw::problems {
 
+/// The givens of the study, in SI units: the cutter's parameters but the cam's radius, which the
+/// study works out for each law. Without more they are the machine's defaults.
+struct CutterGivens {
+  CutterGivens();
+  double cutter_diameter, blades, stroke, block_speed, depth, mass, pressure_angle;
+};
+
+/// The machine with these givens, in the formula that is being recorded.
+SpineCutter cutter_of(const CutterGivens& givens);
+
+/// (6) and the physical peak inertia force of the machine, m and N.
+double minimum_cam_radius(const CutterGivens& cutter, double B);
+double peak_inertia_force(const CutterGivens& cutter, double C);
+
 /// A given of the study as people set it: "stroke", "S_f", 40 mm.
 struct SpineCutterGiven {
   std::string name, symbol, unit, meaning;  ///< unit: the one it is listed in
@@ -20,11 +34,11 @@ struct SpineCutterGiven {
 };
 
 /// The givens of a design, in the paper's order.
-std::vector<SpineCutterGiven> givens(const SpineCutter<double>& cutter);
+std::vector<SpineCutterGiven> givens(const CutterGivens& cutter);
 
 /// Sets a given by name or symbol ("h=0.8 mm"). Throws std::invalid_argument for an unknown name
 /// (listing the known), a unit of another kind, or a value for which the machine makes no sense.
-void set_given(SpineCutter<double>& cutter, const std::string& assignment);
+void set_given(CutterGivens& cutter, const std::string& assignment);
 
 /// One law on this machine. Lengths in m, forces in N, torque in N m.
 struct StudyRow {
@@ -47,7 +61,7 @@ struct StudyRow {
 };
 
 struct SpineCutterStudy {
-  SpineCutter<double> cutter;
+  CutterGivens cutter;
   std::vector<StudyRow> rows;  ///< by cam radius, then force
   /// Rows that the recommendation names, all among the smooth non-dominated ones. The compromise
   /// has the least product of radius and force, which no choice of units or weights moves.
@@ -58,13 +72,13 @@ struct SpineCutterStudy {
 /// Computes the study: every law of the catalogue that comes to rest at both turns, and the members
 /// of its families listed in study.cpp. Throws optim::Interrupted where `stop` is set before the
 /// end.
-SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter,
+SpineCutterStudy study_spine_cutter(const CutterGivens& cutter,
                                     const std::atomic<bool>* stop = nullptr);
 
 /// The paper's six laws, in the order of its table 2.
 const std::vector<std::string>& published_laws();
 
 /// The limit curve in this machine's terms: least physical peak force for a cam radius R (m).
-double least_inertia_force(const SpineCutter<double>& cutter, double cam_radius);
+double least_inertia_force(const CutterGivens& cutter, double cam_radius);
 
 }  // namespace camlaw::problems

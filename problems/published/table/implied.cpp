@@ -43,7 +43,7 @@ AskedParameter asked(const ImpliedParameter& implied, ProblemStatement problem) 
     result.low = std::max(parameter.low, end(implied.lower, parameter.low));
     result.high = std::min(parameter.high, end(implied.upper, parameter.high));
     if (!(result.low < result.high)) {
-      throw std::invalid_argument(fmt::format("{}: there is nothing between {} and {} {}",
+      throw std::invalid_argument(fmt::format("{}: the range from {} to {} {} is empty",
                                               implied.parameter, result.low, result.high,
                                               parameter.unit));
     }

@@ -44,7 +44,8 @@ PrintedText read_printed_text(std::string_view text) {
   }
   if (digits == 0) refuse_print("does not begin with a number; write it as printed, \"12.34 mm\"");
   if (at < all.size() && (all[at] == ',' || all[at] == '.')) {
-    refuse_print("has digits apart; use a point for the decimals and no marks between thousands");
+    refuse_print(
+        "has marks between its digits; use a point for the decimals and no thousands separators");
   }
   decimals -= exponent_at(all, at);
   if (decimals < 0 || decimals > optim::kMaxDecimals) {

@@ -218,14 +218,14 @@ StatedHypothesis read_hypothesis(const Entry& table) {
   hypothesis.rows = texts_of(find(table, "rows"));
   const Entry* alternatives = find(table, "alternatives");
   if (alternatives == nullptr) {
-    refuse(table, "alternatives is missing; list what else may have been, such as [\"10:1:30\"]");
+    refuse(table, "alternatives is missing; list the other possibilities, such as [\"10:1:30\"]");
   }
   expect(*alternatives, Kind::List, "a list of values, or of tables");
   const bool has_tables =
       !alternatives->items.empty() && alternatives->items.front().kind == Kind::Table;
   if (has_tables) {
     if (!changes_nothing(table)) {
-      refuse(table, "each alternative says what it changes, so the hypothesis itself does not");
+      refuse(table, "each alternative states what it changes, so the hypothesis itself must not");
     }
     read_own_alternatives(*alternatives, hypothesis.alternatives);
   } else if (alternatives->items.empty()) {

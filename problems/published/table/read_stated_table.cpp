@@ -93,7 +93,7 @@ std::vector<StatedRow> read_rows(const Entry& file) {
   for (const Entry& table : values->items) {
     rows.push_back(read_row(table));
     if (!ids.insert(rows.back().printed.id).second) {
-      refuse(rows.back().where, "there is a value of this id already");
+      refuse(rows.back().where, "another value has this id");
     }
   }
   return rows;

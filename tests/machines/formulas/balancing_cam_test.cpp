@@ -5,21 +5,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/plain.h"
+
 namespace camlaw::balancing_cam_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+using namespace testing;
+
 constexpr int kSteps = 7200;
 
-template <template <class> class Wheel>
-double torque_at(const GenevaDrive<double, Wheel>& drive, double phi) {
-  return drive.torque(drive.wheel(phi < drive.engagement(), phi));
+template <class Wheel>
+double torque_at(const GenevaDrive<Wheel>& drive, double phi) {
+  return plain(drive.torque(drive.wheel(phi < plain(drive.engagement()), phi)));
 }
 
 /// The drive's torque integrated over the turn by the midpoint rule, its extremes, and those of its
 /// integral less the mean.
-template <template <class> class Wheel>
-void check_surplus(const GenevaDrive<double, Wheel>& drive) {
+template <class Wheel>
+void check_surplus(const GenevaDrive<Wheel>& drive) {
   double sum = 0, peak = -1e9, work = 0, low = 1e9, high = -1e9;
   const double h = 2 * kPi / kSteps;
   for (int i = 0; i < kSteps; ++i) sum += h * torque_at(drive, (i + 0.5) * h);
@@ -29,20 +33,21 @@ void check_surplus(const GenevaDrive<double, Wheel>& drive) {
     work += h * (torque - sum / (2 * kPi));
     low = std::min(low, work), high = std::max(high, work);
     const double phi = (i + 1) * h;
-    const double exact = drive.surplus_work(drive.wheel(phi < drive.engagement(), phi), phi);
+    const double exact =
+        plain(drive.surplus_work(drive.wheel(phi < plain(drive.engagement()), phi), phi));
     REQUIRE(exact == Approx(work).margin(1e-4 * peak));
   }
-  const Surplus<double> surplus = surplus_of(drive);
-  CHECK(drive.mean_torque() == Approx(sum / (2 * kPi)).epsilon(1e-5));
-  CHECK(surplus.peak_torque == Approx(peak).epsilon(1e-5));
-  CHECK(surplus.highest_work == Approx(high).epsilon(1e-4));
-  CHECK(surplus.range == Approx(high - low).epsilon(1e-4));
+  const Surplus surplus = surplus_of(drive);
+  CHECK(plain(drive.mean_torque()) == Approx(sum / (2 * kPi)).epsilon(1e-5));
+  CHECK(plain(surplus.peak_torque) == Approx(peak).epsilon(1e-5));
+  CHECK(plain(surplus.highest_work) == Approx(high).epsilon(1e-4));
+  CHECK(plain(surplus.range) == Approx(high - low).epsilon(1e-4));
 }
 
 /// Section of an angle.
 template <class Machine>
 std::size_t section_at(const Machine& m, double phi) {
-  return phi < m.lift_off ? 0 : phi < m.engagement() ? 1 : 2;
+  return phi < plain(m.lift_off) ? 0 : phi < plain(m.engagement()) ? 1 : 2;
 }
 
 template <class Machine>
@@ -51,7 +56,8 @@ double greatest_residual(const Machine& machine) {
   double greatest = 0;
   for (int i = 0; i < kSteps; ++i) {
     const double phi = 2 * kPi * i / kSteps;
-    greatest = std::max(greatest, std::abs(turn.residual_torque(section_at(machine, phi), phi)));
+    greatest =
+        std::max(greatest, std::abs(plain(turn.residual_torque(section_at(machine, phi), phi))));
   }
   return greatest;
 }
@@ -63,58 +69,69 @@ TEST_CASE("torque, mean and surplus work of a Geneva drive are those of quadratu
   for (const double slots : {3.0, 4.0, 6.0, 8.0}) {
     for (const double inertia : {0.0, 0.3, 4.0}) {
       INFO(slots << " slots, " << inertia);
-      check_surplus(GenevaDrive<double, PlanarGeneva>{{}, slots, 6, inertia, 40});
-      check_surplus(GenevaDrive<double, SphericalGeneva>{{}, slots, 6, inertia, 40});
+      const PlainNumbers numbers;
+      check_surplus(GenevaDrive<PlanarGeneva>{{}, slots, 6, inertia, 40});
+      check_surplus(GenevaDrive<SphericalGeneva>{{}, slots, 6, inertia, 40});
     }
   }
 }
 
 TEST_CASE("without inertia the peak is the Geneva's velocity ratio", "[balancing-cam]") {
+  const PlainNumbers numbers;
   // M_f beta' at its greatest: lambda / (1 - lambda), and tan(pi / n).
   for (const double n : {4.0, 6.0}) {
     const double lambda = std::sin(kPi / n);
-    CHECK(surplus_of(GenevaDrive<double, PlanarGeneva>{{}, n, 6, 0, 40}).peak_torque ==
+    CHECK(plain(surplus_of(GenevaDrive<PlanarGeneva>{{}, n, 6, 0, 40}).peak_torque) ==
           Approx(40 * lambda / (1 - lambda)).epsilon(1e-12));
-    CHECK(surplus_of(GenevaDrive<double, SphericalGeneva>{{}, n, 6, 0, 40}).peak_torque ==
+    CHECK(plain(surplus_of(GenevaDrive<SphericalGeneva>{{}, n, 6, 0, 40}).peak_torque) ==
           Approx(40 * std::tan(kPi / n)).epsilon(1e-12));
   }
 }
 
 TEST_CASE("the law of displacement stores the surplus work in straight springs",
           "[balancing-cam]") {
-  const PlanarBalancingCam<double> machine;
+  const PlainNumbers numbers;
+  const PlanarBalancingCam machine;
   const BalancedTurn turn(machine);
-  const double rate = machine.packet_rate() / machine.springs;
-  const double stroke = machine.stroke(turn.surplus().range), preload = stroke;  // psi = 1
+  const double rate = plain(machine.packet_rate()) / plain(machine.springs);
+  const double stroke = plain(machine.stroke(turn.surplus().range)), preload = stroke;  // psi = 1
   for (double phi = 0.05; phi < 6.2; phi += 0.37) {
     const std::size_t section = section_at(machine, phi);
     const auto a = turn.displacement(section, phi);
-    const auto series = turn.displacement(section, Series<double, 3>::variable(phi, 1)).s;
-    CHECK(a.ds == Approx(series.c[1]).epsilon(1e-10).margin(1e-12));
-    CHECK(a.dds == Approx(2 * series.c[2]).epsilon(1e-9).margin(1e-10));
-    const double energy = rate * stroke * (preload * a.s + 0.5 * stroke * a.s * a.s);
-    const double work = machine.surplus_work(machine.wheel(machine.moves(section), phi), phi);
-    CHECK(energy == Approx(turn.surplus().highest_work - work).epsilon(1e-10).margin(1e-12));
+    const auto series = plain_derivatives(
+        [&](const auto& x) {
+          return BalancedTurn(PlanarBalancingCam()).displacement(section, x).s;
+        },
+        phi);
+    CHECK(plain(a.ds) == Approx(series[1]).epsilon(1e-10).margin(1e-12));
+    CHECK(plain(a.dds) == Approx(series[2]).epsilon(1e-9).margin(1e-10));
+    const double energy =
+        rate * stroke * (preload * plain(a.s) + 0.5 * stroke * plain(a.s) * plain(a.s));
+    const double work =
+        plain(machine.surplus_work(machine.wheel(machine.moves(section), phi), phi));
+    CHECK(energy == Approx(plain(turn.surplus().highest_work) - work).epsilon(1e-10).margin(1e-12));
   }
 }
 
 TEST_CASE("with straight springs the driver sees its mean alone", "[balancing-cam]") {
+  const PlainNumbers numbers;
   // A cone that is flat beside the thickness has a straight characteristic.
-  SphericalBalancingCam<double> machine;
-  machine.cone_height = 0.01 * machine.thickness;
+  SphericalBalancingCam machine;
+  machine.cone_height = 0.01 * plain(machine.thickness);
   machine.springs = 200000;
   machine.moved_mass = 0;
   const BalancedTurn turn(machine);
   for (double phi = 0.05; phi < 6.2; phi += 0.37) {
-    CHECK(turn.residual_torque(section_at(machine, phi), phi) ==
-          Approx(machine.mean_torque()).epsilon(2e-3));
+    CHECK(plain(turn.residual_torque(section_at(machine, phi), phi)) ==
+          Approx(plain(machine.mean_torque())).epsilon(2e-3));
   }
-  CHECK(turn.peak_torque() / greatest_residual(machine) ==
-        Approx(turn.peak_torque() / machine.mean_torque()).epsilon(2e-3));
+  CHECK(plain(turn.peak_torque()) / greatest_residual(machine) ==
+        Approx(plain(turn.peak_torque()) / plain(machine.mean_torque())).epsilon(2e-3));
 }
 
 TEST_CASE("springs and cam take no work over a turn", "[balancing-cam]") {
-  PlanarBalancingCam<double> machine;
+  const PlainNumbers numbers;
+  PlanarBalancingCam machine;
   machine.moved_mass = 3;
   machine.angular_speed = 9;  // not the speed that the cam is cut for
   const BalancedTurn turn(machine);
@@ -122,46 +139,51 @@ TEST_CASE("springs and cam take no work over a turn", "[balancing-cam]") {
   for (int i = 0; i < kSteps; ++i) {
     const double phi = 2 * kPi * (i + 0.5) / kSteps;
     const auto a = turn.displacement(section_at(machine, phi), phi);
-    work += turn.balancing_torque(a) * 2 * kPi / kSteps;
+    work += plain(turn.balancing_torque(a)) * 2 * kPi / kSteps;
   }
-  CHECK(work == Approx(0).margin(1e-4 * turn.surplus().range));
+  CHECK(work == Approx(0).margin(1e-4 * plain(turn.surplus().range)));
 }
 
 TEST_CASE("twin cams halve the stroke and balance alike", "[balancing-cam]") {
-  PlanarBalancingCam<double> one, two;
+  const PlainNumbers numbers;
+  PlanarBalancingCam one, two;
   one.moved_mass = two.moved_mass = 0;
   two.cams = 2;
   const BalancedTurn a(one), b(two);
   for (const double phi : {0.2, 0.9, 1.8, 4.0}) {
     const std::size_t section = section_at(one, phi);
-    CHECK(b.roller(section, phi).s == Approx(a.roller(section, phi).s / 2));
-    CHECK(b.spring_force(b.displacement(section, phi)) ==
-          Approx(a.spring_force(a.displacement(section, phi))));
-    CHECK(b.residual_torque(section, phi) == Approx(a.residual_torque(section, phi)));
+    CHECK(plain(b.roller(section, phi).s) == Approx(plain(a.roller(section, phi).s) / 2));
+    CHECK(plain(b.spring_force(b.displacement(section, phi))) ==
+          Approx(plain(a.spring_force(a.displacement(section, phi)))));
+    CHECK(plain(b.residual_torque(section, phi)) == Approx(plain(a.residual_torque(section, phi))));
   }
 }
 
 TEST_CASE("rollers off the cam leave the torque of the drive", "[balancing-cam]") {
-  PlanarBalancingCam<double> machine;
+  const PlainNumbers numbers;
+  PlanarBalancingCam machine;
   const double touching = greatest_residual(machine);
   machine.lift_off = 15 * kPi / 180;
-  const double drive = torque_at(machine.drive(), machine.lift_off);
+  const double drive = torque_at(machine.drive(), plain(machine.lift_off));
   REQUIRE(drive > touching);
   CHECK(greatest_residual(machine) == Approx(drive).epsilon(0.01));
-  machine.lift_off = machine.engagement() + 0.1;
+  machine.lift_off = plain(machine.engagement()) + 0.1;
   CHECK_FALSE(is_possible(machine));
 }
 
 TEST_CASE("the springs needed are those that reach their catalogue's deflection",
           "[balancing-cam]") {
-  PlanarBalancingCam<double> machine;
-  const double range = surplus_of(machine.designed()).range;
+  const PlainNumbers numbers;
+  PlanarBalancingCam machine;
+  const double range = plain(surplus_of(machine.designed()).range);
   for (const double psi : {0.6, 1.0, 4.0}) {
     machine.preload_ratio = psi;
-    machine.springs = machine.springs_needed(range);
-    CHECK(machine.deflection(range) == Approx(machine.nominal_deflection()).epsilon(1e-12));
+    machine.springs = plain(machine.springs_needed(range));
+    CHECK(plain(machine.deflection(range)) ==
+          Approx(plain(machine.nominal_deflection())).epsilon(1e-12));
     // Equation (9): mean of the end forces times the stroke.
-    const double stroke = machine.stroke(range), c = machine.packet_rate() / machine.springs;
+    const double stroke = plain(machine.stroke(range)),
+                 c = plain(machine.packet_rate()) / plain(machine.springs);
     const double least = c * psi * stroke, most = c * (1 + psi) * stroke;
     CHECK((least + most) / 2 * stroke == Approx(range).epsilon(1e-12));
   }

@@ -10,6 +10,7 @@
 
 #include "kinematics/program/program.h"
 #include "machines/cams/cam_motion.h"
+#include "tests/plain.h"
 
 /// Cams drawn point by point for tests, with nothing of the formulas that are tested.
 namespace camlaw::testing {
@@ -32,9 +33,9 @@ inline const Law<double>& drawn_program() {
 inline double angle_of(int i) { return 2 * kPi * i / kAngles; }
 
 template <class Cam>
-FollowerMotion<double> motion_at(const Cam& cam, double angle) {
+FollowerMotion motion_at(const Cam& cam, double angle) {
   const double turns = angle / (2 * kPi);
-  return cam.over_angle(drawn_program()(turns - std::floor(turns)));
+  return cam.over_angle(written(drawn_program()(turns - std::floor(turns))));
 }
 
 /// A point seen from the frame, as the cam at `angle` carries it: turned back.
@@ -72,7 +73,7 @@ inline double nearest(const std::vector<Point>& points, Point place) {
 /// envelope touches it and cuts it nowhere.
 template <class Cam, class Centre>
 void check_roller_cam(const Cam& cam, const Centre& centre) {
-  const double h = 1e-4, r = cam.roller_radius;
+  const double h = 1e-4, r = plain(cam.roller_radius);
   const auto flank = [&](double angle, double side) {
     const Point step = centre(angle + h) - centre(angle - h);
     return centre(angle) - side * r * Point(0, 1) * step / std::abs(step);
@@ -82,13 +83,13 @@ void check_roller_cam(const Cam& cam, const Centre& centre) {
   for (int i = 45; i < kAngles - 45; i += 70) {
     INFO(i * 360.0 / kAngles << " deg");
     const double angle = angle_of(i), step = 1e-3;
-    const double k = cam.pitch_curve(motion_at(cam, angle)).curvature();
+    const double k = plain(cam.pitch_curve(motion_at(cam, angle)).curvature());
     const auto bend = [&](const auto& at) {
       return curvature_of(at(angle - step), at(angle), at(angle + step));
     };
     CHECK(bend(centre) == Approx(k).epsilon(2e-3).margin(0.02));
     CHECK(bend([&](double a) { return flank(a, 1); }) ==
-          Approx(cam.roller().profile_curvature(k)).epsilon(2e-3).margin(0.02));
+          Approx(plain(cam.roller().profile_curvature(k))).epsilon(2e-3).margin(0.02));
     CHECK(bend([&](double a) { return flank(a, -1); }) ==
           Approx(k / (1 + r * k)).epsilon(2e-3).margin(0.02));
     CHECK(nearest(inner, centre(angle)) == Approx(r).epsilon(1e-5));
@@ -105,8 +106,10 @@ void check_power(const Cam& cam, const Centre& centre, const Push& push) {
     const auto f = motion_at(cam, angle);
     const Point step = centre(angle + h) - centre(angle - h);
     const Point normal = Point(0, 1) * step / std::abs(step);
-    CHECK(cam.follower().torque(f) ==
-          Approx(push(centre(angle), normal) * cam.contact_force(f)).margin(1e-6).epsilon(1e-6));
+    CHECK(plain(cam.follower().torque(f)) ==
+          Approx(push(centre(angle), normal) * plain(cam.contact_force(f)))
+              .margin(1e-6)
+              .epsilon(1e-6));
   }
 }
 

@@ -8,42 +8,44 @@ namespace camlaw::knife_edge_cam_test {
 using namespace testing;
 
 TEST_CASE("a knife edge draws its own profile", "[cams]") {
+  const PlainNumbers numbers;
   for (const double offset : {0.0, 0.012, -0.01}) {
-    KnifeEdgeCam<double> cam;
+    KnifeEdgeCam cam;
     cam.offset = offset;
     const double lowest = std::sqrt(0.04 * 0.04 - offset * offset);
     const auto edge = [&](double angle) {
-      return on_cam({offset, lowest + motion_at(cam, angle).s}, angle);
+      return on_cam({offset, lowest + plain(motion_at(cam, angle).s)}, angle);
     };
-    CHECK(nearest(drawn(edge), 0) == Approx(cam.base_radius).epsilon(1e-12));
+    CHECK(nearest(drawn(edge), 0) == Approx(plain(cam.base_radius)).epsilon(1e-12));
     for (double angle = 0.1; angle < 6.2; angle += 0.2) {
       const auto f = motion_at(cam, angle);
       const double h = 1e-3, tiny = 1e-6;
       const double bend = curvature_of(edge(angle - h), edge(angle), edge(angle + h));
-      CHECK(cam.profile_curvature(f) == Approx(bend).epsilon(2e-3).margin(0.02));
+      CHECK(plain(cam.profile_curvature(f)) == Approx(bend).epsilon(2e-3).margin(0.02));
       const Point normal = Point(0, 1) * (edge(angle + tiny) - edge(angle - tiny));
       const double alpha = std::arg(normal * std::polar(1.0, angle) / Point(0, 1));
-      CHECK(cam.pressure_angle(f) == Approx(alpha).margin(1e-7));
-      CHECK(cam.contact_force(f) * std::cos(alpha) ==
-            Approx(cam.follower().force(f)).epsilon(1e-6));
+      CHECK(plain(cam.pressure_angle(f)) == Approx(alpha).margin(1e-7));
+      CHECK(plain(cam.contact_force(f)) * std::cos(alpha) ==
+            Approx(plain(cam.follower().force(f))).epsilon(1e-6));
     }
   }
 }
 
 TEST_CASE("a roller that shrinks becomes a knife edge", "[cams]") {
-  RollerCam<double> roller;
+  const PlainNumbers numbers;
+  RollerCam roller;
   roller.offset = 0.01;
   roller.roller_radius = 1e-9;
-  KnifeEdgeCam<double> cam;
+  KnifeEdgeCam cam;
   cam.offset = 0.01;
   for (double angle = 0.1; angle < 6.2; angle += 0.3) {
     const auto f = motion_at(cam, angle);
-    const double k = roller.roller().profile_curvature(roller.pitch_curve(f).curvature());
-    CHECK(cam.profile_curvature(f) == Approx(k).epsilon(1e-6));
-    CHECK(cam.tool_fit(f) ==
-          Approx(roller.roller().tool_fit(roller.pitch_curve(f).curvature())).epsilon(1e-6));
+    const double k = plain(roller.roller().profile_curvature(roller.pitch_curve(f).curvature()));
+    CHECK(plain(cam.profile_curvature(f)) == Approx(k).epsilon(1e-6));
+    CHECK(plain(cam.tool_fit(f)) ==
+          Approx(plain(roller.roller().tool_fit(roller.pitch_curve(f).curvature()))).epsilon(1e-6));
   }
-  cam.offset = cam.base_radius;
+  cam.offset = plain(cam.base_radius);
   CHECK_FALSE(is_possible(cam));
 }
 

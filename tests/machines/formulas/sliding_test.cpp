@@ -53,43 +53,44 @@ ContactRun run_at(const TouchedFace& face, double angle) {
   return {slope(face.on_face), std::real(std::conj(face.along(angle)) * slope(face.on_cam))};
 }
 
-TouchedFace touched(const FlatCam<double>& cam) {
+TouchedFace touched(const FlatCam& cam) {
   const auto offset = [&cam](double a) {
     // The foot of the support's derivative, of displacements alone.
     const double h = 1e-5;
-    return (motion_at(cam, a + h).s - motion_at(cam, a - h).s) / (2 * h);
+    return (plain(motion_at(cam, a + h).s) - plain(motion_at(cam, a - h).s)) / (2 * h);
   };
   return {offset,
           [&cam, offset](double a) {
-            return on_cam({offset(a), cam.base_radius + motion_at(cam, a).s}, a);
+            return on_cam({offset(a), plain(cam.base_radius) + plain(motion_at(cam, a).s)}, a);
           },
           [](double a) { return std::polar(1.0, -a); }};
 }
 
 /// Of an arm: the cam's own profile, which another test draws as the envelope of the faces.
-TouchedFace touched(const OscillatingFlatCam<double>& cam) {
+TouchedFace touched(const OscillatingFlatCam& cam) {
   const auto along = [&cam](double a) {
-    return on_cam(-std::polar(1.0, -(cam.lowest_angle() + motion_at(cam, a).s)), a);
+    return on_cam(-std::polar(1.0, -(plain(cam.lowest_angle()) + plain(motion_at(cam, a).s))), a);
   };
   const auto place = [&cam](double a) {
-    const auto [x, y] = cam.profile(motion_at(cam, a)).place();
+    const auto [x, y] = plain(cam.profile(motion_at(cam, a)).place());
     return on_cam({x, y}, a);
   };
   const auto on_face = [&cam, along, place](double a) {
-    return std::real(std::conj(along(a)) * (place(a) - on_cam(cam.pivot_distance, a)));
+    return std::real(std::conj(along(a)) * (place(a) - on_cam(plain(cam.pivot_distance), a)));
   };
   return {on_face, place, along};
 }
 
 /// The same without the cam's own profile: the profile as the envelope of the faces, x = p n - p'
 /// t / theta' with the face's direction t = exp(i theta), n = i t and its distance p.
-TouchedFace enveloped(const OscillatingFlatCam<double>& cam) {
+TouchedFace enveloped(const OscillatingFlatCam& cam) {
   const auto direction = [&cam](double a) {
-    return on_cam(-std::polar(1.0, -(cam.lowest_angle() + motion_at(cam, a).s)), a);
+    return on_cam(-std::polar(1.0, -(plain(cam.lowest_angle()) + plain(motion_at(cam, a).s))), a);
   };
   const auto foot = [&cam](double a) {
-    const double psi = cam.lowest_angle() + motion_at(cam, a).s;
-    return on_cam(cam.pivot_distance - Point(0, cam.face_offset) * std::polar(1.0, -psi), a);
+    const double psi = plain(cam.lowest_angle()) + plain(motion_at(cam, a).s);
+    return on_cam(
+        plain(cam.pivot_distance) - Point(0, plain(cam.face_offset)) * std::polar(1.0, -psi), a);
   };
   const auto distance = [direction, foot](double a) {
     return std::real(std::conj(Point(0, 1) * direction(a)) * foot(a));
@@ -115,20 +116,20 @@ int check_face(const Cam& cam, const TouchedFace& face) {
     INFO(angle);
     const auto f = motion_at(cam, angle);
     const ContactRun run = run_at(face, angle);
-    const double omega = cam.angular_speed;
+    const double omega = plain(cam.angular_speed);
     const double size = omega * std::abs(run.over_cam);
-    CHECK(cam.sliding_speed(f) ==
+    CHECK(plain(cam.sliding_speed(f)) ==
           Approx(omega * std::abs(run.over_cam - run.over_face)).margin(2e-6 * size));
     // Both surfaces run towards the contact as it runs over them, which it does over the cam.
     const double mean = std::copysign(omega / 2, run.over_cam) * (run.over_cam + run.over_face);
-    CHECK(cam.entrainment_speed(f) == Approx(mean).margin(2e-6 * size));
-    if (cam.entrainment_speed(f) < 0) ++reversed;
-    const double w = cam.contact_force(f) / cam.face_width, modulus = 2.1e11 / 0.91;
+    CHECK(plain(cam.entrainment_speed(f)) == Approx(mean).margin(2e-6 * size));
+    if (plain(cam.entrainment_speed(f)) < 0) ++reversed;
+    const double w = plain(cam.contact_force(f)) / plain(cam.face_width), modulus = 2.1e11 / 0.91;
     const double film = 2.65 * std::pow(2e-8, 0.54) * std::pow(0.05 * std::abs(mean), 0.7) *
-                        std::pow(cam.profile_radius(f), 0.43) * std::pow(modulus, -0.03) *
+                        std::pow(plain(cam.profile_radius(f)), 0.43) * std::pow(modulus, -0.03) *
                         std::pow(w, -0.13);
     if (w > 0 && std::abs(mean) > 1e-3 * size) {
-      CHECK(problems::film_of_face(cam, f) == Approx(film).epsilon(2e-3));
+      CHECK(plain(problems::film_of_face(cam, f)) == Approx(film).epsilon(2e-3));
     }
   }
   return reversed;
@@ -137,12 +138,13 @@ int check_face(const Cam& cam, const TouchedFace& face) {
 }  // namespace
 
 TEST_CASE("a flat face slides and draws oil in as its contact runs over both bodies", "[cams]") {
-  FlatCam<double> flat;
+  const PlainNumbers numbers;
+  FlatCam flat;
   CHECK(check_face(flat, touched(flat)) == 0);
   flat.base_radius = 0.02;
   CHECK(check_face(flat, touched(flat)) > 2);
   for (const double offset : {0.0, 0.012, -0.015}) {
-    OscillatingFlatCam<double> arm;
+    OscillatingFlatCam arm;
     arm.swing = 0.15;
     arm.face_offset = offset;
     INFO(offset);
@@ -151,8 +153,9 @@ TEST_CASE("a flat face slides and draws oil in as its contact runs over both bod
 }
 
 TEST_CASE("an arm's flat face draws oil the other way about the top of a lift", "[cams]") {
+  const PlainNumbers numbers;
   for (const double offset : {0.0, 0.006, -0.01}) {
-    OscillatingFlatCam<double> arm;
+    OscillatingFlatCam arm;
     arm.swing = 0.15;
     arm.base_radius = 0.025;
     arm.face_offset = offset;
@@ -163,46 +166,50 @@ TEST_CASE("an arm's flat face draws oil the other way about the top of a lift", 
 }
 
 TEST_CASE("a film that nothing presses has no bound", "[cams]") {
-  FlatCam<double> cam;
+  const PlainNumbers numbers;
+  FlatCam cam;
   cam.spring_preload = 0;
   cam.load = 0;
-  CHECK(std::isinf(problems::film_of_face(cam, FollowerMotion<double>{0, 0, 0, 0})));
+  CHECK(std::isinf(plain(problems::film_of_face(cam, FollowerMotion{0, 0, 0, 0}))));
 }
 
 TEST_CASE("the film below a flat face breaks where the contact stands between both surfaces",
           "[cams]") {
+  const PlainNumbers numbers;
   // r_b + s + 2 s'' = 0: cam and face run at the same speed away from the contact.
-  const FlatCam<double> cam;
-  const double height = 0.01, bend = -(cam.base_radius + height) / 2;
-  const FollowerMotion<double> f{height, 0, bend, 0};
-  CHECK(cam.entrainment_speed(f) == Approx(0).margin(1e-15));
-  CHECK(problems::film_of_face(cam, FollowerMotion<double>{height, 0, -0.025, 0}) ==
+  const FlatCam cam;
+  const double height = 0.01, bend = -(plain(cam.base_radius) + height) / 2;
+  const FollowerMotion f{height, 0, bend, 0};
+  CHECK(plain(cam.entrainment_speed(f)) == Approx(0).margin(1e-15));
+  CHECK(plain(problems::film_of_face(cam, FollowerMotion{height, 0, -0.025, 0})) ==
         Approx(0).margin(1e-15));
-  CHECK(cam.sliding_speed(f) > 0);
+  CHECK(plain(cam.sliding_speed(f)) > 0);
 }
 
 TEST_CASE("a face on an arm wears its profile by what it slides", "[cams]") {
-  OscillatingFlatCam<double> cam;
+  const PlainNumbers numbers;
+  OscillatingFlatCam cam;
   cam.swing = 0.15;
   cam.face_offset = 0.012;
   const TouchedFace face = touched(cam);
   for (double angle = 0.2; angle < 6; angle += 0.37) {
     const auto f = motion_at(cam, angle);
     const double by_force = worn(face.on_cam, angle, 4e-5, [&](double a) {
-      return cam.sliding_speed(motion_at(cam, a)) / cam.angular_speed;
+      return plain(cam.sliding_speed(motion_at(cam, a))) / plain(cam.angular_speed);
     });
-    CHECK(cam.wear(f) ==
-          Approx(cam.wear_coefficient * cam.contact_force(f) / cam.face_width * by_force)
-              .epsilon(0.001));
+    CHECK(plain(cam.wear(f)) == Approx(plain(cam.wear_coefficient) * plain(cam.contact_force(f)) /
+                                       plain(cam.face_width) * by_force)
+                                    .epsilon(0.001));
   }
 }
 
 TEST_CASE("a flat face slides as its cam runs under it", "[cams]") {
-  const FlatCam<double> cam;
-  const double omega = cam.angular_speed;
+  const PlainNumbers numbers;
+  const FlatCam cam;
+  const double omega = plain(cam.angular_speed);
   const auto contact = [&](double angle) {
     const auto f = motion_at(cam, angle);
-    return Point(cam.contact_offset(f), cam.base_radius + f.s);
+    return Point(plain(cam.contact_offset(f)), plain(cam.base_radius) + plain(f.s));
   };
   for (double angle = 0.2; angle < 6; angle += 0.37) {
     const auto f = motion_at(cam, angle);
@@ -211,32 +218,36 @@ TEST_CASE("a flat face slides as its cam runs under it", "[cams]") {
     const double h = 1e-6;
     const Point moved =
         (place * std::polar(1.0, angle + h) - place * std::polar(1.0, angle - h)) / (2 * h);
-    CHECK(cam.sliding_speed(f) == Approx(omega * std::abs(moved.real())).epsilon(1e-8));
+    CHECK(plain(cam.sliding_speed(f)) == Approx(omega * std::abs(moved.real())).epsilon(1e-8));
     const auto drawn_at = [&](double a) { return on_cam(contact(a), a); };
     const double by_force = worn(drawn_at, angle, 4e-5, [&](double a) {
-      return cam.sliding_speed(motion_at(cam, a)) / omega;
+      return plain(cam.sliding_speed(motion_at(cam, a))) / omega;
     });
-    CHECK(cam.wear(f) ==
-          Approx(cam.wear_coefficient * cam.follower().force(f) / cam.face_width * by_force)
+    CHECK(plain(cam.wear(f)) ==
+          Approx(plain(cam.wear_coefficient) * plain(cam.follower().force(f)) /
+                 plain(cam.face_width) * by_force)
               .epsilon(0.001));
   }
 }
 
 TEST_CASE("a knife edge slides along the whole profile", "[cams]") {
-  KnifeEdgeCam<double> cam;
+  const PlainNumbers numbers;
+  KnifeEdgeCam cam;
   cam.offset = 0.006;
   const auto edge = [&](double angle) {
-    return on_cam({cam.offset, cam.edge().lowest_height() + motion_at(cam, angle).s}, angle);
+    return on_cam(
+        {plain(cam.offset), plain(cam.edge().lowest_height()) + plain(motion_at(cam, angle).s)},
+        angle);
   };
   for (double angle = 0.2; angle < 6; angle += 0.37) {
     const auto f = motion_at(cam, angle);
     const double h = 1e-5, run = std::abs(edge(angle + h) - edge(angle - h)) / (2 * h);
-    CHECK(cam.sliding_speed(f) == Approx(cam.angular_speed * run).epsilon(1e-7));
+    CHECK(plain(cam.sliding_speed(f)) == Approx(plain(cam.angular_speed) * run).epsilon(1e-7));
     const double by_force = worn(
         edge, angle, 4e-5, [&](double a) { return std::abs(edge(a + h) - edge(a - h)) / (2 * h); });
-    CHECK(cam.wear(f) ==
-          Approx(cam.wear_coefficient * cam.contact_force(f) / cam.face_width * by_force)
-              .epsilon(0.03));
+    CHECK(plain(cam.wear(f)) == Approx(plain(cam.wear_coefficient) * plain(cam.contact_force(f)) /
+                                       plain(cam.face_width) * by_force)
+                                    .epsilon(0.03));
   }
 }
 

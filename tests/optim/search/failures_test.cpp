@@ -102,7 +102,9 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   const Found none = optimise(problem, {.starts = 1}).found;
   CHECK(none.assessment.verdict == Verdict::Failed);
   CHECK(none.status == Status::NonFiniteStart);
-  CHECK(none.assessment.reason == "the model is undefined at the start (cost)");
+  CHECK(none.assessment.reason ==
+        "the objective cost is undefined: it has no value at the start nor at any of 254 other "
+        "designs of the variables' ranges that were looked at");
   CHECK(optimise(problem).found.assessment.verdict == Verdict::Failed);
 }
 
@@ -201,14 +203,17 @@ TEST_CASE("a limit that throws, on a number or a curve, is a failed assessment",
 }
 
 TEST_CASE("after the time limit the best design so far comes back soon", "[optimise]") {
-  const auto slow = [](std::span<const double>) {
+  int calls = 0;  // each of 5 ms or more: their number does not grow on a busy machine
+  const auto slow = [&calls](std::span<const double>) {
+    ++calls;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   };
   for (const std::string solver : {"auto", "ipopt", "cobyla", "crs2"}) {
     INFO(solver);
+    calls = 0;
     const Problem problem = valley_of(observed(rosenbrock(), slow));
     const Optimum optimum = optimise(problem, {.solver = solver, .time_limit = 0.1});
-    CHECK(optimum.wall_s < 5);
+    CHECK(calls < 1000);
     CHECK(optimum.found.status == Status::TimeLimit);
     CHECK(optimum.found.assessment.verdict == Verdict::Feasible);
     CHECK(contains(optimum.found.assessment.reason, "the time limit of 0.1 s was reached"));

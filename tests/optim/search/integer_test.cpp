@@ -342,11 +342,15 @@ TEST_CASE("progress tells the share of starts and combinations that is through",
 TEST_CASE("where time runs out among combinations, the best so far is feasible", "[optimise]") {
   Problem problem;
   problem.variables = {integer("a", 0, 400), variable("x", -1, 1, 0.5)};
+  int calls = 0;  // each of 2 ms or more: their number does not grow on a busy machine
   problem.objectives = {least(
       observed(convex({0, 1}, [](const auto& u) { return square(u[0] - 300.0) + square(u[1]); }),
-               [](auto) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }))};
+               [&calls](auto) {
+                 ++calls;
+                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
+               }))};
   const Optimum optimum = optimise(problem, {.time_limit = 0.3});
-  CHECK(optimum.wall_s < 5);
+  CHECK(calls < 2500);
   CHECK(optimum.solved < 401);
   CHECK(optimum.found.assessment.verdict == Verdict::Feasible);
   REQUIRE(optimum.found.x.size() == 2);

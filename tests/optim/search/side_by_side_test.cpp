@@ -176,7 +176,7 @@ TEST_CASE("a stop ends searches in other processes with what they have", "[searc
   Crew crew = crew_of(2);
   const auto began = std::chrono::steady_clock::now();
   const Optimum optimum = optimise(space, options, crew);
-  CHECK(seconds_since(began) < 20);
+  CHECK(seconds_since(began) < 60);
   CHECK(optimum.found.assessment.verdict != Verdict::Certified);
   CHECK_FALSE(optimum.found.x.empty());
   CHECK_THAT(optimum.found.assessment.reason, Contains("stopped"));
@@ -187,7 +187,7 @@ TEST_CASE("a time limit holds for searches in other processes", "[search][worker
   Crew crew = crew_of(2);
   const auto began = std::chrono::steady_clock::now();
   const Optimum optimum = optimise(space, {.time_limit = 0.5}, crew);
-  CHECK(seconds_since(began) < 20);
+  CHECK(seconds_since(began) < 60);
   CHECK_THAT(optimum.found.assessment.reason, Contains("the time limit of 0.5 s was reached"));
   CHECK_FALSE(optimum.found.x.empty());
 }
@@ -200,7 +200,7 @@ TEST_CASE("short work stays in the calling process, long work does not", "[searc
   const pid_t parent = getpid();
   const auto run = [&](useconds_t pause) {
     const ProblemSpace space = rooms(8, [=](std::size_t, std::span<const double>) {
-      usleep(pause);
+      if (pause > 0) usleep(pause);  // which gives a busy processor to others
       *elsewhere += getpid() != parent;
     });
     Crew crew({.workers = 2});

@@ -35,8 +35,8 @@ std::string complaint(const std::string& solver, const std::string& name,
 TEST_CASE("an option is refused with its solver, its name and what is accepted", "[solvers]") {
   const std::int64_t two = 2;
   CHECK(complaint("ipopt", "mu_stratgy", "adaptive") ==
-        "ipopt has no option 'mu_stratgy'; near: mu_strategy, mu_oracle, "
-        "pardiso_matching_strategy");
+        "ipopt has no option 'mu_stratgy'; did you mean mu_strategy, mu_oracle or "
+        "pardiso_matching_strategy?");
   CHECK(contains(complaint("ipopt", "zzzzzz", two), "ipopt has no option 'zzzzzz'; it has "));
   CHECK(complaint("ipopt", "mu_strategy", "adaptve") ==
         "ipopt: option mu_strategy: 'adaptve' is not one of monotone, adaptive");
@@ -53,7 +53,8 @@ TEST_CASE("an option is refused with its solver, its name and what is accepted",
         "ipopt: option bound_frac: 0.75 is not a number above 0 and up to 0.5");
   CHECK(complaint("ipopt", "mu_init", kNan) ==
         "ipopt: option mu_init: nan is not a number above 0");
-  CHECK(complaint("crs2", "popula", two) == "crs2 has no option 'popula'; near: population");
+  CHECK(complaint("crs2", "popula", two) ==
+        "crs2 has no option 'popula'; did you mean population?");
   CHECK(complaint("crs2", "zzz", two) == "crs2 has no option 'zzz'; use population");
   CHECK(complaint("direct-l", "zzz", two) == "direct-l has no option 'zzz'; it takes none");
   CHECK(complaint("crs2", "population", std::int64_t{0}) ==

@@ -443,7 +443,9 @@ TEST_CASE("a stop flag ends each method at once, whatever its limits", "[nlopt]"
 }
 
 TEST_CASE("a time limit ends each method", "[nlopt]") {
-  const Function slow = function({0, 1}, [](const auto& u) {
+  int calls = 0;  // each of 2 ms or more: their number does not grow on a busy machine
+  const Function slow = function({0, 1}, [&calls](const auto& u) {
+    ++calls;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     const auto a = 1.0 - u[0];
     const auto b = u[1] - u[0] * u[0];
@@ -452,11 +454,10 @@ TEST_CASE("a time limit ends each method", "[nlopt]") {
   const Program program(box(-2, 2, {-1.2, 1}), slow, 1, 1, {});
   for (const auto& name : taking(program, all())) {
     CAPTURE(name);
-    const auto began = std::chrono::steady_clock::now();
+    calls = 0;
     const Solution s = method(name).solve(program, {.time_limit = 0.02});
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
     CHECK(s.status == Status::TimeLimit);
-    CHECK(spent.count() < 2);
+    CHECK(calls < 1000);
     CHECK_FALSE(s.y.empty());
   }
 }

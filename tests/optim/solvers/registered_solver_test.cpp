@@ -176,7 +176,8 @@ TEST_CASE("a registered solver gets its own options, checked", "[solvers]") {
   CHECK(got == NativeOptions{{"depth", std::int64_t{3}}});
   CHECK_THROWS_WITH(run({{"depth", std::int64_t{10}}}),
                     "scripted: option depth: 10 is not an integer from 1 to 9");
-  CHECK_THROWS_WITH(run({{"dept", std::int64_t{1}}}), "scripted has no option 'dept'; near: depth");
+  CHECK_THROWS_WITH(run({{"dept", std::int64_t{1}}}),
+                    "scripted has no option 'dept'; did you mean depth?");
 }
 
 TEST_CASE("a solver that claims an optimum where a limit is passed is not believed", "[solvers]") {
@@ -287,7 +288,7 @@ TEST_CASE("the time limit ends a solver that lets the model's exceptions through
     while (true) program.objective(program.start());
   });
   const Optimum optimum = optimise(bowl(), {.solver = "scripted", .time_limit = 0.2});
-  CHECK(optimum.wall_s < 2);
+  CHECK(optimum.wall_s < 60);  // the solver itself would never end
   CHECK(optimum.found.assessment.verdict != Verdict::Certified);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/cams/sketches.h"
+#include "fitting/motions/sketches.h"
 
 #include <Eigen/Core>
 #include <algorithm>

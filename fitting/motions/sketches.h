@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fitting/cams/readings.h"
+#include "fitting/motions/readings.h"
 
 /// How the samples of a cam's motion may be divided into stretches that follow a law and others
 /// that depart from it, before laws are fitted to them (docs/optimisation.md, "Worn cams").

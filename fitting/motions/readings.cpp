@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/cams/readings.h"
+#include "fitting/motions/readings.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,9 +8,10 @@
 #include <cmath>
 #include <optional>
 
-#include "fitting/cams/sketches.h"
+#include "fitting/motions/sketches.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/tables/turn.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::problems {
 namespace {
@@ -56,6 +57,14 @@ std::optional<Reading> fitted(const FoundMotion& motion, const LawFit& start,
 bool overlap(const Departure& a, const Departure& b) { return a.from <= b.to && b.from <= a.to; }
 
 }  // namespace
+
+Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
+                       const LawFitOptions& options, double noise) {
+  LawFitOptions robust = options;
+  if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
+  robust.loss_scale = noise * optim::efficient_scale(robust.loss);
+  return rank_fits(motion.samples, laws, motion.guess, robust);
+}
 
 Scatter scatter_of(const FoundMotion& motion, const std::vector<LawFit>& ranking, double least) {
   const MotionSamples& samples = motion.samples;
@@ -147,12 +156,15 @@ std::vector<Reading> rivals_of(const Reading& chosen, const std::vector<Reading>
   return rivals;
 }
 
-std::string reading_words(const Reading& reading, const std::string& unit) {
+std::string reading_words(const Reading& reading, const MotionSamples& samples, double first) {
+  const auto of_unit = [](const std::string& unit) { return unit == "1" ? "" : " " + unit; };
   std::vector<std::string> words;
   for (const Departure& d : reading.departures) {
-    const double from = in_period(d.from, 0, kTurnDegrees);
-    words.push_back(fmt::format("{:.3g} {} {} from {:.4g} to {:.4g} deg", std::abs(d.most), unit,
-                                d.most < 0 ? "lower" : "higher", from, from + d.to - d.from));
+    const double from =
+        samples.place_unit == "deg" ? in_period(d.from, first, kTurnDegrees) : d.from;
+    words.push_back(fmt::format("{:.3g}{} {} from {:.4g} to {:.4g}{}", std::abs(d.most),
+                                of_unit(samples.unit), d.most < 0 ? "lower" : "higher", from,
+                                from + d.to - d.from, of_unit(samples.place_unit)));
   }
   if (words.empty()) return fmt::format("{} without a worn stretch", reading.law.law.label());
   return fmt::format("{}, the lift being up to {}", reading.law.law.label(),

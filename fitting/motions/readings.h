@@ -6,6 +6,7 @@
 
 #include "fitting/motions/departures.h"
 #include "fitting/motions/law_fit.h"
+#include "fitting/motions/law_ranking.h"
 #include "fitting/motions/motion_data.h"
 
 /// How the samples of a cam's motion can be read: by one law or another, with or without stretches
@@ -18,6 +19,11 @@ struct Reading {
   std::vector<Departure> departures;  ///< by place; not more than two
   double score = 0;                   ///< (WR1), the less the better
 };
+
+/// All laws, fitted so that what departs does not pull them to itself: under Huber's loss if none
+/// is asked for, with the scale that belongs to this noise.
+Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
+                       const LawFitOptions& options, double noise);
 
 /// What each sample of a motion scatters by about a smooth curve through its neighbours.
 struct Scatter {
@@ -52,6 +58,7 @@ bool tell_other_wear(const Reading& a, const Reading& b);
 std::vector<Reading> rivals_of(const Reading& chosen, const std::vector<Reading>& readings);
 
 /// "modified-sine, the lift 0.08 mm lower from 40 to 80 deg as where it is worn".
-std::string reading_words(const Reading& reading, const std::string& unit);
+/// Angles are told from `first` to a turn further.
+std::string reading_words(const Reading& reading, const MotionSamples& samples, double first = 0);
 
 }  // namespace camlaw::problems
