@@ -49,7 +49,7 @@ void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std:
   all.push_back(
       mean_number<M>({prefix + "equivalent_load", "N", "N",
                       "constant load under which " + bearing +
-                          " reaches as many revolutions; 0 if that cam never carries load"},
+                          " reaches as many revolutions; 0 if that cam carries none"},
                      damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
                        return cam.duty().equivalent_load(mean, turned);
                      }));

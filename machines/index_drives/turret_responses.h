@@ -24,8 +24,8 @@ inline TrainWords table_words() {
           "torque that turret, elastic train and load require, without friction; below "
           "0 the holding flank carries it",
       .lost =
-          "lowest speed at which the holding flank carries the load, with the elastic train and no "
-          "friction; undefined if none is found",
+          "lowest speed at which the holding flank carries load, with the elastic train, without "
+          "friction; undefined if none",
       .least =
           "least torque with the elastic train, without friction; above 0 the driving "
           "flank carries the load all the time",

@@ -95,7 +95,7 @@ double shaft_zero_direction(const PlaneCurve& profile, double phase) {
   return within_turn(kUpwards + (winds_left(profile) ? -phase : phase));
 }
 
-Eigen::Vector2d shaft_zero_way(const PlaneCurve& profile, double phase) {
+Eigen::Vector2d shaft_zero_axis(const PlaneCurve& profile, double phase) {
   const double angle = shaft_zero_direction(profile, phase) * std::numbers::pi / 180;
   return {std::cos(angle), std::sin(angle)};
 }

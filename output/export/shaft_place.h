@@ -24,7 +24,7 @@ struct ShaftPlace {
 /// counterclockwise, else 90 deg + phase (SH9); counterclockwise from x, 0 .. 360 deg.
 double shaft_zero_direction(const PlaneCurve& profile, double phase);
 /// The same as a vector of length 1.
-Eigen::Vector2d shaft_zero_way(const PlaneCurve& profile, double phase);
+Eigen::Vector2d shaft_zero_axis(const PlaneCurve& profile, double phase);
 /// Of a cam that is developed, x of the place under the frame's x = 0 when the shaft is at its
 /// zero, within the cycle that is drawn.
 double shaft_zero_along(const PlaneCurve& profile, double phase);

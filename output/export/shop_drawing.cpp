@@ -90,7 +90,7 @@ void draw_shaft_zero(const PlaneCurve& profile, const ShaftPlace& place, const R
   constexpr double kFrom = 0.6, kTo = 0.8;  // of the least radius; a zero mark begins at 0.85
   constexpr double kBelow = 3;              // marks
   const bool round = profile.is_about_centre();
-  const Vector2d way = round ? shaft_zero_way(profile, place.phase) : Vector2d(0, 1);
+  const Vector2d way = round ? shaft_zero_axis(profile, place.phase) : Vector2d(0, 1);
   const Vector2d foot =
       round ? Vector2d(kFrom * reach.least * way)
             : Vector2d(shaft_zero_along(profile, place.phase), reach.low.y() - kBelow * mark);
@@ -190,7 +190,7 @@ std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSe
   if (profile.is_about_centre()) {
     if (bore) {
       const bool at_shaft = s.on_shaft && s.on_shaft->from_shaft;
-      const Vector2d towards = at_shaft ? shaft_zero_way(profile, s.on_shaft->phase) : zero;
+      const Vector2d towards = at_shaft ? shaft_zero_axis(profile, s.on_shaft->phase) : zero;
       const BoreOutline outline = outline_of(*bore, towards, reach.least, "the profile");
       drawing.add("SHAFT", outline.arc);
       for (const DrawnLine& line : outline.keyway) drawing.add("SHAFT", line);

@@ -464,7 +464,7 @@ TEST_CASE("the help of export explains every option", "[export]") {
         "--cycle",        "--columns",  "--separator", "--lead",      "--allowances",
         "--compensation", "--drawing",  "--bore",      "--keyway",    "--form-tolerance"}) {
     std::size_t at = help.find(std::string("  ") + option + " ");
-    if (at == std::string::npos) at = help.find(std::string(", ") + option + " ");  // "-o, --out"
+    if (at == std::string::npos) at = help.find(std::string(",") + option + " ");  // "-o,--out"
     REQUIRE(at != std::string::npos);
     CHECK(help.find("\n  -", at) > at + 50);
   }

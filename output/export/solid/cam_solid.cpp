@@ -199,7 +199,7 @@ CamSolid cam_solid(const ProblemStatement& design, const SolidSettings& settings
   }
   const PlaneCurve& profile = sides.front();
   if (const auto bore = bore_of(design, settings.bore_radius, settings.keyway)) {
-    const Vector2d zero = settings.phase ? shaft_zero_way(profile, *settings.phase)
+    const Vector2d zero = settings.phase ? shaft_zero_axis(profile, *settings.phase)
                                          : profile.at({profile.begin()}).at;
     body.loops.push_back(loop_of(outline_of(*bore, zero, least_distance(profile), "the profile")));
   }
