@@ -46,13 +46,13 @@ void add_pair_duty(std::vector<MechanismResponse>& all, OfPair which, const std:
   const auto turns = [which](const auto& cam, const auto& motion) {
     return turns_of_pair(cam, which, cam.over_angle(motion));
   };
-  all.push_back(
-      mean_number<M>({prefix + "equivalent_load", "N", "N",
-                      "constant load under which " + bearing +
-                          " reaches as many revolutions; 0 if that cam carries none"},
-                     damage, turns, [](const auto& cam, const auto& mean, const auto& turned) {
-                       return cam.duty().equivalent_load(mean, turned);
-                     }));
+  all.push_back(mean_number<M>({prefix + "equivalent_load", "N", "N",
+                                "constant load under which " + bearing +
+                                    " reaches as many revolutions; 0 if that cam carries none"},
+                               damage, turns,
+                               [](const auto& cam, const auto& mean, const auto& turned) {
+                                 return cam.duty().equivalent_load(mean, turned);
+                               }));
   all.push_back(
       mean_number<M>({prefix + "life_revolutions", "1", "1",
                       "basic rating life L10 of " + bearing + ", in millions of revolutions"},

@@ -127,8 +127,8 @@ class BoxFront final : public PartFront {
     return scouted < known && scale.place(known) - scale.place(scouted) > kNoticed;
   }
 
-  /// Scouted designs near an end that are the best in the other cost: a cost may have several optima
-  /// that are equal, from one of which a search does not come to the other.
+  /// Scouted designs near an end that are the best in the other cost: a cost may have several
+  /// optima that are equal, from one of which a search does not come to the other.
   std::vector<FrontPoint> scouted_near(std::size_t end, double range) const {
     constexpr double kNear = 0.05;  // of the range
     constexpr std::size_t kMost = 2;

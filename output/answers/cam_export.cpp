@@ -14,6 +14,7 @@
 #include "output/answers/motion_export.h"
 #include "output/answers/shop_export.h"
 #include "output/answers/solid_export.h"
+#include "output/answers/tool_words.h"
 #include "output/export/dxf.h"
 #include "output/export/interference.h"
 #include "output/export/plane_curve.h"
@@ -98,12 +99,6 @@ problems::GcodeSettings gcode_settings(const ExportOptions& o,
   s.clearance = quantity(o.clearance, "--clearance", length, s.clearance * per_mm, 0, 1e4 * per_mm);
   s.depth = quantity(o.depth, "--depth", length, s.depth * per_mm, 0, 1e4 * per_mm);
   return s;
-}
-
-/// The radius of the tool that was asked for, mm; none where it was not.
-std::optional<double> tool_radius(const ExportOptions& o) {
-  if (!o.tool) return {};
-  return length_of(o.tool, "--tool", unit_of(o), 0, 1e-3, 1e6);
 }
 
 /// What writing moves arcs and cubics by, mm; lines are rounded before they are measured.
@@ -252,15 +247,6 @@ void check_step(const ExportOptions& o, const problems::PlaneCurve& curve,
       *o.step, curve.name(), chords.worst(), unit.name, size, unit.name, cycle / count));
 }
 
-/// How far the profile is from the path of the follower's point, mm, where that is the same all
-/// over the cycle, as under a roller.
-std::optional<double> roller_of_pitch(const problems::ProblemStatement& statement) {
-  const auto pitch = problems::cam_curves(statement, "pitch"),
-             profile = problems::cam_curves(statement, "profile");
-  if (pitch.empty() || profile.empty()) return {};
-  return problems::even_distance(pitch.front(), profile.front());
-}
-
 /// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
@@ -286,49 +272,6 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
                                             ? cuts_of(e.design.statement, curves, e.accuracy.unit)
                                             : e.passes.back().path.doubts();
   e.notes.insert(e.notes.end(), more.begin(), more.end());
-}
-
-/// Four digits that are not above the number.
-std::string not_above(double value) {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 3);
-  return fmt::format("{:.4g}", std::floor(value / digit) * digit);
-}
-
-/// What the tool must be that a controller leads along the profile.
-std::string bound_words(const ToolBound& bound, const problems::LengthUnit& unit) {
-  const std::string itself = "this is the curve itself: compensate for the tool";
-  const std::string radius = fmt::format("{} {}", not_above(bound.radius / unit.mm), unit.name);
-  if (bound.by_lead) {
-    return fmt::format("{}, whose radius must be below the lead's {:.6g} {}", itself,
-                       bound.radius / unit.mm, unit.name);
-  }
-  if (!bound.cuts_at) return fmt::format("{}; every radius up to {} fits", itself, radius);
-  return fmt::format(
-      "{}, whose radius must be below {}, or it cuts into the profile near {:.4g} "
-      "deg{}",
-      itself, radius, *bound.cuts_at, bound.proved ? "" : ", by measurement");
-}
-
-/// The radius of the tool, for who sets up the machine.
-std::string tool_line(const ExportOptions& o, const Exported& e) {
-  const problems::ProblemStatement& statement = e.design.statement;
-  const problems::LengthUnit& unit = e.accuracy.unit;
-  if (e.tool_bound) return bound_words(*e.tool_bound, unit);
-  if (o.curve && *o.curve == "pitch") {
-    const auto roller = roller_of_pitch(statement);
-    if (!roller) return "this is the path of the follower's point, not of a tool";
-    return fmt::format(
-        "this is the path of the centre of a tool as large as the roller, radius {:.6g} {}: no "
-        "compensation",
-        *roller / unit.mm, unit.name);
-  }
-  const double radius =
-      o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
-  const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
-                             : o.tool                                ? " beside the profile"
-                                                                     : "";
-  return fmt::format("tool radius {:.6g} {}{}; start spindle and coolant first", radius / unit.mm,
-                     unit.name, beside);
 }
 
 std::string content(const ExportOptions& o, const FormatRow& format, Exported& e) {

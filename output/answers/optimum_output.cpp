@@ -16,6 +16,7 @@
 #include "output/answers/price_step.h"
 #include "output/answers/price_words.h"
 #include "output/answers/reached_output.h"
+#include "output/answers/search_facts.h"
 #include "output/answers/value_lines.h"
 #include "output/answers/variable_words.h"
 #include "output/answers/warnings.h"
@@ -109,17 +110,6 @@ std::string solver_words(const Answer& answer) {
       "solver {} ({})",
       another ? fmt::format("{}, then {}", answer.asked, found.solver) : found.solver,
       found.why_solver);
-}
-
-std::string words_of_starts(const optim::Found& found) {
-  if (found.assessment.verdict == optim::Verdict::Infeasible)
-    return fmt::format("none of {} starts led to a design within the limits", found.starts);
-  if (found.agreed == 0 && is_feasible(found.assessment)) {
-    return fmt::format(
-        "none of {} starts ended at this objective: it was found by sampling the rest of the box",
-        found.starts);
-  }
-  return fmt::format("{} of {} starts ended at this objective", found.agreed, found.starts);
 }
 
 std::string how(const Answer& answer) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "output/answers/search_facts.h"
 
+#include <fmt/format.h>
+
+#include "optim/verdict/verdict.h"
+
 namespace camlaw::cli {
 
 Facts facts_of_search(const Json& result) {
@@ -14,6 +18,17 @@ Facts facts_of_search(const Json& result) {
   add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
   add("evaluations", "evaluations");
   return facts;
+}
+
+std::string words_of_starts(const optim::Found& found) {
+  if (found.assessment.verdict == optim::Verdict::Infeasible)
+    return fmt::format("none of {} starts led to a design within the limits", found.starts);
+  if (found.agreed == 0 && is_feasible(found.assessment)) {
+    return fmt::format(
+        "none of {} starts ended at this objective: it was found by sampling the rest of the box",
+        found.starts);
+  }
+  return fmt::format("{} of {} starts ended at this objective", found.agreed, found.starts);
 }
 
 }  // namespace camlaw::cli

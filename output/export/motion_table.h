@@ -25,7 +25,7 @@ struct MotionTable {
   std::string master, slave;           ///< with units: "cam_angle [deg]", "displacement [mm]"
   std::vector<double> places, values;  ///< at even places, ends included; of a master that has
                                        ///< whole numbers only at the nearest of these
-  bool closed = false;  ///< the last value is the first
+  bool closed = false;                 ///< the last value is the first
   std::vector<TableColumn> more = {};
   double moved = 0;  ///< how far a row is from its even place at most, in the master's unit
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "output/answers/cam_export.h"
+
+/// What the head of a program for a machine tool says of the tool.
+namespace camlaw::cli {
+
+/// Of --tool, mm; none without it. Throws std::invalid_argument that names the option.
+std::optional<double> tool_radius(const ExportOptions& options);
+
+/// The radius of the tool, for who sets up the machine: the tool's own, what it must be below where
+/// a controller leads it along the profile, or that of the roller along the pitch curve.
+std::string tool_line(const ExportOptions& options, const Exported& exported);
+
+}  // namespace camlaw::cli
