@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -60,6 +61,33 @@ bool has_name(int folder, const std::string& name) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
+constexpr std::string_view kStudy = "study.db";
+
+/// Whether a folder holds a study and nothing else: one of that name may be anybody's.
+bool holds_study_alone(const fs::path& folder) {
+  std::error_code failed;
+  bool has_study = false;
+  fs::directory_iterator entry(folder, failed);
+  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_own = name == kStudy || name == fmt::format("{}-wal", kStudy) ||
+                        name == fmt::format("{}-shm", kStudy) ||
+                        name == fmt::format("{}-journal", kStudy);
+    if (!is_own || !fs::is_regular_file(entry->symlink_status())) return false;
+    has_study = has_study || name == kStudy;
+  }
+  return has_study && !failed;
+}
+
+/// Whether nothing was written in a folder for a minute: a study is begun in less, also by a
+/// program of an earlier version, which holds no lock.
+bool is_at_rest(const fs::path& folder) {
+  std::error_code failed;
+  const auto last =
+      std::max(fs::last_write_time(folder, failed), fs::last_write_time(folder / kStudy, failed));
+  return !failed && fs::file_time_type::clock::now() - last > std::chrono::minutes(1);
+}
+
 fs::path folder_of(const fs::path& place) {
   const fs::path folder = place.parent_path();
   return folder.empty() ? fs::path(".") : folder;
@@ -68,14 +96,20 @@ fs::path folder_of(const fs::path& place) {
 }  // namespace
 
 void remove_left_beginnings(const fs::path& place) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(place), ignored)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_one =
-        name.starts_with(kBeginning) && name.size() == kBeginning.size() + kRandom.size();
-    const int folder = is_one ? open_folder(entry.path()) : -1;
+  std::error_code failed;
+  std::vector<fs::path> left;
+  fs::directory_iterator entry(folder_of(place), failed);
+  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(kBeginning) && name.size() == kBeginning.size() + kRandom.size())
+      left.push_back(entry->path());
+  }
+  for (const fs::path& one : left) {
+    const int folder = open_folder(one);
     if (folder < 0) continue;
-    if (flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), ignored);
+    const bool is_left =
+        flock(folder, LOCK_EX | LOCK_NB) == 0 && holds_study_alone(one) && is_at_rest(one);
+    if (is_left) fs::remove_all(one, failed);
     close(folder);
   }
 }
@@ -93,6 +127,8 @@ StudyBeginning::StudyBeginning(const fs::path& place) {
   }
   throw std::runtime_error("its folder is removed again and again");
 }
+
+std::string StudyBeginning::file() const { return fmt::format("{}/{}", folder_, kStudy); }
 
 StudyBeginning::~StudyBeginning() {
   std::error_code ignored;

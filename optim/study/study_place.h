@@ -20,15 +20,16 @@ class StudyBeginning {
   StudyBeginning& operator=(const StudyBeginning&) = delete;
   ~StudyBeginning();
 
-  std::string file() const { return folder_ + "/study.db"; }
+  std::string file() const;
 
  private:
   std::string folder_;
   int held_ = -1;  ///< a descriptor with a lock, by which others see that the folder is in use
 };
 
-/// Removes the beginnings beside a study's place that no living process holds: programs that were
-/// killed have left them. Where the file system has no locks, nothing is removed.
+/// Removes the beginnings beside a study's place that programs have left which were killed: folders
+/// of such a name that hold a study and nothing else, that no living process holds, and in which
+/// nothing was written for a minute. Where the file system has no locks, nothing is removed.
 void remove_left_beginnings(const std::filesystem::path& place);
 
 /// Gives a file its name; false where another has come to have it. Throws std::runtime_error.

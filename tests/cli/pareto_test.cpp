@@ -272,11 +272,22 @@ TEST_CASE("what a killed program has left beside a study is removed by the next 
           "[program][study]") {
   const Folder folder;
   const std::string file = written(folder, "choices.toml", with_choices());
-  const auto left = [&](const char* name) {
+  const auto begun = [&](const std::string& name) {
     fs::create_directory(folder / name);
-    std::ofstream(folder / (std::string(name) + "/study.db")) << "begun";
+    std::ofstream(folder / (name + "/study.db")) << "begun";
+  };
+  const auto left = [&](const std::string& name) {
+    begun(name);
+    const auto before = fs::file_time_type::clock::now() - std::chrono::minutes(2);
+    fs::last_write_time(folder / (name + "/study.db"), before);
+    fs::last_write_time(folder / name, before);
   };
   left(".camlaw-aB3xY9"), left(".camlaw-held00"), left(".camlaw-notes"), left("camlaw-aB3xY9");
+  begun(".camlaw-fresh0");  // of an earlier version, which holds no lock, perhaps
+  left(".camlaw-backup");   // somebody's own
+  written(folder, ".camlaw-backup/notes.txt", "mine");
+  fs::last_write_time(folder / ".camlaw-backup",
+                      fs::file_time_type::clock::now() - std::chrono::minutes(2));
   // One that a living process holds is that process's.
   const int held = open((folder / ".camlaw-held00").c_str(), O_RDONLY | O_DIRECTORY);
   REQUIRE(held >= 0);
@@ -287,6 +298,8 @@ TEST_CASE("what a killed program has left beside a study is removed by the next 
   CHECK(!fs::exists(folder / ".camlaw-aB3xY9"));
   CHECK(fs::exists(folder / ".camlaw-held00/study.db"));
   CHECK(fs::exists(folder / ".camlaw-notes/study.db"));
+  CHECK(fs::exists(folder / ".camlaw-fresh0/study.db"));
+  CHECK(fs::exists(folder / ".camlaw-backup/study.db"));
   CHECK(fs::exists(folder / "camlaw-aB3xY9/study.db"));
   close(held);
   words.push_back("--resume");
