@@ -13,7 +13,7 @@ namespace camlaw::problems {
 namespace {
 
 /// A box of places of the roller and distances.
-struct Box {
+struct PlacesAndDistances {
   double from, to;  ///< deg, as the pitch curve has them
   double near, far;
 };
@@ -35,7 +35,8 @@ std::pair<long, long> cells(const Interval& place, double step) {
           static_cast<long>(std::floor(place.upper() / step))};
 }
 
-std::optional<Gap> gap_over(const ExactFlank& exact, const FlankSurface& surface, const Box& box) {
+std::optional<Gap> gap_over(const ExactFlank& exact, const FlankSurface& surface,
+                            const PlacesAndDistances& box) {
   const auto bounds = exact.pitch().heights(box.from, box.to);
   for (const optim::Bounds& b : bounds) {
     if (!std::isfinite(b.lower) || !std::isfinite(b.upper)) return {};
@@ -121,7 +122,7 @@ CurveDeviation proved_gap(const ExactFlank& exact, const FlankSurface& surface, 
                           double limit) {
   constexpr int kMostBoxes = 2'000'000;  // a gap that takes more boxes is not proved
   constexpr double kFirst = 0.5;         // deg
-  std::vector<Box> open;
+  std::vector<PlacesAndDistances> open;
   const auto& breaks = exact.pitch().breaks();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double length = breaks[k + 1] - breaks[k];
@@ -138,7 +139,7 @@ CurveDeviation proved_gap(const ExactFlank& exact, const FlankSurface& surface, 
   }
   double most = met;
   for (int boxes = 0; !open.empty(); ++boxes) {
-    const Box box = open.back();
+    const PlacesAndDistances box = open.back();
     open.pop_back();
     const auto gap = gap_over(exact, surface, box);
     if (gap && gap->bound <= limit) {
