@@ -137,15 +137,13 @@ bool tell_other_wear(const Reading& a, const Reading& b) {
 }
 
 std::vector<Reading> rivals_of(const Reading& chosen, const std::vector<Reading>& readings) {
-  // A reading with a score (WR1) that is 15 more is 1800 times less likely.
-  constexpr double kAsWell = 15;
   std::vector<Reading> rivals;
   if (readings.empty()) return rivals;
   double own = chosen.score;
   for (const Reading& reading : readings) {
     if (!tell_other_wear(chosen, reading)) own = std::min(own, reading.score);
   }
-  const double most = own + kAsWell;
+  const double most = own + kAsLikely;
   for (const Reading& reading : readings) {
     if (reading.score > most || !tell_other_wear(chosen, reading)) continue;
     const bool is_known = std::any_of(rivals.begin(), rivals.end(), [&](const Reading& other) {

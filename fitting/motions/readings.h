@@ -53,6 +53,10 @@ std::vector<Reading> readings_of(const FoundMotion& motion, const std::vector<La
 /// Whether two readings name other stretches: more of them, elsewhere, or deeper by a sixth.
 bool tell_other_wear(const Reading& a, const Reading& b);
 
+/// A score (WR1) that is so much more belongs to a reading that is 1800 times less likely: one with
+/// less explains the samples as well.
+inline constexpr double kAsLikely = 15;
+
 /// Of the readings those that explain the samples as well as the chosen one, or better, and name
 /// other stretches.
 std::vector<Reading> rivals_of(const Reading& chosen, const std::vector<Reading>& readings);

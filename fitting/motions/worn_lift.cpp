@@ -38,7 +38,6 @@ std::vector<Member> plain_of(const std::vector<Member>& laws) {
 /// or as well. By other laws with a stretch almost any samples can be explained.
 std::vector<Reading> better_readings(const MotionFit& fit, const std::vector<Member>& plain,
                                      const LawFitOptions& options, double noise) {
-  constexpr double kAsWell = 15;  // as rivals_of() has it
   Ranking ranking = robust_ranking(fit.motion, plain, options, noise);
   std::erase_if(ranking.fits, [](const LawFit& law) { return law.has_coefficients(); });
   if (!ranking.untried.empty() || ranking.fits.empty()) return {};
@@ -48,7 +47,7 @@ std::vector<Reading> better_readings(const MotionFit& fit, const std::vector<Mem
   std::vector<Reading> rivals = rivals_of(chosen, readings);
   if (rivals.empty()) return {};
   std::erase_if(rivals, [best = rivals.front().score](const Reading& reading) {
-    return reading.score > best + kAsWell;
+    return reading.score > best + kAsLikely;
   });
   // What no law follows may have other causes, which stand out to both sides.
   if (fit.left.is_curve && !is_lower(rivals.front())) return {};

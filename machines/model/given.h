@@ -39,8 +39,7 @@ struct MachineParameter {
 /// What a machine is made of: the value of each parameter, which a machine asks for where it
 /// declares the field that holds it,
 ///   Given given = {};
-///   Expression stroke = given({"stroke", "h", "mm", "m", "stroke of the follower", 20, 1e-6,
-///   1e5});
+///   Expression stroke = given({"stroke", "h", "mm", "m", "of the follower", 20, 1e-6, 1e5});
 /// so that a parameter is stated once. The first field is `given` itself; the order of the others
 /// is that in which people read them. A machine is made by M{given}.
 class Given {

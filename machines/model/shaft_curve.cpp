@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 
 #include "machines/model/arguments.h"
 #include "machines/model/cycle.h"
@@ -15,17 +14,10 @@
 #include "machines/model/recorded_response.h"
 #include "machines/model/shaft_row.h"
 #include "numerics/formula/expression.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kTurnOfShaft = 360;
-constexpr double kDegreeOfShaft = std::numbers::pi / 180;
-/// Breaks of several cams that lie no farther apart, deg, are one: rounding has parted them.
-constexpr double kOneBreak = 1e-12;
-/// What a cam's stretch is enclosed beyond the shaft's, deg: more than kOneBreak and the rounding
-/// of its place together.
-constexpr double kMargin = 4e-12;
 
 /// The design that a binding was made for.
 std::vector<double> own_design(const Binding& binding) {
@@ -58,7 +50,7 @@ class ShaftTrace final : public optim::Trace {
 
   std::array<double, 3> at(optim::Place place) const override {
     std::vector<Series<double, 3>> inputs{
-        Series<double, 3>::variable(place.angle * kDegreeOfShaft, kDegreeOfShaft)};
+        Series<double, 3>::variable(place.angle * kDegree, kDegree)};
     for (std::size_t k = 0; k < traces_.size(); ++k) {
       const auto d =
           traces_[k]->at(cam_place(place.angle, place.from_left, phases_[k], own_breaks_[k]));
@@ -81,7 +73,7 @@ class ShaftTrace final : public optim::Trace {
     }
     std::vector<double> result, inputs(1 + traces_.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      inputs[0] = places[i].angle * kDegreeOfShaft;
+      inputs[0] = places[i].angle * kDegree;
       for (std::size_t k = 0; k < curves.size(); ++k) inputs[1 + k] = curves[k][i];
       result.push_back(plain_(std::span<const double>(inputs)));
     }
@@ -91,7 +83,7 @@ class ShaftTrace final : public optim::Trace {
   optim::Bounds enclose(double from, double to) const override {
     if (!enclosing_) make_enclosing();
     const double middle = std::midpoint(from, to);
-    const double radius = std::max(step_up(to - middle), step_up(middle - from)) + 2 * kMargin;
+    const double radius = std::max(step_up(to - middle), step_up(middle - from)) + 2 * kShaftMargin;
     const auto value = [&](double angle) { return over<1>(angle, angle, middle).c[0]; };
     return enclosed(
         over<3>(from, to, middle), radius, [&] { return value(from); }, [&] { return value(to); },
@@ -106,20 +98,12 @@ class ShaftTrace final : public optim::Trace {
   }
 
  private:
-  /// Those of all cams, each of them once.
+  PlacedBreaks placed(std::size_t k) const { return {own_breaks_[k], phases_[k]}; }
+
   void find_breaks() {
-    std::vector<double> all{0, kTurnOfShaft};
-    for (std::size_t k = 0; k < traces_.size(); ++k) {
-      for (const double own : own_breaks_[k]) {
-        const double angle = own + phases_[k];
-        all.push_back(angle - kTurnOfShaft * std::floor(angle / kTurnOfShaft));
-      }
-    }
-    std::sort(all.begin(), all.end());
-    for (const double angle : all) {
-      if (breaks_.empty() || angle > breaks_.back() + kOneBreak) breaks_.push_back(angle);
-    }
-    if (breaks_.back() < kTurnOfShaft) breaks_.back() = kTurnOfShaft;  // which was taken for it
+    std::vector<PlacedBreaks> all;
+    for (std::size_t k = 0; k < traces_.size(); ++k) all.push_back(placed(k));
+    breaks_ = breaks_on_shaft(all);
   }
 
   void make_enclosing() const {
@@ -130,23 +114,13 @@ class ShaftTrace final : public optim::Trace {
     }
   }
 
-  /// Of a cam over a stretch of the shaft that lies in the smooth part of `middle`: a little more
-  /// than the stretch, as far as the cam's own smooth part goes.
-  std::array<optim::Bounds, 3> of_cam(std::size_t k, double from, double to, double middle) const {
-    const std::vector<double>& breaks = own_breaks_[k];
-    const double own = cam_place(middle, false, phases_[k], breaks).angle, turned = middle - own;
-    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, own);
-    return traces_[k]->expand(std::max(from - turned - kMargin, *(after - 1)),
-                              std::min(to - turned + kMargin, *after));
-  }
-
   template <std::size_t N>
   Series<Interval, N> over(double from, double to, double middle) const {
     const Interval degree = pi<Interval>() / Interval(180.0);
-    const Interval range(from - kMargin, to + kMargin);
+    const Interval range(from - kShaftMargin, to + kShaftMargin);
     std::vector<Series<Interval, N>> inputs{Series<Interval, N>::variable(range * degree, degree)};
     for (std::size_t k = 0; k < traces_.size(); ++k) {
-      const auto bounds = of_cam(k, from, to, middle);
+      const auto bounds = expand_on_shaft(*traces_[k], placed(k), from, to, middle);
       Series<Interval, N> curve;
       for (std::size_t i = 0; i < N; ++i) curve.c[i] = interval_of(bounds[i]);
       inputs.push_back(curve);
@@ -203,7 +177,7 @@ ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
 /// come its breaks, where they are the same at every design, or else its joints.
 std::optional<int> own_joint(const ShaftParts::Held& held, optim::Place own,
                              const std::vector<double>& breaks, optim::Design x) {
-  if (own.angle == 0 || own.angle == kTurnOfShaft) return 0;
+  if (own.angle == 0 || own.angle == kTurnDegrees) return 0;
   if (held.curve->breaks_move()) {
     const int joint = held.curve->tied(own, x).joint;
     if (joint >= 0 && held.curve->joint_angle(joint)) return 1 + joint;
@@ -215,17 +189,6 @@ std::optional<int> own_joint(const ShaftParts::Held& held, optim::Place own,
 }
 
 }  // namespace
-
-optim::Place cam_place(double angle, bool from_left, double phase, std::span<const double> breaks) {
-  constexpr double kBeside = 2 * kOneBreak;
-  double own = angle - phase;
-  own -= kTurnOfShaft * std::floor(own / kTurnOfShaft);
-  const auto near = std::lower_bound(breaks.begin(), breaks.end(), own - kBeside);
-  if (near != breaks.end() && std::abs(*near - own) <= kBeside) own = *near;
-  const bool is_end = own <= kBeside || own >= kTurnOfShaft - kBeside;
-  if (is_end) own = from_left ? kTurnOfShaft : 0;
-  return {own, from_left};
-}
 
 bool ShaftParts::phases_vary() const {
   return std::any_of(held.begin(), held.end(),
@@ -343,7 +306,7 @@ RuledShape shape_on_shaft(const MechanismResponse& response, const Binding& bind
 MechanismResponse shaft_curve_response(MechanismResponse response,
                                        const std::vector<MechanismParameter>& parameters) {
   response.along = "deg";
-  response.cycle = std::make_shared<Cycle>(Cycle{"deg", {{0, kTurnOfShaft}}});
+  response.cycle = std::make_shared<Cycle>(Cycle{"deg", {{0, kTurnDegrees}}});
   const std::size_t others = 1 + response.held.size();
   std::vector<ParameterSet> used{used_parameters(response.write, parameters.size(), others)};
   for (const HeldCurve& held : response.held) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "machines/model/box_traces.h"
+#include "machines/model/cam_on_shaft.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recent.h"
 #include "machines/model/recorded_kernel.h"
@@ -28,11 +29,6 @@ MechanismResponse shaft_curve_response(MechanismResponse response,
 /// The shape of its formula in what varies of a binding.
 RuledShape shape_on_shaft(const MechanismResponse& response, const Binding& binding,
                           const std::vector<MechanismParameter>& parameters);
-
-/// The place of a cam whose zero stands at `phase` when the shaft is at an angle, in deg. One that
-/// rounding has set beside a break of the cam is at it; the cycle's end has a left side only, and
-/// its beginning a right one.
-optim::Place cam_place(double angle, bool from_left, double phase, std::span<const double> breaks);
 
 /// What such a curve is made of, for what varies of a binding.
 struct ShaftParts {

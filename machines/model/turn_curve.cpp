@@ -3,19 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "machines/model/arguments.h"
 #include "machines/model/enclosed.h"
 #include "machines/model/not_a_number.h"
 #include "numerics/formula/expression.h"
 #include "numerics/lazy.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kTurn = 360;
 
 double degrees(double angle) { return angle / kDegree; }
 
@@ -125,9 +122,10 @@ class TurnTrace final : public optim::Trace {
   std::vector<double> breaks() const override {
     std::vector<double> result{0};
     for (const double meet : breaks_) {
-      if (degrees(meet) > result.back() && degrees(meet) < kTurn) result.push_back(degrees(meet));
+      if (degrees(meet) > result.back() && degrees(meet) < kTurnDegrees)
+        result.push_back(degrees(meet));
     }
-    result.push_back(kTurn);
+    result.push_back(kTurnDegrees);
     return result;
   }
 

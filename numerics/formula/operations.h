@@ -42,21 +42,6 @@ T divided(const T& a, const T& b) {
 /// Of a divisor that is 0 nothing is known.
 inline Interval divided(const Interval& a, const Interval& b) { return quotient(a, b); }
 
-/// What a function makes of a number that does not move does not move either, where its slope has
-/// no bound: 0 times that would not be a number.
-template <class T>
-T unmoved(const T& /*of*/, const T& result) {
-  return result;
-}
-template <class T, int N>
-ceres::Jet<T, N> unmoved(const ceres::Jet<T, N>& of, ceres::Jet<T, N> result) {
-  result.a = unmoved(of.a, result.a);
-  for (int i = 0; i < N; ++i) {
-    if (is_number(of.v[i], 0)) result.v[i] = of.v[i];
-  }
-  return result;
-}
-
 /// Applies an operation; operands that it does not need are ignored.
 template <class T>
 T operate(Operation operation, const T& a, const T& b, const T& c) {

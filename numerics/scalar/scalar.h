@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 #include "numerics/scalar/interval.h"
 
@@ -114,6 +115,21 @@ T quotient(const T& a, const T& b) {
   return a / b;
 }
 
+/// What a function makes of a number that does not move does not move either, where its slope has
+/// no bound: 0 times that would not be a number.
+template <class T>
+T unmoved(const T& /*of*/, const T& result) {
+  return result;
+}
+template <class T, int N>
+ceres::Jet<T, N> unmoved(const ceres::Jet<T, N>& of, ceres::Jet<T, N> result) {
+  result.a = unmoved(of.a, result.a);
+  for (int i = 0; i < N; ++i) {
+    if (is_number(of.v[i], 0)) result.v[i] = of.v[i];
+  }
+  return result;
+}
+
 /// x^p for x >= 0 and a plain exponent.
 inline double real_power(double x, double p) { return std::pow(x, p); }
 
@@ -122,9 +138,8 @@ ceres::Jet<T, N> real_power(const ceres::Jet<T, N>& x, double p) {
   ceres::Jet<T, N> result(real_power(x.a, p));
   if (p == 0) return result;
   const T slope = number<T>(p) * real_power(x.a, p - 1);
-  // What does not move at all does not move the power either, where the slope has no bound.
-  for (int i = 0; i < N; ++i) result.v[i] = is_number(x.v[i], 0) ? x.v[i] : slope * x.v[i];
-  return result;
+  for (int i = 0; i < N; ++i) result.v[i] = slope * x.v[i];
+  return unmoved(x, std::move(result));
 }
 
 /// x to a whole power by multiplication.

@@ -17,10 +17,10 @@ inline double in_period(double place, double low, double period) {
   return low + (within < 0 ? within + period : within);
 }
 
-/// An angle from 0 to a turn, rad.
-inline double in_turn(double angle) {
-  const double within = angle - kTurn * std::floor(angle / kTurn);
-  return within < kTurn ? within : 0;
+/// An angle from 0 to a turn, below it: rad, or in the unit in which a turn is so much.
+inline double in_turn(double angle, double turn = kTurn) {
+  const double within = angle - turn * std::floor(angle / turn);
+  return within < turn ? within : 0;
 }
 
 }  // namespace camlaw::problems

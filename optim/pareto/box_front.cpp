@@ -51,8 +51,6 @@ class BoxFront final : public PartFront {
     return tasks;
   }
 
-  void see(const std::vector<FrontPoint>& scouted) override { scouted_ = scouted; }
-
   void take(const Task& task, const Outcome& outcome) override {
     const std::size_t other = 1 - task.sought;
     const double bound = task.bounds.empty() ? kInfinity : task.bounds[other];
@@ -235,7 +233,6 @@ class BoxFront final : public PartFront {
   }
 
   bool set_up_ = false;
-  std::vector<FrontPoint> scouted_;
   std::vector<Fact> facts_;
   std::vector<Costs> left_;  ///< beside ends that were left: what there may be between them
 };

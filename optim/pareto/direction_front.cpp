@@ -172,8 +172,6 @@ class DirectionFront final : public PartFront {
     for (const FrontPoint& point : outcome.points) insert(point);
   }
 
-  void see(const std::vector<FrontPoint>& scouted) override { scouted_ = scouted; }
-
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
     std::vector<OpenPlace> places = challenges(front);
     if (!has_ends() || front.points.empty()) return places;
@@ -363,7 +361,6 @@ class DirectionFront final : public PartFront {
 
   std::size_t stage_ = 0;  ///< of setting up; `objectives_`: the compromises
   Costs scale_;
-  std::vector<FrontPoint> scouted_;
   std::map<std::vector<double>, std::size_t> beside_;  ///< by bounds: searches beside which end
   std::set<std::size_t> doubtful_;            ///< ends that a search moved without a certificate
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations

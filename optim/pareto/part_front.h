@@ -114,7 +114,7 @@ class PartFront {
   virtual std::optional<Task> task_for(const FrontPoint& scouted,
                                        const FrontSoFar& front) const = 0;
   /// Designs that a scout has found: places where more of the front may be.
-  virtual void see(const std::vector<FrontPoint>& /*scouted*/) {}
+  void see(const std::vector<FrontPoint>& scouted) { scouted_ = scouted; }
   virtual Beyond beyond() const { return {}; }
   /// Whether a search has shown that there is nothing about a place.
   virtual bool is_known_empty(const Costs& /*place*/, double /*within*/,
@@ -136,6 +136,7 @@ class PartFront {
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost
   std::vector<std::optional<FrontPoint>> alone_;  ///< the optimum of each cost alone
+  std::vector<FrontPoint> scouted_;
   Costs least_, tolerances_, sizes_;
   bool empty_ = false;
 };

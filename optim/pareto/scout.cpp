@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include "numerics/sampling/sobol_points.h"
@@ -108,71 +109,66 @@ std::vector<double> genes_at(const Genome& genome, std::span<const double> place
   return genes;
 }
 
-/// A problem without anything that varies has this one design.
-Outcome single_design(const Task& task, const Problem& multi, const Genome& genome) {
-  Outcome outcome;
-  outcome.points.push_back(looked_at(multi, task.part, genome.fixed));
-  outcome.evaluations = 1;
-  return outcome;
-}
+/// The costs of the design that genes stand for.
+using CostsOfGenes = std::function<std::vector<double>(const std::vector<double>& genes)>;
 
-/// Adds those that meet every limit and that no other one dominates.
-void add_best(Outcome& outcome, const std::vector<Evolved>& all, const Genome& genome,
-              const Task& task, const Problem& multi, const char* by) {
-  std::vector<Costs> costs;
-  for (const Evolved& one : all) costs.push_back(one.costs);
-  const std::vector<bool> kept = non_dominated(costs);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!kept[i] || !(costs[i].front() < Unlimited::kBeyond)) continue;
-    FrontPoint point = looked_at(multi, task.part, design_of(genome, all[i].genes));
+/// Of the designs that `find` looks at those that meet every limit and that no other one dominates.
+Outcome best_of(
+    const Task& task, const Problem& multi, const char* by,
+    const std::function<std::vector<Evolved>(const Genome&, const CostsOfGenes&)>& find) {
+  const Genome genome = genome_of(multi);
+  Outcome outcome;
+  if (genome.variables.empty()) {
+    outcome.points.push_back(looked_at(multi, task.part, genome.fixed));
+    outcome.evaluations = 1;
+    return outcome;
+  }
+  const Problem problem = multi.alone(0);
+  const Scales its_scales = scales(problem, problem.start());
+  const Unlimited unlimited{multi, problem, its_scales};
+  const std::vector<Evolved> found = find(genome, [&](const std::vector<double>& genes) {
+    ++outcome.evaluations;
+    return unlimited.costs_of(design_of(genome, genes));
+  });
+  std::vector<Costs> all;
+  for (const Evolved& one : found) all.push_back(one.costs);
+  const std::vector<bool> kept = non_dominated(all);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!kept[i] || !(all[i].front() < Unlimited::kBeyond)) continue;
+    FrontPoint point = looked_at(multi, task.part, design_of(genome, found[i].genes));
     point.solver = by;
     if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));
   }
+  return outcome;
 }
 
 }  // namespace
 
 Outcome scout(const Task& task, const Problem& multi) {
-  const Genome genome = genome_of(multi);
-  if (genome.variables.empty()) return single_design(task, multi, genome);
-  Outcome outcome;
-  const Problem problem = multi.alone(0);
-  const Scales its_scales = scales(problem, problem.start());
-  const Unlimited unlimited{multi, problem, its_scales};
-  const Evolution evolution{.lower = genome.lower,
-                            .upper = genome.upper,
-                            .integers = genome.integer,
-                            .objectives = multi.objectives.size(),
-                            .population = std::max<std::size_t>(8, (task.population + 3) / 4 * 4),
-                            .generations = static_cast<unsigned>(task.generations),
-                            .seed = static_cast<unsigned>(task.seed),
-                            .costs = [&](const std::vector<double>& genes) {
-                              ++outcome.evaluations;
-                              return unlimited.costs_of(design_of(genome, genes));
-                            }};
-  add_best(outcome, nsga2(evolution), genome, task, multi, "nsga2");
-  return outcome;
+  return best_of(task, multi, "nsga2", [&](const Genome& genome, const CostsOfGenes& costs) {
+    return nsga2({.lower = genome.lower,
+                  .upper = genome.upper,
+                  .integers = genome.integer,
+                  .objectives = multi.objectives.size(),
+                  .population = std::max<std::size_t>(8, (task.population + 3) / 4 * 4),
+                  .generations = static_cast<unsigned>(task.generations),
+                  .seed = static_cast<unsigned>(task.seed),
+                  .costs = costs});
+  });
 }
 
 Outcome sample(const Task& task, const Problem& multi) {
-  const Genome genome = genome_of(multi);
-  const std::size_t count = genome.variables.size();
-  if (count == 0) return single_design(task, multi, genome);
-  Outcome outcome;
-  const Problem problem = multi.alone(0);
-  const Scales its_scales = scales(problem, problem.start());
-  const Unlimited unlimited{multi, problem, its_scales};
-  SobolPoints points(count, task.seed);
-  std::vector<double> place(count);
-  std::vector<Evolved> all(task.population);
-  for (Evolved& one : all) {
-    points.next(place);
-    one.genes = genes_at(genome, place);
-    one.costs = unlimited.costs_of(design_of(genome, one.genes));
-    ++outcome.evaluations;
-  }
-  add_best(outcome, all, genome, task, multi, "sample");
-  return outcome;
+  return best_of(task, multi, "sample", [&](const Genome& genome, const CostsOfGenes& costs) {
+    std::vector<double> place(genome.variables.size());
+    SobolPoints points(place.size(), task.seed);
+    std::vector<Evolved> all(task.population);
+    for (Evolved& one : all) {
+      points.next(place);
+      one.genes = genes_at(genome, place);
+      one.costs = costs(one.genes);
+    }
+    return all;
+  });
 }
 
 }  // namespace camlaw::optim

@@ -215,9 +215,9 @@ void blame_without_value(const Setting& setting, Trail& trail) {
 /// or if a limit's response has no value anywhere.
 void end_without_numbers(const Setting& setting, Trail& trail) {
   Assessment& assessment = trail.found.assessment;
-  const bool meets_limits = !trail.found.x.empty() && !assessment.limits.empty() &&
-                            worst_violation(assessment.limits) <= 1;
-  trail.fail(meets_limits
+  const bool is_within =
+      !trail.found.x.empty() && !assessment.limits.empty() && meets_limits(assessment);
+  trail.fail(is_within
                  ? undefined_at(setting.original, trail.found.x, "a design that meets the limits")
                  : undefined_at(setting.original, setting.problem.start(), "the start"));
   if (const auto none = none_possible(setting.original)) {

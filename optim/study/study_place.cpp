@@ -28,6 +28,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What SQLite adds to a study's name for the files that it keeps beside it.
+constexpr std::array kOfSqlite{"-wal", "-journal", "-shm"};
+
 /// Whether a file that SQLite would keep beside a study is none of SQLite's: it begins otherwise.
 bool is_not_of_sqlite(const std::string& file, const std::vector<std::string_view>& beginnings) {
   std::error_code ignored;
@@ -63,20 +66,28 @@ bool has_name(int folder, const std::string& name) {
 
 constexpr std::string_view kStudy = "study.db";
 
-/// Whether a folder holds a study and nothing else: one of that name may be anybody's.
-bool holds_study_alone(const fs::path& folder) {
+/// Everything in a folder; nothing where it cannot be read.
+std::vector<fs::path> entries_of(const fs::path& folder) {
   std::error_code failed;
-  bool has_study = false;
+  std::vector<fs::path> all;
   fs::directory_iterator entry(folder, failed);
   for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_own = name == kStudy || name == fmt::format("{}-wal", kStudy) ||
-                        name == fmt::format("{}-shm", kStudy) ||
-                        name == fmt::format("{}-journal", kStudy);
-    if (!is_own || !fs::is_regular_file(entry->symlink_status())) return false;
-    has_study = has_study || name == kStudy;
+    all.push_back(entry->path());
   }
-  return has_study && !failed;
+  return failed ? std::vector<fs::path>() : all;
+}
+
+/// Whether a folder holds a study and nothing else: one of that name may be anybody's.
+bool holds_study_alone(const fs::path& folder) {
+  const std::vector<fs::path> all = entries_of(folder);
+  const auto is_own = [](const fs::path& path) {
+    const std::string name = path.filename().string();
+    const bool is_beside = std::ranges::any_of(
+        kOfSqlite, [&](const char* ending) { return name == fmt::format("{}{}", kStudy, ending); });
+    std::error_code failed;
+    return (name == kStudy || is_beside) && fs::is_regular_file(fs::symlink_status(path, failed));
+  };
+  return std::ranges::find(all, folder / kStudy) != all.end() && std::ranges::all_of(all, is_own);
 }
 
 /// Whether nothing was written in a folder for a minute: a study is begun in less, also by a
@@ -97,15 +108,11 @@ fs::path folder_of(const fs::path& place) {
 
 void remove_left_beginnings(const fs::path& place) {
   std::error_code failed;
-  std::vector<fs::path> left;
-  fs::directory_iterator entry(folder_of(place), failed);
-  for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
-    const std::string name = entry->path().filename().string();
-    if (name.starts_with(kBeginning) && name.size() == kBeginning.size() + kRandom.size())
-      left.push_back(entry->path());
-  }
-  for (const fs::path& one : left) {
-    const int folder = open_folder(one);
+  for (const fs::path& one : entries_of(folder_of(place))) {
+    const std::string name = one.filename().string();
+    const bool is_one =
+        name.starts_with(kBeginning) && name.size() == kBeginning.size() + kRandom.size();
+    const int folder = is_one ? open_folder(one) : -1;
     if (folder < 0) continue;
     const bool is_left =
         flock(folder, LOCK_EX | LOCK_NB) == 0 && holds_study_alone(one) && is_at_rest(one);
@@ -157,7 +164,7 @@ std::string study_place(const std::string& path) {
 }
 
 void check_alone(const std::string& path, const std::string& place) {
-  for (const char* ending : {"-wal", "-journal", "-shm"}) {
+  for (const char* ending : kOfSqlite) {
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(place + ending, ignored))) continue;
     if (fs::exists(place, ignored)) return;  // another program has just begun it: its own log

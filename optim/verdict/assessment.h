@@ -86,7 +86,10 @@ struct Assessment {
 
 struct Problem;
 
-/// Whether a design meets every limit of an assessment, and its objective is a number.
+/// Whether a design meets every limit of an assessment and the bounds of its variables.
+bool meets_limits(const Assessment& assessment);
+
+/// The same, and its objective is a number.
 bool is_feasible(const Assessment& assessment);
 
 /// Whether a design meets every limit, and the conditions of optimality hold there or a lower bound

@@ -319,8 +319,7 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
     }
     return result;
   }
-  const bool meets_all = worst_violation(result.limits) <= 1 && inside_bounds(result.variables);
-  if (meets_all && !std::isfinite(result.objective.value)) {
+  if (meets_limits(result) && !std::isfinite(result.objective.value)) {
     result.reason = undefined_at(problem, x, "a design that meets the limits");
     return result;
   }
@@ -362,9 +361,12 @@ Assessment assess_least_violation(const Problem& problem, const Scales& about, D
   return result;
 }
 
+bool meets_limits(const Assessment& a) {
+  return worst_violation(a.limits) <= 1 && inside_bounds(a.variables);
+}
+
 bool is_feasible(const Assessment& a) {
-  return std::isfinite(a.objective.value) && worst_violation(a.limits) <= 1 &&
-         inside_bounds(a.variables);
+  return std::isfinite(a.objective.value) && meets_limits(a);
 }
 
 bool is_settled(const Assessment& a) {

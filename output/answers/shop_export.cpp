@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "machines/model/known_names.h"
 #include "numerics/text/units.h"
 #include "output/answers/motion_export.h"
+#include "output/export/bore.h"
 #include "output/export/inspection.h"
 #include "output/export/largest_tool.h"
 #include "output/export/tool_path.h"
@@ -130,29 +130,27 @@ std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exp
 /// Compensated, the tool's centre runs on an arc inside the lead's: throws where that leaves none.
 void check_lead_holds_tool(const problems::ProblemStatement& design, double lead,
                            const problems::LengthUnit& unit) {
-  if (!problems::parameter_called(*design.mechanism, "cutter_radius")) return;
-  const double tool = problems::constant_of(design, "cutter_radius") / unit.mm;
-  if (lead > tool) return;
+  const auto own = problems::own_size(design, "cutter_radius");
+  if (!own || lead > *own / unit.mm) return;
   throw std::invalid_argument(fmt::format(
       "--lead: {0:.6g} {2} is not larger than the tool's radius, cutter_radius = {1:.6g} {2}, so "
       "that the controller cannot lead the tool inside this arc; use a larger lead, or state a "
       "smaller tool with --set 'cutter_radius={3:.6g} {2}'",
-      lead, tool, unit.name, lead / 2));
+      lead, *own / unit.mm, unit.name, lead / 2));
 }
 
 /// Throws where the machine's own tool cuts into the profile along which a controller leads it.
 void check_own_tool_fits(const problems::ProblemStatement& design, const ToolBound& bound,
                          const problems::LengthUnit& unit) {
-  if (!problems::parameter_called(*design.mechanism, "cutter_radius")) return;
-  const double tool = problems::constant_of(design, "cutter_radius");
-  if (tool < bound.radius) return;
+  const auto own = problems::own_size(design, "cutter_radius");
+  if (!own || *own < bound.radius) return;
   const std::string where =
       bound.cuts_at ? fmt::format("would cut into the profile near {:.4g} deg", *bound.cuts_at)
                     : "is larger than a hollow arc of the written path";
   throw std::invalid_argument(fmt::format(
       "--compensation: the tool, cutter_radius = {0:.6g} {1}, {2}: its radius must be below "
       "{3:.4g} {1}; state a smaller tool with --set 'cutter_radius={4:.4g} {1}'",
-      tool / unit.mm, unit.name, where, bound.radius / unit.mm, bound.radius / unit.mm / 2));
+      *own / unit.mm, unit.name, where, bound.radius / unit.mm, bound.radius / unit.mm / 2));
 }
 
 /// The greatest distance of a curve from the cam's centre or, developed, of its ends, mm: no larger

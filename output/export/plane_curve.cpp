@@ -201,8 +201,13 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
   return result;
 }
 
+namespace {
+
+constexpr double kTurningStep = 0.1;  // deg, at which turns are looked for
+
+}  // namespace
+
 std::optional<double> turns_back(const PlaneCurve& curve) {
-  constexpr double kStep = 0.1;  // deg
   Eigen::Vector2d before(0, 0);  // the last slope that there was
   const auto turns = [&](optim::Place place) {
     const Eigen::Vector2d slope = curve.at(place).slope;
@@ -217,7 +222,7 @@ std::optional<double> turns_back(const PlaneCurve& curve) {
   for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
     const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
     if (k > 0 && jumps_back(k)) return from;
-    const int count = static_cast<int>(std::ceil((to - from) / kStep));
+    const int count = static_cast<int>(std::ceil((to - from) / kTurningStep));
     for (int i = 0; i <= count; ++i) {
       const optim::Place place = optim::even_place(from, to, count, i);
       if (turns(place)) return place.angle;
@@ -245,13 +250,12 @@ double cusp_between(const PlaneCurve& curve, double from, double to,
 }  // namespace
 
 std::vector<double> cusps(const PlaneCurve& curve) {
-  constexpr double kStep = 0.1;  // deg, as turns_back
   std::vector<double> found;
   Eigen::Vector2d before(0, 0);
   for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
     const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
     if (k > 0 && curve.way_over(k).norm() > curve.least_jump()) before.setZero();
-    const int count = static_cast<int>(std::ceil((to - from) / kStep));
+    const int count = static_cast<int>(std::ceil((to - from) / kTurningStep));
     double last = from;
     for (int i = 0; i <= count; ++i) {
       const optim::Place place = optim::even_place(from, to, count, i);

@@ -7,18 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "machines/model/shaft_curve.h"
+#include "machines/model/cam_on_shaft.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kShaftTurn = 360;  // deg
-
-/// An angle within one turn, 0 included.
-double within_turn(double angle) {
-  const double rest = angle - kShaftTurn * std::floor(angle / kShaftTurn);
-  return rest < kShaftTurn ? rest : 0;
-}
 
 /// A curve of a cam over the shaft's angle. Where its cycle before goes on, its values are less by
 /// what it advances in a cycle.
@@ -27,15 +20,10 @@ class TurnedTrace final : public optim::Trace {
   TurnedTrace(std::shared_ptr<const optim::Trace> own, double phase, double advance)
       : own_(std::move(own)),
         own_breaks_(own_->breaks()),
-        phase_(within_turn(phase)),
+        phase_(in_turn(phase, kTurnDegrees)),
         advance_(advance) {
-    breaks_ = {0, kShaftTurn};
-    for (const double place : own_breaks_) breaks_.push_back(within_turn(place + phase_));
-    std::sort(breaks_.begin(), breaks_.end());
-    // What rounding has set beside another break is that break (cam_place).
-    const auto beside = [](double a, double b) { return b - a <= kBeside; };
-    breaks_.erase(std::unique(breaks_.begin(), breaks_.end(), beside), breaks_.end());
-    breaks_.back() = kShaftTurn;
+    const PlacedBreaks alone = placed();
+    breaks_ = breaks_on_shaft({&alone, 1});
   }
 
   std::vector<double> breaks() const override { return breaks_; }
@@ -52,14 +40,9 @@ class TurnedTrace final : public optim::Trace {
     return result;
   }
   optim::Bounds enclose(double from, double to) const override { return expand(from, to)[0]; }
-  /// Over a little more than the stretch, as far as the curve's own smooth part goes: what rounding
-  /// of the shifted places takes is within it.
   std::array<optim::Bounds, 3> expand(double from, double to) const override {
     const double middle = std::midpoint(from, to);
-    const double own = own_place({middle}).angle, turned = middle - own;
-    const auto after = std::upper_bound(own_breaks_.begin() + 1, own_breaks_.end() - 1, own);
-    auto result = own_->expand(std::max(from - turned - kMargin, *(after - 1)),
-                               std::min(to - turned + kMargin, *after));
+    auto result = expand_on_shaft(*own_, placed(), from, to, middle);
     const double less = before({middle});
     if (less != 0) {
       const Interval value = Interval(result[0].lower, result[0].upper) - Interval(less);
@@ -70,14 +53,13 @@ class TurnedTrace final : public optim::Trace {
   std::string why_unbounded() const override { return own_->why_unbounded(); }
 
  private:
-  static constexpr double kBeside = 1e-12;  // deg: one break, as cam_place has it
-  static constexpr double kMargin = 4e-12;  // deg: more than that and the rounding of a turn
-
+  PlacedBreaks placed() const { return {own_breaks_, phase_}; }
   optim::Place own_place(optim::Place place) const {
     return cam_place(place.angle, place.from_left, phase_, own_breaks_);
   }
   /// What the cycle that began in the turn before is behind.
   double before(optim::Place place) const {
+    constexpr double kBeside = 1e-12;  // deg: what rounding leaves of the phase
     const bool is_before = place.angle < phase_ - kBeside ||
                            (place.from_left && place.angle <= phase_ + kBeside && phase_ > kBeside);
     return is_before ? advance_ : 0;
@@ -92,7 +74,7 @@ class TurnedTrace final : public optim::Trace {
 
 double shaft_zero_direction(const PlaneCurve& profile, double phase) {
   constexpr double kUpwards = 90;  // deg: y
-  return within_turn(kUpwards + (winds_left(profile) ? -phase : phase));
+  return in_turn(kUpwards + (winds_left(profile) ? -phase : phase), kTurnDegrees);
 }
 
 Eigen::Vector2d shaft_zero_axis(const PlaneCurve& profile, double phase) {
@@ -103,7 +85,7 @@ Eigen::Vector2d shaft_zero_axis(const PlaneCurve& profile, double phase) {
 double shaft_zero_along(const PlaneCurve& profile, double phase) {
   const double cycle =
       profile.look({profile.end(), true}).at.x() - profile.look({profile.begin()}).at.x();
-  return within_turn(-phase) / kShaftTurn * cycle;
+  return in_turn(-phase, kTurnDegrees) / kTurnDegrees * cycle;
 }
 
 std::string phase_words(const ShaftPlace& place) {
@@ -111,7 +93,7 @@ std::string phase_words(const ShaftPlace& place) {
 }
 
 bool turns_with_shaft(const ExportedMotion& motion) {
-  return motion.place_unit == "deg" && motion.begin() == 0 && motion.end() == kShaftTurn;
+  return motion.place_unit == "deg" && motion.begin() == 0 && motion.end() == kTurnDegrees;
 }
 
 ExportedMotion by_shaft(const ExportedMotion& motion, double phase, bool advances) {

@@ -313,7 +313,7 @@ TEST_CASE("a study that is asked to end stops with what it has", "[program]") {
   const Words how{"--points", "40", "--json", "--workers", "2"};
   const std::string expected = done(pareto(file, how));
   for (const int signal : {SIGINT, SIGTERM}) {
-    // Ever sooner, until it comes in the midst of the study: how fast a machine is does not matter.
+    // Sooner each time, until it comes during the study: how fast a machine is does not matter.
     bool stopped = false;
     for (int attempt = 0; !stopped && attempt < 20; ++attempt) {
       const int ms = 64 >> attempt;

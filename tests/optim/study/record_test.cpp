@@ -637,7 +637,7 @@ TEST_CASE("what was written whole outlives a writer that is killed", "[study]") 
 
 namespace {
 
-/// Begins to write over a study and is killed in the midst of it, when pages are on the disk
+/// Begins to write over a study and is killed while it does so, when pages are on the disk
 /// already: what they held is in a journal beside the file.
 void leave_hot_journal(const std::string& path) {
   const pid_t child = fork();
@@ -658,7 +658,7 @@ void leave_hot_journal(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a study whose writer was killed in the midst of its journal is read as it was",
+TEST_CASE("a study whose writer was killed while it wrote its journal is read as it was",
           "[study]") {
   const Folder folder;
   const std::string path = folder / "s.db";
