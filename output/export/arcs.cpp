@@ -122,11 +122,12 @@ double ArcPiece::bound(const CurveStretch& stretch) const {
 ArcPath arcs_within(const PlaneCurve& curve, double tolerance, double most_radius) {
   const auto fit = fitted(
       curve, tolerance, {},
-      [&](const CurveSpan& span) {
+      [&](const CurveSpan& span, double within) {
         Biarc biarc =
             has_tangents(span) ? biarc_of(span, most_radius) : line_of(span.begin.at, span.end.at);
-        biarc.deviation = worst_over(
-            curve, span, [&](optim::Place, const Vector2d& p) { return biarc.distance(p); });
+        biarc.deviation = worst_over(curve, span, within, [&](optim::Place, const Vector2d& p) {
+          return biarc.distance(p);
+        });
         return biarc;
       },
       [](const Biarc& biarc, const CurveStretch& stretch, double, double) {

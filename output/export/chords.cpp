@@ -16,8 +16,8 @@ struct Chord {
 };
 
 double departure(const PlaneCurve& curve, const CurveSpan& span, const Eigen::Vector2d& a,
-                 const Eigen::Vector2d& b) {
-  return worst_over(curve, span, [&](optim::Place, const Eigen::Vector2d& p) {
+                 const Eigen::Vector2d& b, double enough = optim::kInfinity) {
+  return worst_over(curve, span, enough, [&](optim::Place, const Eigen::Vector2d& p) {
     return distance_to_line(p, a, b);
   });
 }
@@ -113,9 +113,9 @@ Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals,
                      const ProofRoom& room) {
   const auto fit = fitted(
       curve, tolerance, room,
-      [&](const CurveSpan& span) {
+      [&](const CurveSpan& span, double within) {
         const auto a = rounded(span.begin.at, decimals), b = rounded(span.end.at, decimals);
-        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, a, b)};
+        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, a, b, within)};
       },
       [](const Chord& chord, const CurveStretch& stretch, double, double) {
         return line_bound(stretch, chord.begin, chord.end);

@@ -48,12 +48,13 @@ CubicPath cubics_within(const PlaneCurve& whole, double tolerance) {
   const double jump = 1e-9 * (curve.end() - curve.begin());
   auto fit = fitted(
       curve, tolerance, {},
-      [&](const CurveSpan& span) {
+      [&](const CurveSpan& span, double within) {
         CubicPiece piece = cubic_of(span);
         const double length = span.to.angle - span.from.angle;
-        piece.deviation = worst_over(curve, span, [&](optim::Place place, const Vector2d& p) {
-          return (p - point_of(piece, (place.angle - span.from.angle) / length)).norm();
-        });
+        piece.deviation =
+            worst_over(curve, span, within, [&](optim::Place place, const Vector2d& p) {
+              return (p - point_of(piece, (place.angle - span.from.angle) / length)).norm();
+            });
         return piece;
       },
       cubic_bound,

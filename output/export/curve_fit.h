@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -25,49 +25,13 @@ inline CurveSpan span_of(const PlaneCurve& curve, double from, double to) {
   return {low, high, curve.at(low), curve.at(high)};
 }
 
-/// The top of value(x) between two places on both sides of a higher one, by golden sections.
-template <class Value>
-double top_between(double low, double high, const Value& value) {
-  // 1 / the golden ratio, by which a section needs one new value.
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 16;  // which leave 1e-3 of the way, and 1e-6 of the rise over it
-  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  double at_left = value(left), at_right = value(right);
-  for (int i = 0; i < kSections; ++i) {
-    if (at_left > at_right) {
-      high = right, right = left, at_right = at_left;
-      left = high - kGolden * (high - low), at_left = value(left);
-    } else {
-      low = left, left = right, at_left = at_right;
-      right = low + kGolden * (high - low), at_right = value(right);
-    }
-  }
-  return std::max(at_left, at_right);
-}
+/// How far a point of a curve is from what replaces it there.
+using DistanceAt = std::function<double(optim::Place, const Eigen::Vector2d&)>;
 
-/// The largest distance(place, point) over a span: looked for at 17 even places, then around each
-/// that is higher than its neighbours.
-template <class Distance>
-double worst_over(const PlaneCurve& curve, const CurveSpan& span, const Distance& distance) {
-  // A deviation has a few waves over a span, as of an arc or a cubic from a smooth curve.
-  constexpr std::size_t kLooks = 16;
-  const auto look = [&](double place) {
-    const double share = place / kLooks;
-    const double angle = span.from.angle + (span.to.angle - span.from.angle) * share;
-    const optim::Place here{angle, share == 1};
-    return distance(here, curve.at(here).at);
-  };
-  std::array<double, kLooks + 1> values;
-  for (std::size_t i = 0; i <= kLooks; ++i) values[i] = look(static_cast<double>(i));
-  double worst = *std::max_element(values.begin(), values.end());
-  for (std::size_t i = 1; i < kLooks; ++i) {
-    // Others, at half the highest, are not the highest in between.
-    if (values[i] < values[i - 1] || values[i] < values[i + 1] || values[i] < worst / 2) continue;
-    const auto place = static_cast<double>(i);
-    worst = std::max(worst, top_between(place - 1, place + 1, look));
-  }
-  return worst;
-}
+/// The largest distance over a span: looked for at 17 even places, then around each that is higher
+/// than its neighbours. One above `enough` ends the search: it is too far already.
+double worst_over(const PlaneCurve& curve, const CurveSpan& span, double enough,
+                  const DistanceAt& distance);
 
 /// How far a curve is from what replaces it at most, mm.
 struct CurveDeviation {
@@ -122,14 +86,14 @@ struct CurveFit {
   CurveDeviation worst = {};
 };
 
-/// Divides a curve until each piece_of(span) has a deviation that is met within the tolerance, mm,
-/// and proves bound(piece, stretch, from, to) for all. Where the curve jumps, of a closed one at
-/// its end too, join(angle, point, point) bridges it. Throws std::invalid_argument where that takes
-/// more than 200,000 pieces.
+/// Divides a curve until each piece_of(span, within) has a deviation that is met within the
+/// tolerance, mm (it need not be the largest where it is not), and proves bound(piece, stretch,
+/// from, to) for all. Where the curve jumps, of a closed one at its end too, join(angle, point,
+/// point) bridges it. Throws std::invalid_argument where that takes more than 200,000 pieces.
 template <class PieceOf, class Bound, class Join>
 auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
             const PieceOf& piece_of, const Bound& bound, const Join& join) {
-  using Piece = decltype(piece_of(std::declval<const CurveSpan&>()));
+  using Piece = decltype(piece_of(std::declval<const CurveSpan&>(), tolerance));
   constexpr std::size_t kMostPieces = 200'000;
   constexpr double kFirst = 1.0 / 36, kLeast = 1e-9;  // of the cycle
   constexpr int kTries = 6;  // each asks for a fifth less: the last for a third of the tolerance
@@ -139,7 +103,7 @@ auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
   double gap = 0;  // what is no jump, but moves the pieces' ends onto each other
   const auto divide = [&](auto& self, double from, double to, double within) -> void {
     const CurveSpan span = span_of(curve, from, to);
-    const Piece piece = piece_of(span);
+    const Piece piece = piece_of(span, within);
     if (piece.deviation <= within) {
       spans.emplace_back(fit.pieces.size(), span);
       fit.pieces.push_back(piece);

@@ -5,14 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "output/export/chords.h"
-
 namespace camlaw::problems {
 namespace {
-
-constexpr double kFollow = 5e-4;       // mm: how far the lines are from the curves, (EX2)
-constexpr int kDigits = 9;             // decimals of the polygons, far below kFollow
-constexpr ProofRoom kRough{1.5, 0.5};  // how near the polygons are need not be known closely
 
 /// A line between two points, and a circle about it.
 struct Link {
@@ -64,31 +58,35 @@ Interference deepest(const std::vector<Link>& paths, const std::vector<Link>& cu
 
 }  // namespace
 
-Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius) {
-  const Chords path = chords_within(centre, kFollow, kDigits, kRough);
-  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
-  Interference result = deepest(links_of(path), links_of(cut), radius);
-  result.certain = path.worst + cut.worst;
-  result.proved = path.proved && cut.proved;
+Chords followed(const PlaneCurve& curve) {
+  constexpr double kFollow = 5e-4;       // mm: how far the lines are from the curves, (EX2)
+  constexpr int kDigits = 9;             // decimals of the polygons, far below kFollow
+  constexpr ProofRoom kRough{1.5, 0.5};  // how near the polygons are need not be known closely
+  return chords_within(curve, kFollow, kDigits, kRough);
+}
+
+Interference interference(const Chords& centre, const Chords& profile, double radius) {
+  Interference result = deepest(links_of(centre), links_of(profile), radius);
+  result.certain = centre.worst + profile.worst;
+  result.proved = centre.proved && profile.proved;
   return result;
 }
 
 Interference interference(const std::vector<std::vector<CirclePlace>>& centres,
-                          const PlaneCurve& profile, double radius) {
-  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
-  const std::vector<Link> cuts = links_of(cut);
+                          const Chords& profile, double radius) {
+  const std::vector<Link> cuts = links_of(profile);
   Interference worst;
   for (const std::vector<CirclePlace>& centre : centres) {
     const Interference found = deepest(links_between(centre), cuts, radius);
     if (found.depth > worst.depth) worst = found;
   }
-  worst.certain = cut.worst;
+  worst.certain = profile.worst;
   return worst;
 }
 
-double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile) {
+double clearance_of(const std::vector<Eigen::Vector2d>& points, const Chords& profile) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Link& link : links_of(chords_within(profile, kFollow, kDigits, kRough))) {
+  for (const Link& link : links_of(profile)) {
     for (const Eigen::Vector2d& point : points) {
       nearest = std::min(nearest, distance_to_line(point, link.a, link.b));
     }

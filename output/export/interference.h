@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "output/export/plane_curve.h"
+#include "output/export/chords.h"
 
 /// Whether a circle that runs along one curve cuts into another: a tool into the profile that it is
 /// to leave, a roller into the profile that other places of the roller need. turns_back finds what
@@ -17,8 +17,12 @@ struct Interference {
   bool proved = false;  ///< that `certain` holds
 };
 
+/// A curve as lines that are near enough for what is told here, 5e-4 mm; made once for all that is
+/// asked of it.
+Chords followed(const PlaneCurve& curve);
+
 /// A circle of a radius whose centre runs along a curve; both curves over the same angle.
-Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius);
+Interference interference(const Chords& centre, const Chords& profile, double radius);
 
 /// A place of a circle's centre, mm, and the angle of the cam at which it is there, deg.
 struct CirclePlace {
@@ -29,10 +33,10 @@ struct CirclePlace {
 /// The same of the circle that cuts deepest among several, each of whose centres runs along
 /// straight lines between places: nothing is proved.
 Interference interference(const std::vector<std::vector<CirclePlace>>& centres,
-                          const PlaneCurve& profile, double radius);
+                          const Chords& profile, double radius);
 
 /// How near some points come to a profile, mm, to 5e-4.
-double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile);
+double clearance_of(const std::vector<Eigen::Vector2d>& points, const Chords& profile);
 
 /// The distance of two curves at the same angle, mm, where that is the same all over the cycle, as
 /// between a roller's centre and the profile under it; none: it is not.

@@ -42,11 +42,11 @@ struct ToolFit {
   double cuts_at = 0;  ///< deg
 };
 
-ToolFit fit_of(const PlaneCurve& profile, double radius) {
+ToolFit fit_of(const PlaneCurve& profile, const Chords& lines, double radius) {
   const PlaneCurve path = path_of_tool(profile, radius);
   const Turning turn = turning(path);
   if (turn.angle) return {.cuts_at = *turn.angle};
-  const Interference cut = interference(path, profile, radius);
+  const Interference cut = interference(followed(path), lines, radius);
   if (cut.depth > cut.certain) return {.cuts_at = cut.profile_angle};
   return {.fits = true, .proved = turn.proved && cut.proved};
 }
@@ -63,8 +63,9 @@ LargestTool largest_tool(const PlaneCurve& profile, double most) {
   if (beside_hollow < most) result.cuts_at = hollow.angle;
   double low = 0, high = std::min(beside_hollow, most);
   ToolFit fit;
+  const Chords lines = followed(profile);
   const auto look = [&](double radius) {
-    const ToolFit found = fit_of(profile, radius);
+    const ToolFit found = fit_of(profile, lines, radius);
     if (found.fits) {
       low = radius, fit = found;
     } else {
@@ -75,7 +76,7 @@ LargestTool largest_tool(const PlaneCurve& profile, double most) {
   while (low < (1 - kShare) * high && high > kShare * most) look(std::midpoint(low, high));
   for (int i = 0; i < kProofs && fit.fits && !fit.proved; ++i) {
     if (!result.cuts_at) result.cuts_at = hollow.angle;
-    const ToolFit found = fit_of(profile, (1 - kShare) * low);
+    const ToolFit found = fit_of(profile, lines, (1 - kShare) * low);
     low *= 1 - kShare, fit.proved = found.fits && found.proved;
   }
   result.radius = low, result.proved = fit.proved;

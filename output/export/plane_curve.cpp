@@ -97,14 +97,33 @@ CurvePoint PlaneCurve::look(optim::Place place) const {
   return {scale_ * point.at, scale_ * point.slope};
 }
 
+void PlaneCurve::require_point(const Eigen::Vector2d& point, double angle) const {
+  if (point.allFinite()) return;
+  throw std::invalid_argument(fmt::format(
+      "the {} has no point at {:.6g} deg: the motion jumps there, or the cam is impossible", name_,
+      angle));
+}
+
 CurvePoint PlaneCurve::at(optim::Place place) const {
   const CurvePoint point = look(place);
-  if (!point.at.allFinite()) {
-    throw std::invalid_argument(fmt::format(
-        "the {} has no point at {:.6g} deg: the motion jumps there, or the cam is impossible",
-        name_, place.angle));
-  }
+  require_point(point.at, place.angle);
   return point;
+}
+
+std::vector<Eigen::Vector2d> PlaneCurve::points(std::span<const optim::Place> places) const {
+  std::vector<Eigen::Vector2d> result;
+  if (left_ != 0) {  // which needs slopes
+    for (const optim::Place& place : places) result.push_back(at(place).at);
+    return result;
+  }
+  std::vector<optim::Place> own;
+  for (const optim::Place& place : places) own.push_back(in_cycle(place));
+  const std::vector<double> x = x_->values(own), y = y_->values(own);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    result.emplace_back(scale_ * x[i], scale_ * y[i]);
+    require_point(result.back(), places[i].angle);
+  }
+  return result;
 }
 
 std::array<double, 3> PlaneCurve::height(optim::Place place) const {

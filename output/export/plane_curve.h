@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,7 +61,9 @@ class PlaneCurve {
   double end() const { return breaks_.back(); }
   /// Throws std::invalid_argument that names curve and angle where it has no point.
   CurvePoint at(optim::Place place) const;
-  /// The same, without numbers where it has no point.
+  /// The points alone at many places: those of at(), but for their last digits. Throws as it does.
+  std::vector<Eigen::Vector2d> points(std::span<const optim::Place> places) const;
+  /// at(), without numbers where it has no point.
   CurvePoint look(optim::Place place) const;
   /// Whether it goes round the cam's centre, as a disc's does; one that is developed does not.
   bool is_closed() const { return end_ == CurveEnd::Returns; }
@@ -104,6 +107,8 @@ class PlaneCurve {
  private:
   /// A place of the cycle for one of the curve, which may lie in the cycle after it.
   optim::Place in_cycle(optim::Place place) const;
+  /// Throws where a point has no numbers.
+  void require_point(const Eigen::Vector2d& point, double angle) const;
   /// The same for where a stretch between two breaks begins.
   double cycles_before(double from) const { return from >= cycle_end_ ? cycle_ : 0; }
 

@@ -165,7 +165,7 @@ std::vector<std::string> cuts_into_flanks(const ProblemStatement& statement,
     for (const NumberedFlank& flank : flanks_of(rings, curves, kind)) {
       const auto ways = ways_of(rings, response_called(curves, "displacement"),
                                 first - flank.plate * rings.step());
-      const Interference worst = interference(ways, flank.curve, rings.roller);
+      const Interference worst = interference(ways, followed(flank.curve), rings.roller);
       if (worst.depth <= worst.certain + kLeast) continue;
       result.push_back(fmt::format(
           "a roller cuts {:.3g} {} into the {} near {:.4g} deg when the cam is at {:.4g} deg: the "

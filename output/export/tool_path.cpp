@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "numerics/lazy.h"
 #include "output/export/interference.h"
 
 namespace camlaw::problems {
@@ -22,11 +23,12 @@ std::string length_text(double mm, int digits, const LengthUnit& unit) {
 
 /// What a circle along a curve cuts of a profile; empty: nothing, or it does not touch it.
 std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneCurve& profile,
-                      const LengthUnit& unit, std::vector<std::string>* doubts) {
+                      const Lazy<Chords>& lines, const LengthUnit& unit,
+                      std::vector<std::string>* doubts) {
   constexpr double kLeast = 1e-3;  // mm, above what is known
   const auto radius = even_distance(centre, profile);
   if (!radius) return "";
-  const Interference found = interference(centre, profile, *radius);
+  const Interference found = interference(followed(centre), *lines, *radius);
   if (doubts != nullptr && !found.proved) {
     doubts->push_back(
         fmt::format("by measurement, the {} does not cut into the {}; this is not proved", circle,
@@ -61,7 +63,7 @@ void check_profile_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve&
   constexpr double kLeast = 2e-3;  // mm
   for (const PlaneCurve& profile : curves) {
     if (profile.name() != curve.name()) continue;
-    const double clearance = clearance_of(centres, profile);
+    const double clearance = clearance_of(centres, followed(profile));
     if (clearance >= radius - kLeast) continue;
     throw std::invalid_argument(fmt::format(
         "--lead: a tool nearly as large as the lead, {} in radius, would cut {} into "
@@ -79,7 +81,7 @@ void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
     if (!is_profile(profile) || profile.name() == curve.name()) continue;
     const auto radius = even_distance(curve, profile);
     if (!radius) continue;
-    const double clearance = clearance_of(way, profile);
+    const double clearance = clearance_of(way, followed(profile));
     if (clearance >= *radius - kLeast) continue;
     throw std::invalid_argument(fmt::format(
         "--lead: as it approaches the path, the tool, {} in radius, would cut {} into "
@@ -154,10 +156,12 @@ std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curve
   for (const PlaneCurve& profile : curves) {
     // Of a profile that turns back the cut is known already, and the curves cross.
     if (!is_profile(profile) || turns_back(profile) || !profile.jumps().empty()) continue;
+    const Lazy<Chords> lines([&] { return followed(profile); });
     for (const PlaneCurve& centre : curves) {
       const bool roller = centre.name() == "pitch curve", tool = centre.name() == "cutter path";
       if ((!roller && !tool) || !centre.jumps().empty()) continue;
-      std::string words = cut_words(roller ? "roller" : "tool", centre, profile, unit, doubts);
+      std::string words =
+          cut_words(roller ? "roller" : "tool", centre, profile, lines, unit, doubts);
       if (!words.empty()) result.push_back(std::move(words));
     }
   }

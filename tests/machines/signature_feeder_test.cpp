@@ -38,10 +38,17 @@ Drawn drawn(const SignatureFeeder& m, double phi) {
   return {pin, guide, along.real()};
 }
 
-double peak_acceleration(const SignatureFeeder& m) {
+/// Of a crank, an offset and a centre distance, in m; its formula is written once.
+double peak_acceleration(double r1, double e, double distance) {
+  static const Formula acceleration = Formula::record(4, [](std::span<const Expression> u) {
+    SignatureFeeder m;
+    m.crank_radius = u[1], m.offset = u[2], m.centre_distance = u[3];
+    return m.drum_acceleration(u[0]);
+  });
   double peak = 0;
   for (int i = 0; i < 3600; ++i) {
-    peak = std::max(peak, std::abs(plain(m.drum_acceleration(2 * kPi * i / 3600))));
+    const std::array<double, 4> u{2 * kPi * i / 3600, r1, e, distance};
+    peak = std::max(peak, std::abs(acceleration(std::span<const double>(u))));
   }
   return peak;
 }
@@ -208,23 +215,18 @@ TEST_CASE("numbers and curves of the signature feeder have exact derivatives and
 
 TEST_CASE("the least acceleration of the feeder is that of a grid",
           "[signature-feeder][problem-files]") {
-  const PlainNumbers numbers;
   const BoundProblem bound = testing::shipped("signature_feeder/least_acceleration.toml");
   const auto optimum = optim::optimise(bound.space());
   const auto& assessment = optimum.found.assessment;
   CHECK(assessment.verdict == optim::Verdict::Certified);
   // 2 r1 / r_p = 240 degrees; the guide's length gives the centre distance for each offset.
   const double radius = 0.045 * 240 * kPi / 180 / 2;
-  const auto feeder_at = [&](double r1, double e, double reach) {
-    SignatureFeeder m;
-    m.crank_radius = r1, m.offset = e;
-    m.centre_distance = std::sqrt(reach * reach + e * e) - r1;
-    return m;
+  const auto distance_for = [](double r1, double e, double reach) {
+    return std::sqrt(reach * reach + e * e) - r1;
   };
   double offset = 0;
   const auto peak_at = [&](double e) {
-    const PlainNumbers own;  // what was written for other offsets would only be searched
-    return peak_acceleration(feeder_at(radius, e, 0.8));
+    return peak_acceleration(radius, e, distance_for(radius, e, 0.8));
   };
   const double least = testing::grid_minimum(peak_at, 0.045, 0.2, 100, &offset);
   CHECK(offset == Approx(0.045));
@@ -233,11 +235,11 @@ TEST_CASE("the least acceleration of the feeder is that of a grid",
   CHECK(best.constants[feeder().parameter("crank_radius")] == Approx(radius * 1e3).epsilon(1e-7));
   CHECK(best.constants[feeder().parameter("offset")] == Approx(45).epsilon(1e-7));
   CHECK(best.constants[feeder().parameter("centre_distance")] ==
-        Approx(1e3 * plain(feeder_at(radius, 0.045, 0.8).centre_distance)).epsilon(1e-6));
+        Approx(1e3 * distance_for(radius, 0.045, 0.8)).epsilon(1e-6));
   for (const double r1 : {radius, radius * 1.02, radius * 1.1}) {
     for (const double reach : {0.7, 0.78, 0.8}) {
       for (const double e : {0.045, 0.05, 0.07, 0.1, 0.2}) {
-        CHECK(peak_acceleration(feeder_at(r1, e, reach)) >= least * (1 - 1e-6));
+        CHECK(peak_acceleration(r1, e, distance_for(r1, e, reach)) >= least * (1 - 1e-6));
       }
     }
   }

@@ -167,10 +167,10 @@ TEST_CASE("A circle along a curve cuts as far as circles tell", "[exports][proof
   // the least distance is 12 - 10 - 1.
   const PlaneCurve centre = circle("cutter path", {0, 0}, 10);
   const PlaneCurve profile = circle("profile", {1, 0}, 12);
-  const Interference found = interference(centre, profile, 2.5);
+  const Interference found = interference(followed(centre), followed(profile), 2.5);
   CHECK(found.depth == Approx(1.5).margin(2 * found.certain));
   CHECK(found.certain <= 1.1e-3);
-  CHECK(interference(centre, profile, 0.9).depth <= found.certain);
+  CHECK(interference(followed(centre), followed(profile), 0.9).depth <= found.certain);
   CHECK(even_distance(centre, circle("profile", {0, 0}, 12)) == Approx(2));
   CHECK_FALSE(even_distance(centre, profile));
 }
