@@ -64,8 +64,8 @@ TEST_CASE("the smallest flywheel of a shaft is certified and its claim holds",
                            .at("responses")
                            .at("flywheel_inertia")
                            .at("value");
-  for (int folder_phase = 90; folder_phase <= 170; folder_phase += 16) {
-    for (int stamp_phase = 180; stamp_phase <= 290; stamp_phase += 11) {
+  for (int folder_phase = 90; folder_phase <= 170; folder_phase += 40) {
+    for (int stamp_phase = 180; stamp_phase <= 290; stamp_phase += 22) {
       const double other = value_of("flywheel_inertia", kFlywheel,
                                     {"folder.phase=" + std::to_string(folder_phase),
                                      "stamp.phase=" + std::to_string(stamp_phase)});
@@ -97,7 +97,7 @@ minimize = "flywheel_inertia"
 [[objectives]]
 minimize = "torque_rms"
 )toml";
-  const ParsedJson front = json_of({"pareto", file, "--points", "4", "--json"});
+  const ParsedJson front = json_of({"pareto", file, "--points", "3", "--json"});
   REQUIRE(front.at("points").size() >= 3);
   for (const ParsedJson& point : front.at("points")) {
     CHECK(point.at("verdict") == "certified optimum");
@@ -233,19 +233,19 @@ TEST_CASE("every file of a cam on a shaft says where its zero lies", "[program][
     INFO(more[1]);
     Words all = of_gripper("across", more);
     const std::string file = folder / ("cam." + more[1]);
-    all.insert(all.end(), {"--out", file});
-    CHECK_THAT(run(all).out, Contains(words));
+    all.insert(all.end(), {"--out", file, "--json"});
+    const ParsedJson place = json_of(all).at("on_shaft");
     std::string text = testing::read(file);
     std::replace(text.begin(), text.end(), '\n', ' ');
     CHECK_THAT(text, Contains(words));
-    all.push_back("--json");
-    const ParsedJson place = json_of(all).at("on_shaft");
     CHECK(place.at("cam") == "across");
     CHECK(place.at("phase_deg") == 40);
     CHECK(place.at("zero") == "shaft");
     // The follower goes round clockwise in the axes of a cam that turns counterclockwise.
     CHECK(place.at("shaft_zero_direction_deg").get<double>() == Approx(130));
   }
+  CHECK_THAT(run(of_gripper("across", {"--format", "table", "--out", folder / "table"})).out,
+             Contains(words));
   CHECK_THAT(done_unmet(of_gripper("across", {"--format", "table"})),
              Contains("shaft_angle [deg],displacement [mm]"));
   CHECK_THAT(done_unmet(of_gripper("across", {"--format", "table", "--zero", "cam"})),

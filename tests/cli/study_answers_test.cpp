@@ -67,7 +67,7 @@ TEST_CASE("a study does not go on with another catalogue", "[program][sweep]") {
   const Folder folder;
   const std::string more =
       "\n[[objectives]]\nminimize = \"cam_mass\"\n"
-      "[[objectives]]\nmaximize = \"life\"\n";
+      "[[objectives]]\nminimize = \"highest contact_stress\"\n";
   const std::string one = catalogue_problem(folder, "one.toml", "");
   std::string text = read(one);
   text = replaced(text, "[objective]\nminimize = \"cam_mass\"\n", "");

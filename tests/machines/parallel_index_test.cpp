@@ -110,11 +110,11 @@ TEST_CASE("an index drive of 8 stations is back where it was after 8 turns of it
   REQUIRE(at.holding.size() == 4);
   const Law<double> law = statement.laws.front().law();
   double turned = 0, farthest = 0;
-  constexpr int kSteps = 180, kTurns = 8;
+  constexpr int kSteps = 90, kTurns = 8;
   for (int i = 1; i <= kSteps * kTurns; ++i) {
     const double cam = 2 * kPi * i / kSteps;
     // The cam turns; the turret goes on until no driving flank cuts into a roller.
-    double low = turned - 0.004, high = turned + 0.018;  // at most 0.015 in 2 deg
+    double low = turned - 0.004, high = turned + 0.034;  // at most 0.03 in 4 deg
     for (int n = 0; n < 24; ++n) {
       const double middle = 0.5 * (low + high);
       (at.gap(at.driving, at.first_driving(), cam, middle) < 0 ? low : high) = middle;
@@ -161,9 +161,8 @@ TEST_CASE("a turret that only moves forward is never braked by its friction", "[
             "[[program.segments]]\nname = 'rest'\n",
         "drive.toml");
     INFO(machine);
-    for (const EvaluatedResponse& r : evaluate(statement)) {
-      if (r.name == "turret_torque") CHECK(r.lowest > -1e-9);
-    }
+    const auto* const torque = find_response(*statement.mechanism, "turret_torque").response;
+    CHECK(evaluate_response(statement, *torque).lowest > -1e-9);
   }
 }
 

@@ -357,7 +357,7 @@ TEST_CASE("pairs of designs do not refute what is declared", "[shapes]") {
   for (const Mechanism& mechanism : mechanisms()) {
     for (const MechanismResponse& response : mechanism.responses) {
       for (const ShapeStatement& statement : response.shapes) {
-        CHECK(refutation(mechanism, response, statement.varying, statement.shape, random, 200) ==
+        CHECK(refutation(mechanism, response, statement.varying, statement.shape, random, 100) ==
               "");
       }
     }
@@ -392,7 +392,7 @@ TEST_CASE("pairs of designs do not refute what is known where one parameter vari
       if (response.sees_law) all.emplace_back("law");
       std::vector<Names> sets;
       for (const std::string& one : all) sets.push_back({one});
-      for (int few = 0; few < 12 && all.size() > 2; ++few) {
+      for (int few = 0; few < 6 && all.size() > 2; ++few) {
         std::shuffle(all.begin(), all.end(), random);
         sets.emplace_back(all.begin(), all.begin() + 2 + few % 2);
       }
