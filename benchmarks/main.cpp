@@ -47,7 +47,8 @@ bool run_records(int argc, char* argv[]) {
 }  // namespace
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
-/// --search, --cam-shape, --cams, --formulas and --fronts print those tables of speed alone,
+/// --search, --cam-shape, --cams, --formulas, --means and --fronts print those tables of speed
+/// alone,
 /// --known-fronts and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's
 /// regression sets.
 /// --records FILE FIRST COUNT fits simulated records into a file, --record-table FILE... prints
@@ -71,6 +72,7 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
   if (all || wanted == "--cams") measures::print_cam_table();
   if (all || wanted == "--formulas") measures::print_formula_table();
+  if (all || wanted == "--means") measures::print_mean_table();
   if (all || wanted == "--fronts") measures::print_front_table();
   if (wanted == "--known-fronts") measures::print_known_fronts();
   if (wanted == "--even-fronts") measures::print_even_fronts();
@@ -82,8 +84,9 @@ int main(int argc, char* argv[]) {
     measures::print_even_fronts();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
-      wanted == "--formulas" || wanted == "--fronts" || wanted == "--known-fronts" ||
-      wanted == "--even-fronts" || wanted == "--scale" || wanted == "--accuracy") {
+      wanted == "--formulas" || wanted == "--means" || wanted == "--fronts" ||
+      wanted == "--known-fronts" || wanted == "--even-fronts" || wanted == "--scale" ||
+      wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();

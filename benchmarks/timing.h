@@ -43,6 +43,7 @@ void print_search_table();
 void print_cam_shape_table();
 void print_cam_table();
 void print_formula_table();
+void print_mean_table();
 void print_front_table();
 
 /// Adds the measures of a file to Google Benchmark's list.

@@ -74,15 +74,15 @@ inline ContactEllipse contact_ellipse(const Expression& force, const Expression&
 inline Expression crown_shear(const Expression& pressure, const Expression& slenderness,
                               const Expression& poisson_ratio) {
   const Expression more =
-      poisson_ratio * Expression(-0.922) + Expression(0.48) - Expression(0.166) / slenderness;
-  return pressure * (max_shear(1) + more / (slenderness + Expression(3.055)));
+      poisson_ratio * ratio(-922, 1000) + ratio(48, 100) - ratio(166, 1000) / slenderness;
+  return pressure * (max_shear(1) + more / (slenderness + ratio(3055, 1000)));
 }
 /// (RB17) How deep it is, m, from half the shorter axis b: (sqrt(g) - (2.85 - 2.68 nu) / (k^2 +
 /// 3.41 k + 2.31)) b, within 1.5 % likewise.
 inline Expression crown_shear_depth(const Expression& half_axis, const Expression& slenderness,
                                     const Expression& poisson_ratio) {
-  const Expression less = poisson_ratio * Expression(-2.68) + Expression(2.85);
-  const Expression square = slenderness * (slenderness + Expression(3.41)) + Expression(2.31);
+  const Expression less = poisson_ratio * ratio(-268, 100) + ratio(285, 100);
+  const Expression square = slenderness * (slenderness + ratio(341, 100)) + ratio(231, 100);
   return half_axis * (shear_depth(1) - less / square);
 }
 

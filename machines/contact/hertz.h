@@ -41,16 +41,19 @@ struct LineContact {
 
 /// (sqrt 5 - 1) / 2, the number that places the greatest shear below a line contact.
 inline constexpr double kGolden = 0.61803398874989484820;
+inline Interval golden_bounds() { return (sqrt(Interval(5)) - Interval(1)) / Interval(2); }
 
 /// (K5) Greatest shear stress below a line contact, Pa, from its greatest pressure: g^(5/2) sigma =
 /// 0.3003 sigma, g = (sqrt 5 - 1) / 2, whatever Poisson's ratio.
 inline Expression max_shear(const Expression& pressure) {
   const double share = kGolden * kGolden * std::sqrt(kGolden);
-  return Expression(share) * pressure;
+  const Interval g = golden_bounds(), bounds = g * g * sqrt(g);
+  return Expression(share, bounds.lower(), bounds.upper()) * pressure;
 }
 /// (K6) How deep it is below the surface, m, from half the contact's width: sqrt(g) a = 0.7862 a.
 inline Expression shear_depth(const Expression& half_width) {
-  return Expression(std::sqrt(kGolden)) * half_width;
+  const Interval bounds = sqrt(golden_bounds());
+  return Expression(std::sqrt(kGolden), bounds.lower(), bounds.upper()) * half_width;
 }
 
 }  // namespace camlaw

@@ -20,7 +20,7 @@ struct Lubricant {
                   const Expression& modulus) const {
     const Expression moved = viscosity / modulus * (speed * curvature);
     const Expression pressed = 1 / modulus * (line_load * curvature);
-    return Expression(2.65) * power(pressure_viscosity * modulus, 0.54) *
+    return ratio(265, 100) * power(pressure_viscosity * modulus, 0.54) *
            (power(moved, 0.7) * power(pressed, -0.13) / curvature);
   }
 
@@ -33,8 +33,8 @@ struct Lubricant {
                         const Expression& modulus) const {
     const Expression moved = viscosity / modulus * (speed * curvature);
     const Expression pressed = 1 / modulus * (force * (curvature * curvature));
-    const Expression closed = 1 - exp(Expression(-0.68) * elongation);
-    return Expression(3.63) * power(pressure_viscosity * modulus, 0.49) *
+    const Expression closed = 1 - exp(ratio(-68, 100) * elongation);
+    return ratio(363, 100) * power(pressure_viscosity * modulus, 0.49) *
            (power(moved, 0.68) * power(pressed, -0.073) / curvature * closed);
   }
 };

@@ -122,19 +122,6 @@ T cycle_mean(const Law<T>& law, const F& f, const Breaks& breaks) {
   return detail::integral_over(law, detail::mean_steps(law, breaks), f);
 }
 
-/// The same of an integrand that is evaluated at many places together: f(places) -> values.
-template <class F, class Breaks>
-double cycle_mean_together(const Law<double>& law, const F& f, const Breaks& breaks) {
-  const auto evaluate = [&](std::span<const MeanStep<double>> steps, const auto& take) {
-    std::vector<double> places;
-    places.reserve(steps.size() * kMeanPoints);
-    at_each_place(
-        steps, [](std::size_t, double x) { return x; }, [&](double x) { places.push_back(x); });
-    for (const double value : f(places)) take(value);
-  };
-  return Quadrature<double>(detail::mean_steps(law, breaks), evaluate).sum();
-}
-
 /// An enclosure of the integral.
 template <class F>
 Interval enclosed_cycle_mean(const Law<Interval>& law, const F& f) {

@@ -83,9 +83,28 @@ std::vector<std::vector<double>> value_rows(const FormulaBlocks& formulas, std::
   return values;
 }
 
+std::vector<Decision> counted(std::span<const Decision> in_section, double length) {
+  constexpr double kSame = 1e-9;  // of the length
+  std::vector<Decision> all;
+  for (const Decision& decision : in_section) {
+    const bool is_known = std::ranges::any_of(all, [&](const Decision& known) {
+      return std::abs(known.place - decision.place) <= kSame * length;
+    });
+    if (!is_known) all.push_back(decision);
+  }
+  std::ranges::sort(all, {}, &Decision::place);
+  return all;
+}
+
 Decisions::Decisions(const Recorded& record)
     : deciders_(moving(deciders(record.formula), record.arguments)) {
   if (!deciders_.empty()) together_.emplace(deciders_, record.arguments);
+}
+
+bool Decisions::same_as(const Decisions& other) const {
+  return std::ranges::equal(deciders_, other.deciders_, [](const Formula& a, const Formula& b) {
+    return a.steps() == b.steps();
+  });
 }
 
 std::vector<std::vector<Decision>> Decisions::in_pieces(const Law<double>& law,

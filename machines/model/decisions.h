@@ -34,6 +34,9 @@ class Decisions {
 
   /// Whether there is one.
   bool any() const { return !deciders_.empty(); }
+  std::size_t size() const { return deciders_.size(); }
+  /// Whether another formula decides by the same numbers.
+  bool same_as(const Decisions& other) const;
   const Formula& decider(std::size_t k) const { return deciders_[k]; }
   /// Of a formula of s, v, a and j: inside each piece of a law where a continuous decider changes
   /// its sign, in no order. Where it jumps it is not asked: what makes it jump is a sign of its
@@ -60,31 +63,36 @@ std::vector<std::vector<double>> value_rows(const FormulaBlocks& formulas, std::
                                             std::span<const std::vector<double>> inputs);
 
 /// A decision's place with the derivatives of what it depends on: the root of decider(place) -> T,
-/// which has this slope there, in a section of this length.
+/// which has this slope there, in a section of this length. None where the slope all but vanishes:
+/// a step leads anywhere.
 template <class T, class G>
-T exact_place(const G& decider, double slope, double place, double length) {
+std::optional<T> moving_place(const G& decider, double slope, double place, double length) {
   constexpr double kBeside = 1e-5;  // of the length
   constexpr int kSteps = 4;         // the first has the first derivatives, the next the second
   T root = number<T>(place);
   for (int step = 0; slope != 0 && step < kSteps; ++step) {
     root = root - decider(root) / number<T>(slope);
   }
-  // Where the slope all but vanishes, a step leads anywhere.
-  return std::abs(value_of(root) - place) <= kBeside * length ? root : number<T>(place);
+  const bool moves = slope != 0 && std::abs(value_of(root) - place) <= kBeside * length;
+  return moves ? std::optional<T>(root) : std::nullopt;
 }
 
-/// The decisions of one section as places, increasing, by exact(decision) -> T; of several at one
-/// place the first: what is a product of that one may have a kink there itself.
+/// The same; where it is none the place stays.
+template <class T, class G>
+T exact_place(const G& decider, double slope, double place, double length) {
+  return moving_place<T>(decider, slope, place, length).value_or(number<T>(place));
+}
+
+/// Those of the decisions of one section that count, increasing: of several at one place the first,
+/// as what is a product of that one may have a kink there itself.
+std::vector<Decision> counted(std::span<const Decision> in_section, double length);
+
+/// The same as places, increasing, by exact(decision) -> T.
 template <class T, class Exact>
 std::vector<T> exact_places(std::span<const Decision> in_section, double length,
                             const Exact& exact) {
-  constexpr double kSame = 1e-9;  // of the length
   std::vector<T> places;
-  for (const Decision& decision : in_section) {
-    const bool is_known = std::ranges::any_of(places, [&](const T& known) {
-      return std::abs(value_of(known) - decision.place) <= kSame * length;
-    });
-    if (is_known) continue;
+  for (const Decision& decision : counted(in_section, length)) {
     if constexpr (std::is_same_v<T, double>) {
       places.push_back(decision.place);
     } else {

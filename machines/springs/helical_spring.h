@@ -64,8 +64,8 @@ struct HelicalSpring {
   Expression solid_length() const { return total_coils() * wire_diameter; }
   /// (W20) Sum of the least gaps between active coils in use, m: S_a = n (0.0015 D^2/d + 0.1 d).
   Expression least_gaps() const {
-    return active_coils * (Expression(0.0015) * mean_diameter * mean_diameter / wire_diameter +
-                           Expression(0.1) * wire_diameter);
+    return active_coils * (ratio(15, 10000) * mean_diameter * mean_diameter / wire_diameter +
+                           ratio(1, 10) * wire_diameter);
   }
 
   /// (W21) Free length, m, of a spring that keeps `gap_factor` S_a at the given deflection:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/formula/expression.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace camlaw {
@@ -92,6 +93,11 @@ Expression root_of(const Expression& low, const Expression& high,
 }
 
 Expression pi() { return Expression::of({.operation = Operation::Pi}); }
-Expression ratio(double p, double q) { return Expression(p) / Expression(q); }
+Expression ratio(double p, double q) {
+  const double share = p / q;
+  if (std::fma(share, q, -p) == 0) return share;  // a double, such as 1/2
+  const Interval bounds = quotient(Interval(p), Interval(q));
+  return {share, bounds.lower(), bounds.upper()};
+}
 
 }  // namespace camlaw

@@ -63,7 +63,8 @@ template <std::floating_point F>
 Expression operator/(F, const Expression&) = delete;
 template <std::floating_point F>
 Expression operator/(const Expression&, F) = delete;
-/// The number pi, and the fraction p / q of two plain numbers.
+/// The number pi, and the fraction p / q of two plain numbers: one constant, with bounds that hold
+/// the fraction where it is no double.
 Expression pi();
 Expression ratio(double p, double q);
 Expression sqrt(const Expression& a);

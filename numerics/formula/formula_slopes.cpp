@@ -22,13 +22,13 @@ std::uint32_t partner_of(const std::vector<Step>& steps, std::uint32_t i) {
   return found == steps.end() ? i : static_cast<std::uint32_t>(found - steps.begin());
 }
 
-/// The slope p x^(p - 1) of a power; none where it vanishes for every x.
-template <class T>
-T power_slope(const T& x, double p) {
-  return p == 0 ? number<T>(0) : number<T>(p) * power(x, p - 1);
+}  // namespace
+
+BackStep back_step(const std::vector<Step>& steps, std::uint32_t i) {
+  const Step& step = steps[i];
+  return {step.operation, i, step.a, step.b, step.c, partner_of(steps, i)};
 }
 
-/// Whether an operation hands all of what it is owed to one of its operands.
 bool is_choice(Operation operation) {
   switch (operation) {
     case Operation::Greater:
@@ -43,8 +43,6 @@ bool is_choice(Operation operation) {
   }
 }
 
-}  // namespace
-
 bool FormulaSlopes::knows(const Formula& formula) {
   return std::none_of(formula.steps().begin(), formula.steps().end(),
                       [](const Step& step) { return step.operation == Operation::Root; });
@@ -57,7 +55,7 @@ FormulaSlopes::FormulaSlopes(const Formula& formula) : uses_(formula.uses()) {
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
     const Step& step = steps[i];
     if (varies[i]) {
-      varying_.push_back({step.operation, i, step.a, step.b, step.c, partner_of(steps, i)});
+      varying_.push_back(back_step(steps, i));
     } else {
       constants_[i] = step.operation == Operation::Constant
                           ? step.value
@@ -69,103 +67,11 @@ FormulaSlopes::FormulaSlopes(const Formula& formula) : uses_(formula.uses()) {
 
 template <class T>
 void FormulaSlopes::go_through(std::span<const T> u, T* results) const {
-  for (const Varying& step : varying_) {
+  for (const BackStep& step : varying_) {
     results[step.result] =
         step.operation == Operation::Input
             ? u[step.a]
             : operate<T>(step.operation, results[step.a], results[step.b], results[step.c]);
-  }
-}
-
-template <class T>
-void FormulaSlopes::hand_back(const Varying& step, const T* results, T* owed, bool* handed) const {
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
-  const T& due = owed[step.result];
-  const T &a = results[step.a], &b = results[step.b], &own = results[step.result];
-  T &to_a = owed[step.a], &to_b = owed[step.b];
-  const T one = number<T>(1);
-  // The operand that is chosen is handed all.
-  const auto hand_on = [&](std::uint32_t to, const T& what) {
-    owed[to] = owed[to] + what;
-    handed[to] = true;
-  };
-  const bool chooses = is_choice(step.operation);
-  if (!chooses) handed[step.a] = true;
-  if (!chooses && operands(step.operation) > 1) handed[step.b] = true;
-  switch (step.operation) {
-    case Operation::Add:
-      to_a = to_a + due;
-      to_b = to_b + due;
-      return;
-    case Operation::Subtract:
-      to_a = to_a + due;
-      to_b = to_b - due;
-      return;
-    case Operation::Multiply:
-      to_a = to_a + due * b;
-      to_b = to_b + due * a;
-      return;
-    case Operation::Divide: {
-      const T part = due / b;
-      to_a = to_a + part;
-      to_b = to_b - part * own;
-      return;
-    }
-    case Operation::Negate:
-      to_a = to_a - due;
-      return;
-    case Operation::Sqrt:
-      to_a = to_a + due / (own + own);
-      return;
-    case Operation::Sin:
-      to_a = to_a + due * (step.partner == step.result ? T(cos(a)) : results[step.partner]);
-      return;
-    case Operation::Cos:
-      to_a = to_a - due * (step.partner == step.result ? T(sin(a)) : results[step.partner]);
-      return;
-    case Operation::Tan:
-      to_a = to_a + due * (one + own * own);
-      return;
-    case Operation::Asin:
-      to_a = to_a + due / sqrt((one - a) * (one + a));
-      return;
-    case Operation::Atan:
-      to_a = to_a + due / (one + a * a);
-      return;
-    case Operation::Log:
-      to_a = to_a + due / a;
-      return;
-    case Operation::Exp:
-      to_a = to_a + due * own;
-      return;
-    case Operation::Power:
-      to_a = to_a + due * power_slope(a, value_of(b));
-      return;
-    case Operation::Absolute:
-      to_a = value_of(a) < 0 ? to_a - due : to_a + due;
-      return;
-    case Operation::Greater:
-      return hand_on(std::isnan(value_of(b)) || value_of(a) < value_of(b) ? step.b : step.a, due);
-    case Operation::Lesser:
-      return hand_on(std::isnan(value_of(b)) || value_of(a) > value_of(b) ? step.b : step.a, due);
-    case Operation::BySide:
-      return hand_on(value_of(a) < 0 ? step.c : step.b, due);
-    case Operation::Along:
-      if (value_of(a) == 0) return;
-      return hand_on(step.b, (value_of(a) < 0) == (value_of(b) < 0) ? due : T(-due));
-    case Operation::WherePositive:
-      return hand_on(step.b, due);
-    case Operation::UnlessZero:
-      if (value_of(a) != 0) hand_on(step.b, due);
-      return;
-    case Operation::Input:
-    case Operation::Constant:
-    case Operation::Pi:
-    case Operation::Unknown:
-    case Operation::Root:
-      return;
   }
 }
 

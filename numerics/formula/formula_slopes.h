@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numerics/formula/formula.h"
+#include "numerics/formula/hand_back.h"
 
 namespace camlaw {
 
@@ -30,24 +31,11 @@ class FormulaSlopes {
   double hessian(std::span<const double> u, std::span<double> g, std::span<double> h) const;
 
  private:
-  /// A step that an input reaches.
-  struct Varying {
-    Operation operation;
-    std::uint32_t result;
-    std::uint32_t a, b, c;  ///< as of Step
-    /// Of a sine the cosine of the same angle, and the other way round, where the formula has it;
-    /// else the step itself.
-    std::uint32_t partner;
-  };
-
   template <class T>
   void go_through(std::span<const T> u, T* results) const;
-  /// Adds what a step's operands owe to its result to what is owed to them.
-  template <class T>
-  void hand_back(const Varying& step, const T* results, T* owed, bool* handed) const;
 
   std::vector<std::size_t> uses_;
-  std::vector<Varying> varying_;
+  std::vector<BackStep> varying_;
   std::vector<double> constants_;  ///< results of the steps that no input reaches
 };
 

@@ -338,6 +338,23 @@ TEST_CASE("a formula takes whole numbers, neither rounded fractions nor decision
   const Interval bounds = fraction(std::span<const Interval>());
   CHECK(bounds.lower() < bounds.upper());
   CHECK((bounds.lower() <= 0.815 && 0.815 <= bounds.upper()));
+  // One constant: a factor of it adds no division, and a fraction that a double is equal to is that
+  // double.
+  CHECK(fraction.steps().size() == 1);
+  const Formula exact =
+      Formula::record(0, [](std::span<const Expression>) { return ratio(-3, 4); });
+  CHECK(exact.steps().size() == 1);
+  CHECK((exact.steps().front().lower == -0.75 && exact.steps().front().upper == -0.75));
+  for (const auto& [p, q] : {std::pair(1.0, 3.0), {-922.0, 1000.0}, {2.0, -7.0}}) {
+    INFO(p << " / " << q);
+    const Step step = Formula::record(0, [&](std::span<const Expression>) { return ratio(p, q); })
+                          .steps()
+                          .front();
+    // The bounds times the divisor lie on both sides of p, exactly.
+    CHECK(step.value == p / q);
+    CHECK(std::fma(step.lower, std::abs(q), q < 0 ? p : -p) < 0);
+    CHECK(std::fma(step.upper, std::abs(q), q < 0 ? p : -p) > 0);
+  }
 }
 
 TEST_CASE("formulas of plain numbers come to numbers", "[formula]") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "numerics/formula/blocks/join.h"
 #include "numerics/formula/operations.h"
 #include "numerics/formula/steps.h"
 
@@ -19,17 +20,6 @@ Step in_order(Step step) {
   const bool has_order = step.operation != Operation::Add && step.operation != Operation::Multiply;
   if (!has_order && step.a > step.b) std::swap(step.a, step.b);
   return step;
-}
-
-/// Adds the formula's steps to those of others and returns which one is its value.
-std::uint32_t join(const Formula& formula, Recorder& all) {
-  std::vector<std::uint32_t> number;
-  for (Step step : formula.steps()) {
-    std::uint32_t* from[] = {&step.a, &step.b, &step.c};
-    for (std::size_t k = 0; k < operands(step.operation); ++k) *from[k] = number[*from[k]];
-    number.push_back(all.write(in_order(step)));
-  }
-  return number.back();
 }
 
 /// Room for numbers, kept for the next call on this thread.
@@ -96,6 +86,16 @@ class Rows {
 };
 
 }  // namespace
+
+std::uint32_t join(const Formula& formula, Recorder& all) {
+  std::vector<std::uint32_t> number;
+  for (Step step : formula.steps()) {
+    std::uint32_t* from[] = {&step.a, &step.b, &step.c};
+    for (std::size_t k = 0; k < operands(step.operation); ++k) *from[k] = number[*from[k]];
+    number.push_back(all.write(in_order(step)));
+  }
+  return number.back();
+}
 
 FormulaBlocks::FormulaBlocks(std::span<const Formula> formulas, std::size_t first) : first_(first) {
   Recorder all;
