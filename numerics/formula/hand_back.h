@@ -29,13 +29,13 @@ BackStep back_step(const std::vector<Step>& steps, std::uint32_t i);
 bool is_choice(Operation operation);
 
 /// The operand that a choice hands to, and with which sign; 0 where to none.
-struct Chosen {
+struct HandedTo {
   std::uint32_t step;
   double sign;
 };
 
 /// Of the operands' plain numbers.
-inline Chosen chosen(const BackStep& step, double a, double b) {
+inline HandedTo chosen(const BackStep& step, double a, double b) {
   switch (step.operation) {
     case Operation::Greater:
       return {std::isnan(b) || a < b ? step.b : step.a, 1};
@@ -73,7 +73,7 @@ void hand_back(const BackStep& step, const T* results, T* owed, bool* handed) {
   const T& due = owed[step.result];
   const T &a = results[step.a], &b = results[step.b], &own = results[step.result];
   if (is_choice(step.operation)) {
-    const Chosen to = chosen(step, value_of(a), value_of(b));
+    const HandedTo to = chosen(step, value_of(a), value_of(b));
     if (to.sign == 0) return;
     owed[to.step] = to.sign < 0 ? owed[to.step] - due : owed[to.step] + due;
     handed[to.step] = true;

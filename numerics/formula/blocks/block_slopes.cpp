@@ -179,7 +179,7 @@ void BlockPass::choose(const BackStep& step) {
     std::array<double, kPoints> sign;
     bool any = false;
     for (std::size_t i = 0; i < count_; ++i) {
-      const Chosen choice = chosen(step, a[i], b[i]);
+      const HandedTo choice = chosen(step, a[i], b[i]);
       sign[i] = choice.step == to && is_owed(step.result, i) ? choice.sign : 0;
       any = any || sign[i] != 0;
     }
