@@ -22,7 +22,7 @@
 #include "output/figure/chart.h"
 #include "output/figure/profile_figure.h"
 #include "problems/results/recorded_design.h"
-#include "problems/statement/bind.h"
+#include "problems/statement/evaluate.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/solver_settings.h"
 
@@ -43,7 +43,8 @@ struct EvaluateOptions {
 
 /// Tables and pictures of the curves that were asked for.
 std::vector<OutputFile> curve_files(const EvaluateOptions& options,
-                                    const ProblemStatement& statement) {
+                                    const ProblemStatement& statement,
+                                    const std::vector<problems::EvaluatedResponse>& evaluated) {
   constexpr int kSteps = 720;  // half a degree of a turn
   std::vector<OutputFile> files;
   const auto& responses = statement.mechanism->responses;
@@ -54,7 +55,8 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
         fmt::format("{} has no curves over a cycle", statement.mechanism->name));
   }
   if (options.curves) files.push_back({*options.curves, curves_csv(statement, kSteps)});
-  if (options.svg) files.push_back({*options.svg, to_svg(curves_figure(statement))});
+  if (options.svg)
+    files.push_back({*options.svg, to_svg(curves_figure(statement, kCyclePoints, evaluated))});
   if (options.profile) files.push_back({*options.profile, to_svg(profile_figure(statement))});
   return files;
 }
@@ -97,6 +99,16 @@ void add_cut_short(const optim::Deadline& deadline, const optim::ProofTime& time
       fmt::format("proofs stopped early: {}; each worst value is the worst that was seen\n", why));
 }
 
+/// Says on a terminal how far it is.
+std::vector<problems::EvaluatedResponse> evaluated_responses(const ProblemStatement& statement,
+                                                             bool shows_progress) {
+  ProgressLine line(shows_progress);
+  return problems::evaluate(statement, [&](std::size_t done, std::size_t all) {
+    line.show(fmt::format("evaluate: response {} of {}", done + 1, all),
+              static_cast<double>(done) / static_cast<double>(all));
+  });
+}
+
 int run_evaluate(const EvaluateOptions& options) {
   if (!options.sensitivity && (!options.over.empty() || options.samples)) {
     throw std::invalid_argument("--over and --samples need --sensitivity");
@@ -111,9 +123,9 @@ int run_evaluate(const EvaluateOptions& options) {
   const int status = status_of(review);
   ProblemStatement statement = read.statement;
   problems::set_in_design(statement, read, options.settings);
-  const auto responses = problems::evaluate(statement);
+  const auto responses = evaluated_responses(statement, !options.json);
   check_possible(options.file, statement, responses);
-  const auto files = curve_files(options, statement);
+  const auto files = curve_files(options, statement, responses);
   const auto limits = problems::standing(statement);
   Document document = evaluation_document(statement, responses, limits, review);
   add_cut_short(deadline, proof_time, document);

@@ -73,13 +73,17 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
   if (read.verdict) {
     facts = facts_of_search(problems::parse_json(problems::file_text(input, "result")));
   }
-  const ProgressLine line(true, "report: curves, proofs and sensitivities");
+  ProgressLine line(true);
+  const auto progress = [&line](const std::string& what, double done) {
+    line.show("report: " + what, done);
+  };
   return {design_report({.read = std::move(read),
                          .file = input,
                          .facts = std::move(facts),
                          .review = review,
                          .checksum = checksum_of(input),
-                         .settings = settings}),
+                         .settings = settings,
+                         .progress = progress}),
           status_of(review)};
 }
 

@@ -70,15 +70,18 @@ std::vector<MechanismResponse> feeder_curves() {
       curve({"drum_acceleration", "rad/s2", "rad/s2", "angular acceleration of the cylinder"},
             acceleration),
       meshing({"meshing_rack_travel", "mm", "m",
-               "travel of a rack that meshes with a pinion on the guide's centre"},
+               "travel of the rack over the pinion, if the rack's offset were the pinion's radius"},
               travel),
-      meshing({"meshing_drum_angle", "deg", "rad", "angle of the cylinder with that rack"}, drum),
+      meshing({"meshing_drum_angle", "deg", "rad",
+               "angle of the cylinder, if the rack's offset were the pinion's radius"},
+              drum),
       meshing({"meshing_drum_velocity", "rad/s", "rad/s",
-               "angular velocity of the cylinder with that rack"},
+               "angular velocity of the cylinder, if the rack's offset were the pinion's radius"},
               velocity),
-      meshing({"meshing_drum_acceleration", "rad/s2", "rad/s2",
-               "angular acceleration of the cylinder with that rack"},
-              acceleration)};
+      meshing(
+          {"meshing_drum_acceleration", "rad/s2", "rad/s2",
+           "angular acceleration of the cylinder, if the rack's offset were the pinion's radius"},
+          acceleration)};
 }
 
 }  // namespace

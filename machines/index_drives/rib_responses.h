@@ -41,11 +41,11 @@ inline const char* place_words(RollerPlace place) {
                                       : " at the roller's end towards the cam's axis";
 }
 
-/// The place in few words, for lines that say more than it.
+/// The place in few words, for lines that say more than it: seen from the cam's axis.
 inline const char* short_place(RollerPlace place) {
-  return place == RollerPlace::Middle ? "mid-roller"
-         : place == RollerPlace::Root ? "the roller's root"
-                                      : "the roller's tip";
+  return place == RollerPlace::Middle ? "the roller's middle"
+         : place == RollerPlace::Root ? "the roller's far end"
+                                      : "the roller's near end";
 }
 
 /// Sum of the curvatures of the roller and of the flank that bears.
@@ -122,9 +122,9 @@ std::vector<MechanismResponse> contact_lines() {
         const std::string name = std::string(side == kDrives ? "" : "second_") +
                                  place_prefix(place) + "contact_" + "xyz"[coordinate];
         const std::string meaning =
-            std::string(side == kDrives ? "driving" : "holding") + " flank contact at " +
-            short_place(place) +
-            ", in cam coordinates; in a dwell at a hand-over, of the roller that takes over";
+            std::string("where the ") + (side == kDrives ? "driving" : "holding") +
+            " flank touches " + short_place(place) +
+            ", in axes that turn with the cam; in a dwell, of the next roller";
         const ContactPlace which{coordinate, place, side};
         all.push_back(cam_curve<M>(
             {name, "mm", "m", meaning}, [which](const auto& drive, const auto& f, const auto& x) {
@@ -176,8 +176,8 @@ std::vector<MechanismResponse> rib_responses() {
   std::vector<MechanismResponse> all = turret_responses<M>();
   all.push_back(cam_curve<M>(
       {"roller_angle", "deg", "rad",
-       "angle between the line of centres and the driving roller, in a dwell at a hand-over the "
-       "one that takes over"},
+       "angle of the driving roller beside the line of centres; in a dwell between two rollers, of "
+       "the next"},
       [](const auto& drive, const auto& f) {
         return rib_angle(drive, since_handover(f.s, drive.step()));
       }));

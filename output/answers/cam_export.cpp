@@ -297,8 +297,13 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   if (format.format == ExportFormat::Dxf) {
     return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
   }
+  const problems::GcodeSettings settings = gcode_settings(o, e.accuracy);
+  for (std::string& note : milling_cautions(o, e, settings.depth)) {
+    comments.push_back("caution: " + note);
+    e.notes.push_back(std::move(note));
+  }
   comments.push_back(tool_line(o, e));
-  return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
+  return problems::gcode_text(e.passes, settings, comments);
 }
 
 /// Where a cam stands on its shaft, and from whose zero its files are to begin.

@@ -50,8 +50,24 @@ void add_peak(const optim::Trace& trace, double peak, Line& line) {
   line.y.insert(line.y.begin() + at, values.begin(), values.end());
 }
 
+/// A curve's highest or lowest value and its place.
+struct KnownPeak {
+  double value, at;
+};
+
+KnownPeak peak_of(const optim::Trace& trace, double sign, double size,
+                  const problems::EvaluatedResponse* evaluated) {
+  if (evaluated != nullptr) {
+    return sign > 0 ? KnownPeak{evaluated->highest, evaluated->highest_at}
+                    : KnownPeak{evaluated->lowest, evaluated->lowest_at};
+  }
+  const optim::Extreme peak = optim::proved_highest(trace, sign, size).peak;
+  return {peak.value, peak.place.angle};
+}
+
 /// Even points, and more about a highest or lowest value that these would not show.
-Line curve_line(const optim::Trace& trace, int points) {
+Line curve_line(const optim::Trace& trace, int points,
+                const problems::EvaluatedResponse* evaluated = nullptr) {
   constexpr double kSeen = 1e-3;  // of the range
   Line line = even_line(trace, points);
   const auto [low, high] = std::minmax_element(line.y.begin(), line.y.end());
@@ -59,10 +75,10 @@ Line curve_line(const optim::Trace& trace, int points) {
   if (!std::isfinite(range)) return line;
   const double size = std::max(std::abs(lowest), std::abs(highest));
   for (const double sign : {1.0, -1.0}) {
-    const optim::Extreme peak = optim::proved_highest(trace, sign, size).peak;
+    const KnownPeak peak = peak_of(trace, sign, size, evaluated);
     const double seen = sign > 0 ? highest : -lowest;
     if (std::isfinite(peak.value) && sign * peak.value > seen + kSeen * range) {
-      add_peak(trace, peak.place.angle, line);
+      add_peak(trace, peak.at, line);
     }
   }
   return line;
@@ -81,7 +97,8 @@ Line level(const Panel& panel, double value) {
 enum class Over { Cycle, Speed };
 
 Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit,
-                  Over over, int points = kCyclePoints) {
+                  Over over, int points = kCyclePoints,
+                  const problems::EvaluatedResponse* evaluated = nullptr) {
   Panel panel;
   const auto breaks = trace.breaks();
   panel.x = {.label = breaks.back() > 1 ? "angle" : "x",
@@ -90,7 +107,7 @@ Panel curve_panel(const optim::Trace& trace, const std::string& name, const std:
              .upper = breaks.back()};
   if (over == Over::Speed) panel.x.label = "speed", panel.x.unit = "rpm";
   panel.y = {.label = name, .unit = shown_unit(unit)};
-  panel.lines.push_back(curve_line(trace, points));
+  panel.lines.push_back(curve_line(trace, points, evaluated));
   panel.lines.back().colour = "#0072b2";
   return panel;
 }
@@ -157,7 +174,8 @@ Figure cycle_figure(const Answer& answer) {
   return figure;
 }
 
-Figure curves_figure(const problems::ProblemStatement& statement, int points) {
+Figure curves_figure(const problems::ProblemStatement& statement, int points,
+                     const std::vector<problems::EvaluatedResponse>& evaluated) {
   Figure figure;
   figure.title = statement.title;
   figure.subtitle = statement.mechanism->name;
@@ -175,8 +193,12 @@ Figure curves_figure(const problems::ProblemStatement& statement, int points) {
   const auto add = [&](const std::vector<optim::Response>& curves, Over over) {
     for (const optim::Response& response : curves) {
       if (is_left_out(response.name)) continue;
-      figure.panels.push_back(
-          curve_panel(*response.curve().trace({}), response.name, response.unit, over, points));
+      const auto known = std::find_if(evaluated.begin(), evaluated.end(), [&](const auto& e) {
+        return e.is_curve && e.name == response.name;
+      });
+      figure.panels.push_back(curve_panel(*response.curve().trace({}), response.name, response.unit,
+                                          over, points,
+                                          known == evaluated.end() ? nullptr : &*known));
     }
   };
   add(problems::curves_of(statement), Over::Cycle);

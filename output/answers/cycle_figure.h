@@ -15,7 +15,9 @@ Figure cycle_figure(const Answer& answer);
 inline constexpr int kCyclePoints = 720;
 
 /// Every curve of the mechanism at the design that a statement begins with.
-Figure curves_figure(const problems::ProblemStatement& statement, int points = kCyclePoints);
+/// Where the peaks of curves are known, as `evaluated` says, they are not looked for again.
+Figure curves_figure(const problems::ProblemStatement& statement, int points = kCyclePoints,
+                     const std::vector<problems::EvaluatedResponse>& evaluated = {});
 
 /// Draws a statement's limits into the panels of the curves that they hold.
 void draw_limits(const problems::ProblemStatement& statement, Figure& figure);

@@ -8,8 +8,9 @@
 
 namespace camlaw::cli {
 
-DesignReview::DesignReview(const problems::ReadDesign& read)
-    : evaluated(problems::evaluate(read.statement)),
+DesignReview::DesignReview(const problems::ReadDesign& read,
+                           const problems::EvaluationProgress& progress)
+    : evaluated(problems::evaluate(read.statement, progress)),
       held(problems::held_problem(read)),
       built(problems::buildability(read.statement)) {
   const problems::ProblemStatement& design = read.statement;

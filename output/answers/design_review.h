@@ -10,6 +10,7 @@
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
+#include "problems/statement/evaluate.h"
 
 /// A design judged again for an answer: nothing that was recorded of it is believed.
 namespace camlaw::cli {
@@ -22,7 +23,9 @@ struct DesignReview {
   std::vector<optim::LimitReport> limits;
   problems::Buildability built;
 
-  explicit DesignReview(const problems::ReadDesign& read);
+  /// `progress` is told how far the responses are.
+  explicit DesignReview(const problems::ReadDesign& read,
+                        const problems::EvaluationProgress& progress = {});
 
   /// Of the problem with its choices held: so far prices hold.
   bool is_optimal() const;

@@ -15,6 +15,26 @@ std::string number(double value) {
 
 Cell number_cell(double value) { return {number(value), value}; }
 
+namespace {
+
+/// A fitted number and the ends of its interval: to two digits of half the interval, as further
+/// ones are not known.
+std::string worth(double value, const optim::FittedParameter& p) {
+  constexpr int kKnown = 2, kMost = 6;
+  const double half = (p.high - p.low) / 2;
+  if (!std::isfinite(value) || !std::isfinite(half) || !(half > 0)) return number(value);
+  const double least = std::floor(std::log10(half)) - (kKnown - 1);  // power of the last digit
+  const double quantum = std::pow(10, least);
+  if (std::abs(value) < quantum / 2) return "0";
+  const double rounded = std::round(value / quantum) * quantum;
+  const auto digits = static_cast<int>(std::floor(std::log10(std::abs(rounded))) - least) + 1;
+  return in_digits(value, std::clamp(digits, 1, kMost));
+}
+
+Cell worth_cell(double value, const optim::FittedParameter& p) { return {worth(value, p), value}; }
+
+}  // namespace
+
 Table fitted_table(const optim::FitResult& fit) {
   Table table{
       .key = "parameters",
@@ -23,9 +43,9 @@ Table fitted_table(const optim::FitResult& fit) {
                   words(""), data("identifiable"), data("at_bound")}};
   for (const optim::FittedParameter& p : fit.parameters) {
     table.add({p.name,
-               number_cell(p.value),
-               number_cell(p.low),
-               number_cell(p.high),
+               worth_cell(p.value, p),
+               worth_cell(p.low, p),
+               worth_cell(p.high, p),
                datum(p.standard_deviation),
                {shown_unit(p.unit), p.unit},
                !p.identifiable ? "not determined"

@@ -184,9 +184,9 @@ Table global_sensitivity_table(const GlobalSensitivity& global) {
   Table table{.key = "indices",
               .columns = {names("number", "number"), names("parameter", "parameter"),
                           numbers("from", "lower"), numbers("to", "upper"), words("unit", "unit"),
-                          numbers("first order", "first"), words("95 %"), numbers("total", "total"),
-                          words("95 %"), data("first_low"), data("first_high"), data("total_low"),
-                          data("total_high")}};
+                          numbers("first order", "first"), words("its 95 %"),
+                          numbers("total", "total"), words("its 95 %"), data("first_low"),
+                          data("first_high"), data("total_low"), data("total_high")}};
   std::vector<std::vector<Cell>> rest;
   for (std::size_t n = 0; n < global.numbers.size(); ++n) {
     const auto& total = global.indices[n].total;

@@ -50,6 +50,24 @@ std::optional<double> tool_radius(const ExportOptions& o) {
   return length_of(o.tool, "--tool", unit_of(o), 0, 1e-3, 1e6);
 }
 
+std::vector<std::string> milling_cautions(const ExportOptions& o, const Exported& e, double depth) {
+  std::vector<std::string> cautions;
+  if (depth == 0) {
+    cautions.emplace_back(
+        "the cut has no depth: the tool runs at Z = 0; state how deep it goes with --depth");
+  }
+  const problems::ProblemStatement& statement = e.design.statement;
+  const bool is_own_tool = !o.tool && !e.tool_bound && !(o.curve && *o.curve == "pitch");
+  if (is_own_tool && !statement.stated.contains(statement.mechanism->parameter("cutter_radius"))) {
+    cautions.push_back(fmt::format(
+        "no tool is stated: the path is for the default, cutter_radius = {0:.6g} {1}; state yours "
+        "in the file, or with --set 'cutter_radius={0:.6g} {1}'",
+        problems::constant_of(statement, "cutter_radius") / e.accuracy.unit.mm,
+        e.accuracy.unit.name));
+  }
+  return cautions;
+}
+
 std::string tool_line(const ExportOptions& o, const Exported& e) {
   const problems::ProblemStatement& statement = e.design.statement;
   const problems::LengthUnit& unit = e.accuracy.unit;

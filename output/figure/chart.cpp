@@ -145,6 +145,11 @@ std::size_t label_step(const PlannedPanel& panel) {
   return static_cast<std::size_t>(std::max(1.0, std::ceil((width + 8) / std::max(spacing, 1.0))));
 }
 
+/// A number with its sign as it is printed; the hyphen of an exponent stays.
+std::string with_minus(const std::string& label) {
+  return label.starts_with('-') ? "\u2212" + label.substr(1) : label;
+}
+
 void draw_x_axis(Svg& svg, const PlannedPanel& panel) {
   const PlannedAxis& axis = panel.x;
   const double y = panel.frame.bottom;
@@ -154,8 +159,8 @@ void draw_x_axis(Svg& svg, const PlannedPanel& panel) {
   if (!panel.shows_x) return;
   const std::size_t step = label_step(panel);
   for (std::size_t i = 0; i < axis.ticks.size(); i += step)
-    svg.text("number", {x_px(panel, axis.ticks[i]), y + size::kTick + 12}, axis.labels[i],
-             {.size = size::kSmallFont, .anchor = Anchor::Middle});
+    svg.text("number", {x_px(panel, axis.ticks[i]), y + size::kTick + 12},
+             with_minus(axis.labels[i]), {.size = size::kSmallFont, .anchor = Anchor::Middle});
   for (std::size_t i = 0; i < axis.title.size(); ++i)
     svg.text("axis-title",
              {(panel.frame.left + panel.frame.right) / 2,
@@ -170,7 +175,7 @@ void draw_y_axis(Svg& svg, const PlannedPanel& panel, double number_width) {
   for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
     const double y = y_px(panel, axis.ticks[i]);
     svg.line("tick", {{frame.left - size::kTick, y}, {frame.left, y}}, {kFrameColour});
-    svg.text("number", {frame.left - size::kTick - 3, y + 4}, axis.labels[i],
+    svg.text("number", {frame.left - size::kTick - 3, y + 4}, with_minus(axis.labels[i]),
              {.size = size::kSmallFont, .anchor = Anchor::End});
   }
   const double right = frame.left - size::kTick - 10 - number_width;

@@ -52,6 +52,23 @@ bool is_asked_for(const std::string& curve, const ProblemStatement& design) {
 /// Whether a panel is one of the law's own, which are drawn over the law's x.
 bool is_of_law(const Panel& panel) { return panel.x.label == "x = t / T"; }
 
+/// Whether a panel is shown without being asked for.
+bool is_main(const Panel& panel, const ProblemStatement& design) {
+  using problems::known::kDisplacement;
+  const std::string& name = panel.y.label;
+  if (is_of_law(panel) || is_asked_for(name, design)) return true;
+  for (const std::string_view motion :
+       {kDisplacement, std::string_view("velocity"), std::string_view("acceleration")}) {
+    if (name == motion || name.ends_with("." + std::string(motion))) return true;
+  }
+  const problems::Mechanism& mechanism = *design.mechanism;
+  const bool is_stated = problems::response_called(mechanism, name) == nullptr ||
+                         problems::response_called(mechanism, name)->domain;
+  return is_stated || std::ranges::any_of(mechanism.peaks, [&](const problems::NamedPeak& peak) {
+           return peak.curve == name;
+         });
+}
+
 std::string group_of(const Panel& panel) {
   if (is_of_law(panel)) return kLawGroup;
   switch (problems::subject_of(panel.y.label, panel.y.unit)) {
@@ -100,8 +117,8 @@ std::string extremes_text(const EvaluatedResponse& r) {
                        place_text(at, r.along));
   };
   if (!(r.lowest < r.highest)) return with_unit(significant(r.highest, size, 4), r.unit);
-  return fmt::format("from {} to {}{}", text(r.lowest, r.lowest_at), text(r.highest, r.highest_at),
-                     r.proved ? "" : " (sampled)");
+  return fmt::format("lowest value {}, highest {}{}", text(r.lowest, r.lowest_at),
+                     text(r.highest, r.highest_at), r.proved ? "" : " (sampled)");
 }
 
 std::vector<std::string> limits_on(const std::string& curve, const ProblemStatement& design) {
@@ -130,8 +147,9 @@ std::string alt_text(const Panel& panel, const PanelWords& words) {
 }
 
 std::string plot_html(const Panel& panel, std::size_t index, const PanelWords& words) {
-  std::string caption = fmt::format("<b>{}</b>{} <output></output>", xml_escape(words.name),
-                                    panel.y.unit.empty() ? "" : ", " + xml_escape(panel.y.unit));
+  std::string caption =
+      fmt::format("<b>{}</b>{} <output></output>", xml_escape(words.name),
+                  panel.y.unit.empty() ? "" : ", " + xml_escape(typeset(panel.y.unit)));
   std::string notes = words.meaning;
   if (!words.extremes.empty()) notes += (notes.empty() ? "" : "; ") + words.extremes;
   for (const std::string& limit : words.limits) {
@@ -142,13 +160,14 @@ std::string plot_html(const Panel& panel, std::size_t index, const PanelWords& w
       "<figure class=\"plot\" data-panel=\"{}\">\n<figcaption>{}</figcaption>\n"
       "<div class=\"canvas\"><canvas role=\"img\" aria-label=\"{}\"></canvas></div>\n"
       "<p class=\"notes\">{}</p>\n</figure>\n",
-      index, caption, xml_escape(alt_text(panel, words)), xml_escape(notes));
+      index, caption, xml_escape(typeset(alt_text(panel, words))), xml_escape(typeset(notes)));
 }
 
 }  // namespace
 
-Figure design_figure(const ProblemStatement& design, int points) {
-  Figure figure = curves_figure(design, points);
+Figure design_figure(const ProblemStatement& design, int points,
+                     const std::vector<EvaluatedResponse>& evaluated) {
+  Figure figure = curves_figure(design, points, evaluated);
   std::erase_if(figure.panels, [&](const Panel& panel) {
     return is_of_profile(panel, design) && !is_asked_for(panel.y.label, design);
   });
@@ -182,22 +201,56 @@ std::vector<PanelWords> panel_words(const Figure& figure, const ProblemStatement
       words.extremes = extremes_text(with_extremes(r, panel.lines.front()));
     }
     if (!is_of_law(panel)) words.limits = limits_on(name, design);
+    words.is_main = is_main(panel, design);
     all.push_back(std::move(words));
   }
   return all;
 }
 
-std::string plots_html(const Figure& figure, const std::vector<PanelWords>& words) {
+namespace {
+
+/// The plots that are main or those that are not, under their groups.
+std::string grouped_plots(const Figure& figure, const std::vector<PanelWords>& words, bool main) {
   std::string html;
   for (const char* group : kGroups) {
     std::string plots;
     for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i].group == group) plots += plot_html(figure.panels[i], i, words[i]);
+      if (words[i].group == group && words[i].is_main == main)
+        plots += plot_html(figure.panels[i], i, words[i]);
     }
     if (plots.empty()) continue;
     html += fmt::format("<h3>{}</h3>\n<div class=\"plots\">\n{}</div>\n", group, plots);
   }
-  return html + "<noscript>" + to_svg(figure) + "</noscript>\n";
+  return html;
+}
+
+/// A picture of the same for readers without scripts.
+std::string still_plots(const Figure& figure, const std::vector<PanelWords>& words, bool main) {
+  Figure part = figure;
+  part.panels.clear();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].is_main == main) part.panels.push_back(figure.panels[i]);
+  }
+  return "<noscript>" + to_svg(part) + "</noscript>\n";
+}
+
+}  // namespace
+
+std::string plots_html(const Figure& figure, const std::vector<PanelWords>& words) {
+  const auto more = static_cast<std::size_t>(
+      std::ranges::count_if(words, [](const PanelWords& one) { return !one.is_main; }));
+  std::string html;
+  if (more < words.size()) {
+    html += grouped_plots(figure, words, true) + still_plots(figure, words, true);
+  }
+  if (more == 0) return html;
+  const std::string others =
+      grouped_plots(figure, words, false) + still_plots(figure, words, false);
+  if (more == words.size()) return others;  // nothing is asked for
+  return html + fmt::format(
+                    "<details class=\"more\"><summary>More curves ({})</summary>\n{}"
+                    "</details>\n",
+                    more, others);
 }
 
 }  // namespace camlaw::cli

@@ -13,7 +13,9 @@ namespace camlaw::cli {
 /// Every curve of the mechanism with its limits, but for coordinates of profiles, which are drawn
 /// as what they are; of a machine moved by a law also that law's s, v, a, j over x, unless it shows
 /// them itself.
-Figure design_figure(const problems::ProblemStatement& design, int points);
+/// Peaks that were `evaluated` are not looked for again.
+Figure design_figure(const problems::ProblemStatement& design, int points,
+                     const std::vector<problems::EvaluatedResponse>& evaluated = {});
 
 /// Whether a panel's curve has a value anywhere; that of a quotient by a spring force that is none
 /// has not.
@@ -22,9 +24,12 @@ bool has_values(const Panel& panel);
 /// One panel in words.
 struct PanelWords {
   std::string name, meaning;
-  std::string group;                     ///< "Motion", "Geometry", "Forces, torques and power", ...
-  std::string extremes = {};             ///< "from -27.2 at 270 deg to 27.2 at 90 deg"
+  std::string group;          ///< "Motion", "Geometry", "Forces, torques and power", ...
+  std::string extremes = {};  ///< "lowest value -27.2 at 270 deg, highest 27.2 at 90 deg"
   std::vector<std::string> limits = {};  ///< "at most 30 deg"
+  /// Whether the objective, a limit or a named peak is about it, or it is the motion itself; the
+  /// others are folded.
+  bool is_main = true;
 };
 
 /// Of each panel of design_figure; extremes only where they were `evaluated`.

@@ -32,9 +32,18 @@ namespace {
 
 using problems::ProblemStatement;
 
-constexpr const char* kSpanWords =
-    "Rises are shaded in the first colour of the curves, returns in the second; between them the "
-    "follower dwells.";
+/// What the shades of rises and returns are, of those that there are.
+std::string span_words(const std::vector<TimedSpan>& spans) {
+  const auto has = [&](TimedSpan::Kind kind) {
+    return std::ranges::any_of(spans, [&](const TimedSpan& span) { return span.kind == kind; });
+  };
+  const bool rises = has(TimedSpan::Kind::Rise), returns = has(TimedSpan::Kind::Return);
+  if (!rises && !returns) return "";
+  return paragraph(fmt::format("{}{}{}; where nothing is shaded the follower dwells.",
+                               rises ? "Rises are shaded in blue" : "",
+                               rises && returns ? ", returns in orange" : "",
+                               !rises ? "Returns are shaded in orange" : ""));
+}
 
 /// The value of what is sought, and whose it is where that is no answer.
 std::string objective_text(const ProblemStatement& design, const DesignReview& review,
@@ -46,10 +55,10 @@ std::string objective_text(const ProblemStatement& design, const DesignReview& r
   const char* whose = !is_searched                          ? " with the file's own values"
                       : review.met() < review.limits.size() ? " of a design that violates limits"
                                                             : "";
-  return fmt::format(
-      "<p class=\"answer\">{}{} <b>{}</b></p>\n", xml_escape(plain_name(stated.response.name)),
-      whose,
-      xml_escape(kept_together(with_unit(in_digits(objective.value), stated.response.unit))));
+  return fmt::format("<p class=\"answer\">{}{} <b>{}</b></p>\n",
+                     xml_escape(plain_name(stated.response.name)), whose,
+                     xml_escape(kept_together(
+                         typeset(with_unit(in_digits(objective.value), stated.response.unit)))));
 }
 
 std::string limits_words(const DesignReview& review) {
@@ -105,9 +114,18 @@ std::string lead(const ReportedDesign& reported, const DesignReview& review) {
 ReportPage design_report(const ReportedDesign& reported) {
   constexpr int kPoints = 2000;  // of each curve, which is thinned before it is written
   const ProblemStatement& design = reported.read.statement;
-  const DesignReview review(reported.read);
+  // Of the time that a page takes, most goes to the peaks of the responses, then to sensitivities.
+  constexpr double kPeaks = 0.5, kCurves = 0.6, kSensitivities = 0.7;
+  const auto say = [&](const std::string& what, double done) {
+    if (reported.progress) reported.progress(what, done);
+  };
+  const DesignReview review(reported.read, [&](std::size_t done, std::size_t all) {
+    say(fmt::format("peak {} of {}", done + 1, all),
+        kPeaks * static_cast<double>(done) / static_cast<double>(all));
+  });
   check_possible(reported.file, design, review.evaluated);
-  Figure figure = design_figure(design, kPoints);
+  say("curves", kPeaks);
+  Figure figure = design_figure(design, kPoints, review.evaluated);
   std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
   const std::vector<TimedSpan> spans = motion_spans(design);
   const auto words = panel_words(figure, design, review.evaluated);
@@ -120,12 +138,13 @@ ReportPage design_report(const ReportedDesign& reported) {
   if (auto timing = timing_section(design)) page.sections.push_back(*std::move(timing));
   if (!review.built.checks.empty()) page.sections.push_back(buildable_section(review.built));
   if (!figure.panels.empty()) {
+    say("the mechanism in motion", kCurves);
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
     page.sections.push_back(
-        {"curves", "Over the cycle",
-         (spans.empty() ? "" : paragraph(kSpanWords)) + plots_html(figure, words)});
+        {"curves", "Over the cycle", span_words(spans) + plots_html(figure, words)});
   }
   if (auto rulers = rulers_section(design)) page.sections.push_back(*std::move(rulers));
+  say("sensitivities", kSensitivities);
   if (review.held) {
     page.sections.push_back(sensitivity_section(review.held->problem, review.held->x));
   }

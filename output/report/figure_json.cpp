@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "output/report/html.h"
+
 namespace camlaw::cli {
 namespace {
 
@@ -14,7 +16,7 @@ Json bound(const std::optional<double>& value) { return value ? Json(*value) : J
 
 Json axis_json(const Axis& axis) {
   return {{"label", axis.label},
-          {"unit", axis.unit},
+          {"unit", typeset(axis.unit)},
           {"lower", bound(axis.lower)},
           {"upper", bound(axis.upper)}};
 }

@@ -42,11 +42,72 @@ std::string with_sign(const std::string& text) {
 
 std::string cell_html(const Column& column, const Cell& cell) {
   if (!cell.html.empty()) return cell.html;
-  const std::string text = column.is_names ? plain_name(cell.text) : with_sign(cell.text);
+  const std::string text =
+      column.is_names ? plain_name(cell.text)
+      : column.align == Align::Right || column.title == "unit" || column.title == "in"
+          ? typeset(with_sign(cell.text))
+          : with_sign(cell.text);
   return cell.badge.empty() ? xml_escape(text) : badge(cell.badge, text);
 }
 
 }  // namespace
+
+namespace {
+
+/// The digit as an exponent, as units have it; empty for others.
+std::string_view raised(char digit) {
+  return digit == '2' ? "\u00b2" : digit == '3' ? "\u00b3" : digit == '4' ? "\u2074" : "";
+}
+
+/// Whether the characters about a unit, if any, separate it from others.
+bool begins_unit(std::string_view text, std::size_t at) {
+  return at == 0 || std::string_view(" /(").find(text[at - 1]) != std::string_view::npos;
+}
+bool ends_unit(std::string_view text, std::size_t at) {
+  return at >= text.size() || std::string_view(" /),;").find(text[at]) != std::string_view::npos;
+}
+
+/// How many letters of a unit with an exponent begin there, where one does.
+std::size_t unit_with_exponent(std::string_view text, std::size_t from) {
+  if (!begins_unit(text, from)) return 0;
+  constexpr std::string_view kUnits[] = {"m", "mm", "cm", "in", "ft", "s", "min", "rad", "deg"};
+  for (const std::string_view unit : kUnits) {
+    const std::size_t end = from + unit.size();
+    if (text.substr(from, unit.size()) != unit || end >= text.size()) continue;
+    if (ends_unit(text, end + 1) && !raised(text[end]).empty()) return unit.size();
+  }
+  return 0;
+}
+
+/// Whether a hyphen there is the sign of a number.
+bool is_minus(std::string_view text, std::size_t at) {
+  if (text[at] != '-' || at + 1 == text.size()) return false;
+  const bool begins =
+      at == 0 || std::string_view(" (~").find(text[at - 1]) != std::string_view::npos;
+  return begins && (std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0 ||
+                    text.substr(at + 1).starts_with("inf"));
+}
+
+}  // namespace
+
+std::string typeset(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t letters = unit_with_exponent(text, i);
+    if (letters > 0) {
+      result += text.substr(i, letters);
+      i += letters;
+      result += raised(text[i]);
+    } else if (is_minus(text, i)) {
+      result += "\u2212";
+    } else if (text.substr(i, 2) == "um" && begins_unit(text, i) && ends_unit(text, i + 2)) {
+      result += "\u00b5";
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
 
 std::string capitalised(std::string text) {
   if (!text.empty()) {

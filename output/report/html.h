@@ -16,6 +16,8 @@ namespace camlaw::cli {
 std::string capitalised(std::string text);
 /// Numbers with their units, "2 N m, at 34 deg": lines break after commas alone.
 std::string kept_together(std::string_view text);
+/// Numbers and units as they are printed: "−3 m/s²" of "-3 m/s2".
+std::string typeset(std::string_view text);
 /// Text for a cell or an attribute.
 std::string escaped(std::string_view text);
 std::string paragraph(std::string_view text);

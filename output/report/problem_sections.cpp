@@ -259,8 +259,17 @@ std::string line_words(const std::string& svg) {
         "the working point through the cycle.");
   }
   if (!has("class=\"arrow\"")) return "";
-  std::string words = "The arrow is the direction in which the driving part moves.";
+  std::string words =
+      "The blue arrow shows the direction in which the driving part turns or moves.";
   if (has("class=\"base\"")) words += " The dotted circle is the base circle.";
+  if (has("class=\"groove\"")) {
+    words +=
+        " Rollers run in the cam's grooves; what is left between two grooves is a rib. The "
+        "dash-dotted line on the cam is its zero, which faces the turret where the angle is 0. "
+        "Dashed are the bore and what is behind the cam. Below, the side of the cam that faces the "
+        "turret is developed: the angle of the cam is read at the dashed line.";
+    return paragraph(words);
+  }
   if (has("<path class=\"pitch\"")) words += " The dashed curve is the pitch curve.";
   return paragraph(words);
 }
@@ -278,8 +287,10 @@ ReportSection motion_section(const ProblemStatement& design, const std::string& 
       " <input type=\"range\" id=\"place\" min=\"0\" max=\"1000\" value=\"0\"></label>\n"
       "<output id=\"place-text\"></output></div>\n</div>\n";
   return {"motion", svg.empty() ? "Through the cycle" : "In motion",
-          html + paragraph("The slider takes the arrow keys. The same place is marked in "
-                           "every curve below; a click on a curve goes there.")};
+          html + paragraph(
+                     "Drag the slider, or press the arrow keys while it has the focus, to move the "
+                     "mechanism through its cycle. A thin line marks the same position in "
+                     "the charts below; a click into a chart goes to that position.")};
 }
 
 }  // namespace camlaw::cli

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "output/answers/claim_output.h"
 #include "output/answers/comparison_output.h"
@@ -23,6 +25,8 @@ struct ReportedDesign {
   ClaimReview review = {};    ///< of the result as a record
   std::string checksum = {};  ///< SHA-256 of the file's bytes
   std::vector<std::string> settings = {};  ///< what the command line set in the design
+  /// Told what is worked out next, and what share of the whole is done.
+  std::function<void(const std::string& what, double done)> progress = {};
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.

@@ -27,6 +27,47 @@ std::string step_text(const BodyMotion& step, const std::map<std::string, double
                      step.factor, step.about.x, step.about.y, step.phase);
 }
 
+/// A polyline as the `d` of a path has it.
+std::string path_text(const std::vector<DrawnPoint>& points) {
+  std::string path;
+  for (const DrawnPoint& p : points) {
+    path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", p.x, p.y);
+  }
+  return path;
+}
+
+/// The stretches of a curve whose points are all on the near side, as drawn and as motion.js draws
+/// them: those of `one`, and where there is an `other`, each with its stretch back along that.
+std::string near_parts(const std::vector<SpunPoint>& one, const std::vector<SpunPoint>& other) {
+  const auto drawn = [](const SpunPoint& p) { return DrawnPoint{p.right, p.up}; };
+  std::string text;
+  for (std::size_t begin = 0, end = 0; end <= one.size(); ++end) {
+    const bool is_near =
+        end < one.size() && one[end].near >= 0 && (other.empty() || other[end].near >= 0);
+    if (is_near) continue;
+    std::vector<DrawnPoint> part;
+    for (std::size_t i = begin; i < end; ++i) part.push_back(drawn(one[i]));
+    for (std::size_t i = end; i > begin && !other.empty(); --i) part.push_back(drawn(other[i - 1]));
+    if (end > begin + 1) text += path_text(part) + (other.empty() ? "" : "Z");
+    begin = end + 1;
+  }
+  return text;
+}
+
+/// "RIGHT UP NEAR, RIGHT UP NEAR": a curve as motion.js reads it.
+std::string spun_text(const std::vector<SpunPoint>& curve) {
+  std::string text;
+  for (const SpunPoint& p : curve) {
+    text += fmt::format("{}{:.1f} {:.1f} {:.1f}", text.empty() ? "" : ",", p.right, p.up, p.near);
+  }
+  return text;
+}
+
+std::string spun_path(std::string_view kind, const std::vector<SpunPoint>& one,
+                      const std::vector<SpunPoint>& other) {
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind, near_parts(one, other));
+}
+
 }  // namespace
 
 void Scene::body(std::string_view name, const std::vector<BodyMotion>& steps) {
@@ -48,11 +89,26 @@ std::set<std::string> Scene::follows() const {
 }
 
 void Scene::polyline(std::string_view kind, const std::vector<DrawnPoint>& points, bool closed) {
-  std::string path;
-  for (const DrawnPoint& p : points) {
-    path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", p.x, p.y);
-  }
-  bodies_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", kind, path, closed ? "Z" : "");
+  bodies_ +=
+      fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", kind, path_text(points), closed ? "Z" : "");
+}
+
+void Scene::spun(std::string_view kind, const std::vector<SpunPoint>& curve) {
+  bodies_ +=
+      fmt::format("<g data-spun=\"{}\">\n{}</g>\n", spun_text(curve), spun_path(kind, curve, {}));
+}
+
+void Scene::spun_groove(const std::vector<SpunPoint>& one, const std::vector<SpunPoint>& other) {
+  bodies_ += fmt::format("<g data-spun=\"{}|{}\">\n{}{}{}</g>\n", spun_text(one), spun_text(other),
+                         spun_path("groove", one, other), spun_path("edge", one, {}),
+                         spun_path("edge", other, {}));
+}
+
+void Scene::text(DrawnPoint middle, double height, std::string_view words) {
+  // The picture's y axis is upwards, that of letters downwards.
+  bodies_ += fmt::format(
+      "<text transform=\"scale(1,-1)\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">{}</text>\n",
+      middle.x, -(middle.y - 0.35 * height), height, xml_escape(words));
 }
 
 void Scene::circle(std::string_view kind, DrawnPoint centre, double radius) {
@@ -137,17 +193,29 @@ bool SceneCurves::has(const std::string& name) const {
 
 const std::vector<double>& SceneCurves::values(const std::string& name) const {
   const auto known = known_.find(name);
-  return known != known_.end() ? known->second : known_[name] = sampled(name);
+  if (known != known_.end()) return known->second;
+  const auto curve = trace(name);
+  const std::vector<double> breaks = curve->breaks();
+  const auto places = optim::even_places(breaks.front(), breaks.back(), points_);
+  return known_[name] = curve->values(places);
 }
 
-std::vector<double> SceneCurves::sampled(const std::string& name) const {
+std::vector<double> SceneCurves::slopes(const std::string& name) const {
+  const auto curve = trace(name);
+  const std::vector<double> breaks = curve->breaks();
+  std::vector<double> result;
+  for (const optim::Place& place : optim::even_places(breaks.front(), breaks.back(), points_)) {
+    result.push_back(curve->at(place)[1]);
+  }
+  return result;
+}
+
+std::unique_ptr<optim::Trace> SceneCurves::trace(const std::string& name) const {
   const auto curve =
       std::find_if(curves_.begin(), curves_.end(),
                    [&](const optim::Response& response) { return response.name == name; });
   if (curve == curves_.end()) throw std::logic_error("no curve " + name);
-  const auto trace = curve->curve().trace({});
-  const std::vector<double> breaks = trace->breaks();
-  return trace->values(optim::even_places(breaks.front(), breaks.back(), points_));
+  return curve->curve().trace({});
 }
 
 std::vector<DrawnPoint> SceneCurves::points(const std::string& name) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,6 +30,12 @@ struct BodyMotion {
   double phase = 0;        ///< of Harmonic: degrees of the sine where it is drawn
 };
 
+/// A point of a body that turns about the picture's y axis with the cycle's angle, in the body's
+/// own coordinates, which are the picture's at the beginning of the cycle.
+struct SpunPoint {
+  double right, up, near;  ///< near: towards the reader
+};
+
 /// A mechanism drawn to scale at the beginning of its cycle, in mm, y upwards: an SVG whose bodies
 /// motion.js moves. Shapes are what the model itself knows.
 class Scene {
@@ -41,6 +48,13 @@ class Scene {
   void polyline(std::string_view kind, const std::vector<DrawnPoint>& points, bool closed);
   void circle(std::string_view kind, DrawnPoint centre, double radius);
   void segment(std::string_view kind, DrawnPoint from, DrawnPoint to);
+  /// A curve on the outside of a body that turns about the y axis, of which what is on its near
+  /// side is shown.
+  void spun(std::string_view kind, const std::vector<SpunPoint>& curve);
+  /// The same of the two edges of a groove, point by point across it, and what is between them.
+  void spun_groove(const std::vector<SpunPoint>& one, const std::vector<SpunPoint>& other);
+  /// Words about a point, in letters of this height.
+  void text(DrawnPoint middle, double height, std::string_view words);
   /// A roller with the mark of its pin.
   void roller(DrawnPoint centre, double radius);
   /// An arrow about a centre, counterclockwise where `turning` is above 0, from `angle`, deg.
@@ -75,11 +89,13 @@ class SceneCurves {
   bool has(const std::string& name) const;
   /// At `points` + 1 even places; throws std::logic_error for an unknown name.
   const std::vector<double>& values(const std::string& name) const;
+  /// Its derivative by the place, there.
+  std::vector<double> slopes(const std::string& name) const;
   /// Those of "NAME_x" and "NAME_y".
   std::vector<DrawnPoint> points(const std::string& name) const;
 
  private:
-  std::vector<double> sampled(const std::string& name) const;
+  std::unique_ptr<optim::Trace> trace(const std::string& name) const;
 
   std::vector<optim::Response> curves_;
   int points_;

@@ -20,6 +20,8 @@ using problems::Mechanism;
 using problems::ProblemStatement;
 
 constexpr std::size_t kMostTiles = 12;
+/// Drawings state no more digits of a length; the table of limits has all that are computed.
+constexpr int kTileDigits = 5;
 
 struct Tile {
   std::string name, value;
@@ -36,10 +38,10 @@ std::string sentence_of(const std::string& consequence, const std::string& claus
 std::string tile_html(const Tile& tile) {
   return fmt::format(
       "<div class=\"tile {}\"><h3>{}</h3>\n<p class=\"value\">{}</p>\n{}<p>{}</p></div>\n",
-      tile.kind, escaped(plain_name(tile.name)), escaped(kept_together(tile.value)),
+      tile.kind, escaped(plain_name(tile.name)), escaped(kept_together(typeset(tile.value))),
       tile.meaning.empty() ? ""
                            : "<p class=\"notes\">" + escaped(capitalised(tile.meaning)) + "</p>\n",
-      escaped(tile.sentence));
+      escaped(typeset(tile.sentence)));
 }
 
 /// What easing a limit would do to the objective, of this value, where that is known.
@@ -92,9 +94,10 @@ Tile limit_tile(const LimitReport& limit, const std::string& near,
   const double size = std::max(std::abs(limit.value), std::abs(limit.bound));
   const std::string place =
       limit.worst_angle ? ", at " + place_text(*limit.worst_angle, response) : "";
-  const std::string value = std::isnan(limit.value)
-                                ? "not a number"
-                                : with_unit(significant(limit.value, size), limit.unit) + place;
+  const std::string value =
+      std::isnan(limit.value)
+          ? "not a number"
+          : with_unit(significant(limit.value, size, kTileDigits), limit.unit) + place;
   return {limit.name, value, limit.met ? "good" : "bad", told_of.meaning,
           sentence_of(told_of.consequence, limit_clause(limit, near, design, priced))};
 }
@@ -110,9 +113,10 @@ std::string objective_tile(const ProblemStatement& design, const DesignReview& r
                                         least ? "a smaller value" : "a larger one")
                           : fmt::format("the problem asks for it to be as {} as the limits allow",
                                         least ? "small" : "large");
-  return tile_html({stated.response.name,
-                    with_unit(in_digits(review.assessment->objective.value), stated.response.unit),
-                    "plain", told_of.meaning, sentence_of(told_of.consequence, clause)});
+  return tile_html(
+      {stated.response.name,
+       with_unit(in_digits(review.assessment->objective.value, kTileDigits), stated.response.unit),
+       "plain", told_of.meaning, sentence_of(told_of.consequence, clause)});
 }
 
 /// A margin as a share of what it is measured on, by which tiles are sorted.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "problems/statement/evaluate.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -161,9 +163,16 @@ std::string why_infinite(const ProblemStatement& statement, const EvaluatedRespo
 }
 
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {
+  return evaluate(statement, {});
+}
+
+std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement,
+                                        const EvaluationProgress& progress) {
   const Binding binding = fixed(statement);
+  const std::vector<MechanismResponse>& all = statement.mechanism->responses;
   std::vector<EvaluatedResponse> result;
-  for (const MechanismResponse& declared : statement.mechanism->responses) {
+  for (const MechanismResponse& declared : all) {
+    if (progress) progress(result.size(), all.size());
     result.push_back(evaluated(statement, declared, binding));
   }
   for (const NamedPeak& peak : statement.mechanism->peaks) {

@@ -107,7 +107,7 @@ TEST_CASE("a place that rounding leaves beside the cycle's beginning is the begi
   r.name = panel.y.label, r.unit = "mm", r.along = "deg", r.is_curve = true, r.proved = true;
   r.lowest = 0, r.lowest_at = 1.687e-8, r.highest = 300, r.highest_at = 72;
   CHECK(panel_words(figure, design, {r}).front().extremes ==
-        "from 0 mm at 0 deg to 300 mm at 72 deg");
+        "lowest value 0 mm at 0 deg, highest 300 mm at 72 deg");
 }
 
 TEST_CASE("a path needs both of its coordinates, in one unit", "[cli][report]") {

@@ -43,6 +43,43 @@ report.stepAt = (step, design, place) => {
   }
 };
 
+// The curves of an element on a body that turns about the y axis with the cycle, each point "RIGHT UP
+// NEAR" in the coordinates that the body takes along.
+report.spunCurves = (element) => {
+  element.spun = element.spun || element.dataset.spun.split('|')
+    .map((curve) => curve.split(',').map((point) => point.split(' ').map(Number)));
+  return element.spun;
+};
+
+// The stretches on the near side as the d of a path: of one curve, or of what is between two.
+report.nearParts = (curves) => {
+  const isNear = (i) => curves.every((curve) => i < curve.length && curve[i][2] >= 0);
+  const between = curves.length > 1;
+  let text = '';
+  for (let begin = 0, end = 0; end <= curves[0].length; end += 1) {
+    if (isNear(end)) continue;
+    const part = curves[0].slice(begin, end);
+    if (between) part.push(...curves[1].slice(begin, end).reverse());
+    if (end > begin + 1) {
+      text += 'M' + part.map(([x, y]) => x.toFixed(2) + ' ' + y.toFixed(2)).join('L') +
+        (between ? 'Z' : '');
+    }
+    begin = end + 1;
+  }
+  return text;
+};
+
+report.spinBodies = (scene, place) => {
+  const [c, s] = [Math.cos(place * Math.PI / 180), report.sine(place)];
+  for (const element of scene.querySelectorAll('[data-spun]')) {
+    const curves = report.spunCurves(element)
+      .map((curve) => curve.map(([x, y, near]) => [c * x + s * near, y, c * near - s * x]));
+    const paths = [...element.querySelectorAll('path')];
+    if (curves.length > 1) paths.shift().setAttribute('d', report.nearParts(curves));
+    paths.forEach((path, i) => path.setAttribute('d', report.nearParts([curves[i]])));
+  }
+};
+
 // A body without a value at the place stays where it was.
 report.moveBodies = () => {
   const scene = document.querySelector('.scene');
@@ -53,6 +90,7 @@ report.moveBodies = () => {
       .map((step) => report.stepAt(step, design, report.place));
     if (!steps.includes(null)) body.setAttribute('transform', steps.join(' '));
   }
+  report.spinBodies(scene, report.place);
 };
 
 // Sets one plot's cursor.

@@ -18,7 +18,7 @@ report.recolour = () => {
 report.print = (on) => {
   if (on) document.documentElement.dataset.theme = 'print';
   else delete document.documentElement.dataset.theme;
-  document.querySelectorAll('details').forEach((part) => { part.open = on; });
+  document.querySelectorAll('details:not(.more)').forEach((part) => { part.open = on; });
   report.recolour();
   if (!on) return;
   // Two columns on a sheet of A4; a canvas is printed as it is.

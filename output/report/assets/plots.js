@@ -45,11 +45,46 @@ report.valueAt = (design, index, place) => {
   return from + (to - from) * (place - x[low]) / (x[high] - x[low]);
 };
 
+// Between which values curves are nearly always: all but a hundredth of their cycle to either side.
+// Samples are not even, so each counts as much as it is from its neighbours.
+report.usualRange = (series) => {
+  const parts = series.flatMap((line) => line.map((p, i) => ({
+    y: p.y, weight: line[Math.min(i + 1, line.length - 1)].x - line[Math.max(i - 1, 0)].x,
+  }))).filter((part) => Number.isFinite(part.y)).sort((a, b) => a.y - b.y);
+  const whole = parts.reduce((sum, part) => sum + part.weight, 0);
+  const at = (share) => {
+    let passed = 0;
+    const found = parts.find((part) => (passed += part.weight) >= share * whole);
+    return (found || parts[parts.length - 1]).y;
+  };
+  return parts.length === 0 ? null : { low: at(0.01), high: at(0.99) };
+};
+
+// The least and the greatest value to be shown: not a spike that would press all the rest flat, which
+// is marked with its value where it leaves the chart (report.spikePlugin).
+report.shownRange = (series) => {
+  const values = series.flat().map((p) => p.y).filter(Number.isFinite);
+  const range = { low: values.reduce((a, b) => Math.min(a, b), Infinity),
+                  high: values.reduce((a, b) => Math.max(a, b), -Infinity), below: false, above: false };
+  const usual = report.usualRange(series);
+  if (usual === null) return range;
+  const span = usual.high - usual.low;
+  const size = Math.max(Math.abs(usual.low), Math.abs(usual.high));
+  if (!(span > 1e-3 * size)) return range;  // it is constant but for its spikes
+  const far = 5 * span;
+  const isAbove = range.high - usual.high > far;
+  const isBelow = usual.low - range.low > far;
+  const step = 10 ** Math.floor(Math.log10(span));  // the axis ends at a number in few digits
+  const high = step * Math.ceil((usual.high + 0.2 * span) / step);
+  const low = step * Math.floor((usual.low - 0.2 * span) / step);
+  if (isAbove) Object.assign(range, { high, above: true });
+  if (isBelow) Object.assign(range, { low, below: true });
+  return range;
+};
+
 // Limits far beyond the curve are named under it, but do not press it flat.
 report.rangeOf = (panel, series) => {
-  const values = series.flat().map((p) => p.y).filter(Number.isFinite);
-  let low = values.reduce((a, b) => Math.min(a, b), Infinity);
-  let high = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  let { low, high, above, below } = report.shownRange(series);
   if (!(low <= high)) return {};
   const size = Math.max(Math.abs(low), Math.abs(high));
   const span = size < 1e-12 ? 1 : Math.max(high - low, 1e-3 * size);
@@ -58,6 +93,10 @@ report.rangeOf = (panel, series) => {
     if (limit < low && low - limit < 4 * span) low = limit;
   }
   if (panel.y.lower !== null) return { min: panel.y.lower, max: panel.y.upper };
+  if (above || below) {
+    return { ...(below ? { min: low } : { suggestedMin: low }),
+             ...(above ? { max: high } : { suggestedMax: high }) };
+  }
   return high - low < span ? { suggestedMin: low - span, suggestedMax: high + span }
     : { suggestedMin: low, suggestedMax: high };
 };
@@ -160,6 +199,36 @@ report.spanPlugin = (panel) => ({
   },
 });
 
+// Where a curve leaves the chart, its greatest value there, with an arrow.
+report.spikePlugin = (panel) => ({
+  id: 'spikes',
+  afterDatasetsDraw: (chart) => {
+    const { ctx, chartArea: area, scales: { x, y } } = chart;
+    ctx.save();
+    ctx.font = `11px ${Chart.defaults.font.family}`;
+    ctx.fillStyle = report.colour('ink');
+    for (const sign of [1, -1]) {
+      let worst = null;
+      for (const set of chart.data.datasets) {
+        if (set.isLimit) continue;
+        for (const p of set.data) {
+          const beyond = sign > 0 ? p.y > y.max : p.y < y.min;
+          if (beyond && (worst === null || sign * (p.y - worst.y) > 0)) worst = p;
+        }
+      }
+      if (worst === null) continue;
+      const at = x.getPixelForValue(worst.x);
+      const isLeft = at > (area.left + area.right) / 2;
+      const arrow = sign > 0 ? '↑' : '↓';
+      const text = report.withUnit(report.text(worst.y, 4), panel.y.unit);
+      ctx.textAlign = isLeft ? 'right' : 'left';
+      ctx.fillText(isLeft ? `${text} ${arrow}` : `${arrow} ${text}`, at + (isLeft ? -3 : 3),
+        sign > 0 ? area.top + 11 : area.bottom - 4);
+    }
+    ctx.restore();
+  },
+});
+
 report.yAxis = (panel, index) => report.axis({
   ...report.rangeOf(panel, report.shown.map((design) => report.points(design, index))),
   ticks: { maxTicksLimit: 7, callback: (value) => report.text(value, 6) },
@@ -174,7 +243,7 @@ report.plot = (figure) => {
   plot.chart = new Chart(canvas, {
     type: 'line',
     data: { datasets: report.datasets(panel, index) },
-    plugins: [report.spanPlugin(panel)],
+    plugins: [report.spanPlugin(panel), report.spikePlugin(panel)],
     options: {
       animation: false,
       responsive: true,
