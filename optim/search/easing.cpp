@@ -131,6 +131,7 @@ FoundEasings easings(const Problem& problem, const Found& infeasible, OptimiseOp
   const Deadline deadline(own, options.stop);
   options.starts = 1;
   options.divides = false;
+  options.narrows = false;  // where a limit cannot be eased nobody reads why
   options.progress = {};
   options.candidate = {};
   options.spent = 0;

@@ -273,7 +273,7 @@ class Optimiser {
   void blame_fewest() {
     Found& found = best_.found;
     const bool is_known = found.assessment.verdict == Verdict::Infeasible && !found.x.empty();
-    if (!is_known || deadline_.passed()) return;
+    if (!is_known || !options_.narrows || deadline_.passed()) return;
     Problem whole = with_integers_fixed(best_.problem, found.x);
     // What is asked is whether any design meets the other limits, not which is best.
     whole.objectives = {no_objective()};

@@ -38,6 +38,7 @@ struct OptimiseOptions {
   /// Of each solver by its name, wherever that solver runs.
   std::map<std::string, NativeOptions> native = {};
   bool divides = true;  ///< whether a lower bound is sought by dividing the box (subdivided)
+  bool narrows = true;  ///< whether limits in no one's way are taken out of a blame (narrow_blame)
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const Progress&)> progress = {};
   /// Called with designs that a search came to: before it is known what one is worth, and again

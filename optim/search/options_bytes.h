@@ -22,9 +22,10 @@ template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, OptimiseOptions>
 void visit(Archive& archive, O& options) {
   auto& [solver, starts, seed, time_limit, spent, iterations, evaluations, memory, native, divides,
-         stop, progress, candidate] = options;
+         narrows, stop, progress, candidate] = options;
   archive(solver), archive(starts), archive(seed), archive(time_limit), archive(spent);
   archive(iterations), archive(evaluations), archive(memory), archive(native), archive(divides);
+  archive(narrows);
 }
 
 }  // namespace camlaw::optim

@@ -21,9 +21,16 @@ bool are_numbers(const Assessment& a) {
   return std::isfinite(a.objective.value) && !std::isinf(worst_violation(a.limits));
 }
 
+/// Whether a problem asks for nothing that has no value somewhere but its limits.
+bool asks_for_limits_alone(const Problem& problem) {
+  const Response& sought = problem.objective().response;
+  return !problem.domain && !sought.is_curve() && sought.function().inputs().empty();
+}
+
 /// Makes the problem of finding any design that meets those limits that are numbers at a design,
-/// with room to each bound of a share of it; none where there is no such limit. At the edge of what
-/// limits of validity allow a model may be infinite.
+/// with room to each bound of a share of it; none where there is no such limit, or where that asks
+/// for no less than the problem does: the search for it would end as this one has, and ask for the
+/// same again without end. At the edge of what limits of validity allow a model may be infinite.
 std::optional<Problem> with_numbers_only(const Problem& problem, Design x, double share) {
   Problem result = problem;
   result.objectives = {no_objective()};
@@ -40,7 +47,9 @@ std::optional<Problem> with_numbers_only(const Problem& problem, Design x, doubl
     if (has_room && c.lower) *c.lower += room;
     result.constraints.push_back(std::move(c));
   }
-  if (result.constraints.empty()) return {};
+  const bool asks_for_less =
+      result.constraints.size() < problem.constraints.size() || !asks_for_limits_alone(problem);
+  if (result.constraints.empty() || !asks_for_less) return {};
   return result;
 }
 

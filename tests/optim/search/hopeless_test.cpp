@@ -54,6 +54,16 @@ TEST_CASE("limits are blamed that contradict one another, and none without which
   }
 }
 
+TEST_CASE("without narrowing, a blame takes no searches of its own", "[optimise]") {
+  const Problem problem = three_in_each_others_way();
+  const Found narrowed = optimise(problem).found;
+  const Found whole = optimise(problem, {.narrows = false}).found;
+  CHECK(whole.assessment.verdict == Verdict::Infeasible);
+  CHECK(whole.x == narrowed.x);
+  CHECK(whole.assessment.blamed.size() >= narrowed.assessment.blamed.size());
+  CHECK(whole.solves < narrowed.solves);
+}
+
 TEST_CASE("a limit without a value in one option is not met there", "[optimise]") {
   // With n = 1 acos(n) / 10 is 0, below 0.1; with n = 2 it has no value.
   Problem problem;
