@@ -148,7 +148,11 @@ Ruled reciprocal(const Ruled& b) {
 
 Curvature ratio(const Ruled& a, const Ruled& b) {
   if (b.is_negative()) return ratio(negative(a), negative(b));
-  if (!b.is_positive()) return b.is_constant ? scaled_by_unknown(a) : Curvature{};
+  if (!b.is_positive()) {
+    // What stays at a place has one sign there; over 0 itself there is no value.
+    const bool has_value = b.is_constant && !b.is_zero();
+    return has_value ? scaled_by_unknown(a) : Curvature{};
+  }
   if (a.is_constant || b.is_constant) {
     const Ruled divisor = reciprocal(b);
     return a.is_constant ? scaled(a, divisor) : scaled(divisor, a);

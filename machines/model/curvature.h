@@ -36,6 +36,7 @@ struct Ruled : Curvature {
   bool is_not_positive() const { return range.upper() <= 0; }
   bool is_positive() const { return range.lower() > 0; }
   bool is_negative() const { return range.upper() < 0; }
+  bool is_zero() const { return range.lower() == 0 && range.upper() == 0; }
 };
 
 Curvature mirrored(const Curvature& a);

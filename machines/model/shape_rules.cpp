@@ -74,10 +74,12 @@ class Rules {
     Interval range = step.operation == Operation::Unknown
                          ? boost::numeric::hull(a.range, b.range)
                          : operate<Interval>(step.operation, a.range, b.range, c.range);
-    if (boost::numeric::empty(range)) range = Interval::whole();
+    const bool has_value = !boost::numeric::empty(range) && !is_infinite(step.operation, a, b);
+    if (!has_value) range = Interval::whole();
     const std::size_t used = operands(step.operation);
     const bool is_constant =
         a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
+    if (is_constant && !has_value) return {Curvature{}, false, range};
     Curvature own = is_constant ? kLinearShape : curvature(step, a, b, c);
     const bool is_log_convex = !is_constant && gives_log_convex(step.operation, a, b);
     own.convex |= is_log_convex;
@@ -85,6 +87,13 @@ class Rules {
     return {own, is_constant, range,
             !is_constant && gives_sum_of_squares(step.operation, step.a == step.b, a, b),
             is_log_convex};
+  }
+
+  /// Whether an operation has a pole where its operands are.
+  static bool is_infinite(Operation operation, const Ruled& a, const Ruled& b) {
+    return (operation == Operation::Divide && b.is_zero()) ||
+           (operation == Operation::Log && a.is_zero()) ||
+           (operation == Operation::Power && a.is_zero() && b.is_negative());
   }
 
   /// Of two factors. x log(x / y) of linear x and y > 0 is convex, x log(y / x) concave.

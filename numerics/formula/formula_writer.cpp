@@ -57,33 +57,24 @@ void check_plain(const FormulaTree& tree, const std::string& what, const Written
                                       to_string(x.dimension)));
 }
 
-/// The value of what has no names in it; none of other parts.
+/// Whether a formula consists of numbers without units alone, and of functions of them.
+bool is_of_numbers(const FormulaTree& tree) {
+  if (tree.kind == Kind::Name || (tree.kind == Kind::Number && !tree.text.empty())) return false;
+  return std::all_of(tree.parts.begin(), tree.parts.end(), is_of_numbers);
+}
+
+/// The value of a formula of numbers alone; none of another one.
 std::optional<double> constant_of(const FormulaTree& tree) {
-  if (tree.kind == Kind::Number) {
-    return tree.text.empty() ? std::optional(tree.number) : std::nullopt;
-  }
-  std::vector<double> parts;
-  for (const FormulaTree& part : tree.parts) {
-    const auto value = constant_of(part);
-    if (!value) return {};
-    parts.push_back(*value);
-  }
-  switch (tree.kind) {
-    case Kind::Negate:
-      return -parts[0];
-    case Kind::Add:
-      return parts[0] + parts[1];
-    case Kind::Subtract:
-      return parts[0] - parts[1];
-    case Kind::Multiply:
-      return parts[0] * parts[1];
-    case Kind::Divide:
-      return parts[0] / parts[1];
-    case Kind::Power:
-      return std::pow(parts[0], parts[1]);
-    default:
-      return {};
-  }
+  if (!is_of_numbers(tree)) return {};
+  // It is recorded apart, without conditions on the formula that it is a part of.
+  struct Apart {
+    std::vector<Expression>* outer = std::exchange(conditions, nullptr);
+    ~Apart() { conditions = outer; }
+  } const apart;
+  const Formula formula = Formula::record(0, [&](std::span<const Expression>) {
+    return write_formula(tree, [](const FormulaTree&) { return WrittenQuantity{}; }).value;
+  });
+  return formula(std::span<const double>());
 }
 
 /// A number's unit. A name there that is not one may be a factor whose sign was forgotten.
@@ -140,25 +131,29 @@ void check_unit_ends(const FormulaTree& tree) {
 
 /// b^p of a p that may vary, exp(p log b). It has a value where b is above 0, and where b is 0 if p
 /// is above 0: that value is 0, and where p is above 1 so are its slopes, which the logarithm has
-/// not.
+/// not. Of the exponential of -p log 0, which is infinite, it is none.
 Expression varying_power(const Expression& base, const Expression& exponent) {
   const Expression one(1.0), none(-1.0);
   has_value_where(by_side(-base, by_side(-exponent, none, base), one), Edge::Closed);
   const Expression value = exp(exponent * log(base));
-  return by_side(one - exponent, value, unless_zero(base, value));
+  const Expression from_zero = by_side(one - exponent, value, unless_zero(base, value));
+  const Expression above_zero = exp(exponent * log(where_positive(base, base)));
+  return by_side(-exponent, above_zero, from_zero);
 }
 
 WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& base,
                               const FindQuantity& find) {
   if (const auto exponent = constant_of(tree.parts[1])) {
-    if (!std::isfinite(*exponent) || std::abs(*exponent) > 100) {
+    constexpr double kLargest = 100;  // docs/formulas.md
+    if (!(std::abs(*exponent) <= kLargest)) {
       refuse_formula(tree.parts[1].at, "an exponent lies within -100 and 100");
     }
-    if (*exponent != std::floor(*exponent)) {
-      has_value_where(base.value, *exponent < 0 ? Edge::Open : Edge::Closed);
-    }
+    const bool is_root = *exponent != std::floor(*exponent);
+    if (is_root) has_value_where(base.value, *exponent < 0 ? Edge::Open : Edge::Closed);
     if (*exponent == 0) return plain(Expression(1.0) + Expression(0.0) * base.value);
-    return {power(base.value, *exponent), power(base.dimension, *exponent)};
+    const bool is_above_zero = is_root && *exponent < 0;  // not infinite at 0
+    const Expression of = is_above_zero ? where_positive(base.value, base.value) : base.value;
+    return {power(of, *exponent), power(base.dimension, *exponent)};
   }
   const WrittenQuantity exponent = write_formula(tree.parts[1], find);
   check_plain(tree.parts[1], "the exponent", exponent);

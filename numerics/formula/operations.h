@@ -65,7 +65,7 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
     case Operation::Negate:
       return -a;
     case Operation::Sqrt:
-      return unmoved(a, T(sqrt(a)));
+      return unmoved(a, T(sqrt(a + number<T>(0))));  // the root of -0 would be -0
     case Operation::Sin:
       return sin(a);
     case Operation::Cos:

@@ -5,17 +5,18 @@
 
 namespace camlaw {
 
-/// |x| in any scalar. At 0 it has the derivatives of x itself.
+/// |x| in any scalar, of -0 too +0: a reciprocal of it is then not -infinity. At 0 it has the
+/// derivatives of x itself.
 template <class T>
 T absolute(const T& x) {
-  return value_of(x) < 0 ? -x : x;
+  return value_of(x) < 0 ? -x : x + number<T>(0);
 }
 
 inline Interval absolute(const Interval& x) { return boost::numeric::abs(x); }
 
 template <class T, std::size_t N>
 Series<T, N> absolute(const Series<T, N>& f) {
-  return value_of(f) < 0 ? -f : f;
+  return value_of(f) < 0 ? -f : f + number<Series<T, N>>(0);
 }
 
 /// Over a box in which f may change its sign the first derivative is within plus and minus that of

@@ -102,6 +102,10 @@ void refuse_name(const std::string& what, std::string_view name,
                  const std::vector<std::string>& known, const std::string& list) {
   constexpr std::size_t kFew = 12;  // as many names fit on a line or two
   const auto near = near_names(name, known);
+  if (near.empty() && known.size() == 1) {
+    throw std::invalid_argument(
+        fmt::format("{} '{}'; the only one is {}", what, in_message(name), known.front()));
+  }
   const bool all = list.empty() || (near.empty() && known.size() <= kFew);
   const std::string names = fmt::format(" {}", fmt::join(known, ", "));
   throw std::invalid_argument(

@@ -52,11 +52,23 @@ std::string spelled_out(std::string_view written) {
 }
 
 std::optional<std::string> ambiguous(std::string_view written) {
-  bool found = false;
-  for_each_name(written, [&](std::string_view name) { found = found || name == "grad"; });
-  if (!found) return {};
-  return "'grad' may mean degrees or hundredths of a right angle; write deg (or Grad) for the "
-         "first, gon for the second";
+  // Names that the database of units reads in a sense that no engineer means.
+  constexpr std::array kDoubtful{
+      Spelling{"grad",
+               "'grad' may mean degrees or hundredths of a right angle; write deg (or Grad) for "
+               "the first, gon for the second"},
+      Spelling{"e",
+               "'e' would be the elementary charge; a power of ten needs its exponent, as in 1e3"},
+      Spelling{"PS",
+               "'PS' would be petasiemens; write the metric horsepower as 735.49875 W, or give "
+               "kW"}};
+  std::optional<std::string> why;
+  for_each_name(written, [&](std::string_view name) {
+    const auto* doubt = std::find_if(kDoubtful.begin(), kDoubtful.end(),
+                                     [&](const Spelling& s) { return s.written == name; });
+    if (!why && doubt != kDoubtful.end()) why = doubt->meant;
+  });
+  return why;
 }
 
 bool counts_turns(std::string_view unit) {

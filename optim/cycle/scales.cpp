@@ -22,17 +22,21 @@ std::vector<double> free_scales(const Problem& problem, std::vector<double> scal
   return scales;
 }
 
-/// The problem's variables in a neighbourhood of a design, one typical change to each side.
-Problem neighbourhood(const Problem& problem, Design about, const std::vector<double>& scales) {
+/// Designs that fill a neighbourhood of one evenly, `reach` typical changes wide to each side.
+std::vector<std::vector<double>> neighbours(const Problem& problem, Design about,
+                                            const std::vector<double>& scales, double reach,
+                                            int count) {
   Problem near;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     Variable v = problem.variables[i];
     v.start = std::clamp(about[i], v.lower, v.upper);
-    v.lower = std::max(v.lower, v.start - scales[i]);
-    v.upper = std::min(v.upper, v.start + scales[i]);
+    v.lower = std::max(v.lower, v.start - reach * scales[i]);
+    v.upper = std::min(v.upper, v.start + reach * scales[i]);
     near.variables.push_back(std::move(v));
   }
-  return near;
+  auto designs = starts(near, count + 1, 1);
+  designs.erase(designs.begin());
+  return designs;
 }
 
 /// How large a response is at a design: of a curve its highest |value|, of a number what its
@@ -62,17 +66,16 @@ double median(std::vector<double> values) {
 class Changes {
  public:
   Changes(const Problem& problem, Design about)
-      : scales_(free_scales(problem, typical_scales(problem, about))),
+      : problem_(problem),
+        scales_(free_scales(problem, typical_scales(problem, about))),
         about_(about.begin(), about.end()) {
     // With more variables, the slopes at eight designs take long.
     constexpr std::size_t kSampled = 300;
-    constexpr int kDesigns = 8, kFewDesigns = 2;  // of many variables, for curves alone
+    constexpr int kFewDesigns = 2;  // of many variables, for curves alone
     const bool many = scales_.size() > kSampled;
     const Response& sought = problem.objective().response;
     if (many && !sought.is_curve()) return;
-    const int designs = many ? kFewDesigns : kDesigns;
-    box_ = starts(neighbourhood(problem, about, scales_), designs + 1, 1);
-    box_.erase(box_.begin());
+    box_ = neighbours(problem, about, scales_, 1, many ? kFewDesigns : kDesigns);
     samples_changes_ = !many;
   }
 
@@ -81,48 +84,96 @@ class Changes {
     // What is linear, and changes nowhere else, changes alike at every design.
     if (!samples_changes_) return 0;
     if (is_alike(response)) return or_zero(typical_change(response, about_, scales_));
+    return typical_among(box_, response);
+  }
+
+  /// The same of an objective, as far as it is steep.
+  double typical_near(const Objective& objective) const {
+    const double whole = typical(objective.response);
+    if (!samples_changes_ || is_alike(objective.response)) return whole;
+    const double value = std::abs(objective_value(objective, about_));
+    return narrowed(whole, value, [&](const auto& designs) {
+      return typical_among(designs, objective.response);
+    });
+  }
+
+  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
+  /// those about it (a curve may be brought to zero); zero where it is not a number.
+  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+    const double about = samples_changes_ ? largest_among(box_, curve) : 0;
+    return std::max(about, magnitude_here(curve, here, own));
+  }
+
+  /// The same of an objective: of what lies about a share, as far as it is steep.
+  double sought(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+    constexpr double kLeast = 1e-3;  // less is nearer to zero than solvers come
+    const auto n = static_cast<double>(
+        std::count_if(scales_.begin(), scales_.end(), [](double scale) { return scale > 0; }));
+    const double share = std::max(kLeast, 1 / std::max(1.0, n * n));
+    const double size = magnitude_here(curve, here, own);
+    const double about = narrowed(largest_among(box_, curve), size, [&](const auto& designs) {
+      return largest_among(designs, curve);
+    });
+    return std::max(share * about, size);
+  }
+
+  double at_design(const Response& response) const {
+    return at_design(response, is_alike(response) ? 0 : typical(response));
+  }
+  double at_design(const Objective& objective, double typical) const {
+    return at_design(objective.response, is_alike(objective.response) ? 0 : typical);
+  }
+
+ private:
+  static constexpr int kDesigns = 8;
+
+  double at_design(const Response& response, double usual) const {
+    // A change of 0 at a stationary point, or without end beside a pole, is no scale.
+    constexpr double kFar = 100;
+    const double here = typical_change(response, about_, scales_);
+    if (usual == 0) return here;
+    return here > 0 ? std::clamp(here, usual / kFar, usual * kFar) : usual;
+  }
+
+  /// The median of what is a number and not zero; zero where there is none.
+  double typical_among(const std::vector<std::vector<double>>& designs,
+                       const Response& response) const {
     std::vector<double> changes;
-    for (const auto& x : box_) {
+    for (const auto& x : designs) {
       const double change = typical_change(response, x, scales_);
       if (change > 0 && std::isfinite(change)) changes.push_back(change);
     }
     return median(std::move(changes));
   }
 
-  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
-  /// those about it (a curve may be brought to zero); zero where it is not a number.
-  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
-    return std::max(samples_changes_ ? about(curve) : 0, magnitude_here(curve, here, own));
+  /// What a measure of designs about is, `whole` in the neighbourhood of typical changes. A steep
+  /// function, such as exp(40 q), and its slopes grow there by orders of magnitude: then what lies
+  /// nearer counts, in ever narrower neighbourhoods, enlarged as if it grew with the distance.
+  template <class Measure>
+  double narrowed(double whole, double here, const Measure& of) const {
+    constexpr double kSteep = 10;  // times the value: less is not steep
+    constexpr double kNarrower = 4;
+    constexpr int kNeighbourhoods = 5;  // the last is a thousandth as wide
+    if (!samples_changes_ || whole <= kSteep * here) return whole;
+    double least = whole, reach = 1;
+    for (int i = 0; i < kNeighbourhoods; ++i) {
+      reach /= kNarrower;
+      const double enlarged = of(neighbours(problem_, about_, scales_, reach, kDesigns)) / reach;
+      if (enlarged > 0) least = std::min(least, enlarged);
+    }
+    return least;
   }
 
-  /// The same, but of what lies about a share.
-  double sought(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
-    constexpr double kLeast = 1e-3;  // less is nearer to zero than solvers come
-    const auto n = static_cast<double>(
-        std::count_if(scales_.begin(), scales_.end(), [](double scale) { return scale > 0; }));
-    const double share = std::max(kLeast, 1 / std::max(1.0, n * n));
-    return std::max(share * about(curve), magnitude_here(curve, here, own));
-  }
-
-  double at_design(const Response& response) const {
-    // A change of 0 at a stationary point, or without end beside a pole, is no scale.
-    constexpr double kFar = 100;
-    const double here = typical_change(response, about_, scales_);
-    const double usual = is_alike(response) ? 0 : typical(response);
-    if (usual == 0) return here;
-    return here > 0 ? std::clamp(here, usual / kFar, usual * kFar) : usual;
-  }
-
- private:
   static bool is_alike(const Response& response) {
     const bool moves = response.is_curve() && response.curve().breaks_move();
     return response.shape() == Shape::Linear && !moves;
   }
   static double or_zero(double change) { return std::isfinite(change) ? change : 0; }
 
-  double about(const Response& curve) const {
+  static double largest_among(const std::vector<std::vector<double>>& designs,
+                              const Response& curve) {
     std::vector<double> values;
-    for (const auto& x : box_) {
+    for (const auto& x : designs) {
       const double value = curve.curve().largest(x);
       if (std::isfinite(value)) values.push_back(value);
     }
@@ -133,6 +184,7 @@ class Changes {
     return or_zero(magnitude(curve, here, about_, own));
   }
 
+  const Problem& problem_;
   std::vector<double> scales_, about_;
   std::vector<std::vector<double>> box_;
   bool samples_changes_ = false;
@@ -201,8 +253,10 @@ double objective_typical(const Objective& objective, double typical, const Chang
 double objective_tolerance(const Objective& objective, double typical, Design x) {
   constexpr double kShare = 1e-7;  // as the conditions of optimality have to hold (SC3)
   if (objective.tolerance) return *objective.tolerance;
-  const double value = std::abs(objective_value(objective, x));
-  return kShare * (std::isfinite(value) ? std::max(value, typical) : typical);
+  const double value = objective_value(objective, x);
+  // A proof of a peak takes the longer the nearer its tolerance is to rounding.
+  const bool is_near_zero = objective.response.is_curve() && !(std::abs(value) >= typical);
+  return kShare * (is_near_zero ? typical : objective_size(objective, typical, value));
 }
 
 /// Highest value of sign * number or curve at a design.
@@ -255,6 +309,15 @@ double objective_value(const Objective& objective, Design x) {
   return objective.part == Part::Magnitude ? std::abs(value) : value;
 }
 
+double objective_size(const Objective& objective, double typical, double value) {
+  // Of a least sum of squares, which is 0, methods reach designs to within 1e-11 of the variables:
+  // its slopes are then less than 1e-7 of this. A peak is 0 where a curve vanishes, which methods
+  // reach to what they leave of its many rows.
+  constexpr double kOfNumber = 1e-4, kOfPeak = 0.1;
+  const double least = (objective.response.is_curve() ? kOfPeak : kOfNumber) * typical;
+  return std::isfinite(value) ? std::max(std::abs(value), least) : least;
+}
+
 double largest_violation(const Problem& problem, const Scales& scales, Design x) {
   MaximaAt maxima(x);
   double worst = -kInfinity;
@@ -299,16 +362,15 @@ Scales scales(const Problem& problem, Design about) {
   const Changes changes(problem, about);
   MaximaAt maxima(about);
   CurveChanges known;
-  const Response& objective = problem.objective().response;
+  const Objective& objective = problem.objective();
   Scales result;
   result.variables = typical_scales(problem, about);
   result.own = own_magnitudes(problem, about);
-  result.objective = or_one(changes.at_design(objective));
-  const double typical = changes.typical(objective);
-  result.objective_typical = objective_typical(
-      problem.objective(), typical > 0 ? typical : result.objective, changes, maxima, result.own);
-  result.objective_tolerance =
-      objective_tolerance(problem.objective(), result.objective_typical, about);
+  const double typical = changes.typical_near(objective);
+  result.objective = or_one(changes.at_design(objective, typical));
+  result.objective_typical = objective_typical(objective, typical > 0 ? typical : result.objective,
+                                               changes, maxima, result.own);
+  result.objective_tolerance = objective_tolerance(objective, result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
     result.constraints.push_back({size_of(c, changes, maxima, result.own, known), 0, 0});
     set_tolerance(c, maxima, about, result.own, result.constraints.back());

@@ -34,6 +34,11 @@ std::vector<double> typical_scales(const Problem& problem, Design x);
 /// The objective: of a curve its peak, found by search.
 double objective_value(const Objective& objective, Design x);
 
+/// What counts as the size of an objective: its |value| or, where that is near zero, a share of a
+/// typical change, 1e-4 of a number's and a tenth of a peak's (docs/optimisation.md, (OC5)). A
+/// lower bound is as good as the value where it is within 1e-6 of this.
+double objective_size(const Objective& objective, double typical, double value);
+
 /// The largest violation of a constraint at x, over its scale; below 0 where all have room.
 double largest_violation(const Problem& problem, const Scales& scales, Design x);
 
@@ -47,8 +52,10 @@ double largest_violation(const Problem& problem, const Scales& scales, Design x)
 /// response's own magnitude, where that is more); where the bounds are zero, 1e-6 of the response's
 /// own magnitude at the design: of a curve its highest |value|, of a number the
 /// sum of |df/dx_i| times the variables' own magnitudes. Of the objective as stated, else 1e-7 of
-/// the larger of |value| and a typical change, of a curve no more than how large it is there and,
-/// divided by the number of variables squared (to a thousandth), about.
+/// its size (objective_size), of a curve of the larger of |value| and a typical change. That is no
+/// more than how large the curve is there and, divided by the number of variables squared (to a
+/// thousandth), about. Changes and sizes about that exceed the value tenfold are the least of those
+/// in ever narrower neighbourhoods, enlarged by how much narrower they are.
 Scales scales(const Problem& problem, Design about);
 
 /// The same scales, with tolerances and own magnitudes as they are at another design.

@@ -49,23 +49,22 @@ void find_ends(Sweep& sweep, const Scouted& scouted) {
   find_ends_again(sweep);
 }
 
-constexpr double kShare = 1e-7;  // of an objective's size, its default tolerance (SC3)
-
-double default_tolerance(const ProblemSpace& space, std::size_t objective, const FrontPoint* best) {
+/// How large an objective is where it is best, its value or a typical change; 0 where that is not
+/// known.
+double size_of(const ProblemSpace& space, std::size_t objective, const FrontPoint* best) {
   if (best == nullptr) return 0;
   try {
-    Problem problem = space.problem(space.options(best->part)).alone(objective);
-    problem.objectives.front().tolerance.reset();
-    const double tolerance = scales(problem, best->x).objective_tolerance;
-    return std::isfinite(tolerance) ? tolerance : 0;
+    const Problem problem = space.problem(space.options(best->part)).alone(objective);
+    const double value = std::abs(objective_value(problem.objective(), best->x));
+    const double size = std::max(value, scales(problem, best->x).objective_typical);
+    return std::isfinite(size) ? size : 0;
   } catch (const std::exception&) {
     return 0;  // of a model that throws nearby: all differences count
   }
 }
 
-/// Takes tolerances as stated, else the defaults where each objective is best
-/// (docs/optimisation.md, (SC3)), and the sizes that those are shares of: the best design is looked
-/// up in `points(objective)`.
+/// Takes tolerances as stated, else shares of the sizes where each objective is best
+/// (docs/optimisation.md, "Scales of costs"): the best design is looked up in `points(objective)`.
 template <class Points>
 void measure_objectives(Front& front, const ProblemSpace& space, Points points) {
   front.tolerances.clear();
@@ -73,9 +72,10 @@ void measure_objectives(Front& front, const ProblemSpace& space, Points points) 
   const Problem first = space.problem(space.options(0));
   for (std::size_t i = 0; i < first.objectives.size(); ++i) {
     const auto& stated = first.objectives[i].tolerance;
-    const double own = default_tolerance(space, i, cheapest(points(i), i));
-    front.tolerances.push_back(stated ? *stated : own);
-    front.sizes.push_back(own / kShare);
+    constexpr double kShare = 1e-7;  // as much as an optimum is known to
+    const double size = size_of(space, i, cheapest(points(i), i));
+    front.tolerances.push_back(stated ? *stated : kShare * size);
+    front.sizes.push_back(size);
   }
 }
 

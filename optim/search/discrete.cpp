@@ -14,6 +14,8 @@ namespace {
 
 /// Solvers leave a variable nearer than this to the integer that bounds it.
 constexpr double kIntegerTolerance = 1e-6;
+/// Problems that a tree solves: at a second each they take five hours and a half.
+constexpr std::size_t kNodes = 20000;
 
 std::vector<std::size_t> integer_variables(const Problem& problem) {
   std::vector<std::size_t> result;
@@ -128,7 +130,6 @@ class TreeSearch {
 
   /// Best bound first. A node's problem lets integer variables vary between its bounds.
   void branch_and_bound() {
-    constexpr std::size_t kNodes = 20000;  // at a second each they take five hours and a half
     std::vector<Node> open{{problem_, -kInfinity}};
     for (Variable& v : open.front().problem.variables) {
       if (v.integer) v.lower = std::ceil(v.lower), v.upper = std::floor(v.upper);
@@ -315,9 +316,15 @@ void IntegerOutcome::add(const Problem& continuous, const Found& of) {
 }
 
 std::optional<std::vector<std::vector<double>>> integer_combinations(const Problem& problem) {
-  // They take half an hour at a second each; of more, branch and bound solves a part.
+  // They take half an hour at a second each; of more, branch and bound solves a part. Where nothing
+  // else varies each is one evaluation: then as many are tried as a tree may solve, unless its
+  // bounds, which are those of all designs where the problem is convex, leave fewer.
   constexpr double kEnumerable = 2000;
-  if (combinations_of(problem) > kEnumerable) return {};
+  const bool is_whole =
+      std::all_of(problem.variables.begin(), problem.variables.end(),
+                  [](const Variable& v) { return v.integer || v.lower == v.upper; });
+  const double most = is_whole && !why_convex(problem) ? static_cast<double>(kNodes) : kEnumerable;
+  if (combinations_of(problem) > most) return {};
   std::vector<std::vector<double>> all{{}};
   for (const std::size_t i : integer_variables(problem)) {
     std::vector<std::vector<double>> longer;

@@ -151,9 +151,8 @@ Eigen::VectorXd refined(const Told& told, const std::vector<int>& pushing,
 }  // namespace
 
 double objective_measure(const Problem& problem, const Scales& scales, Design x) {
-  constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
   const double value = objective_value(problem.objective(), x);
-  return std::max(std::abs(value), kShare * scales.objective_typical) / scales.objective;
+  return objective_size(problem.objective(), scales.objective_typical, value) / scales.objective;
 }
 
 Layout lay_out(const Problem& problem, Optimality optimality) {

@@ -22,8 +22,7 @@ Layout lay_out(const Problem& problem, Optimality optimality);
 Eigen::VectorXd objective_gradient(const Problem& problem, const Scales& scales, Design x,
                                    const Layout& layout);
 
-/// What changes of the objective are measured by, over its size: its value, or a tenth of a typical
-/// change where that is larger.
+/// What changes of the objective are measured by, over its scale (objective_size).
 double objective_measure(const Problem& problem, const Scales& scales, Design x);
 
 /// Limits near a design and the multipliers with which the conditions hold best.

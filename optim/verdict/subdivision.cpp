@@ -15,6 +15,10 @@ namespace {
 
 constexpr int kMostLooks = 200;      // at designs, over the whole cycle
 constexpr double kRounding = 1e-13;  // of the terms of a sum
+/// Designs that are better by this share of the objective's measure are looked for: as much as the
+/// tolerance of a number is (SC3), so that none which is better by more than that is left in a
+/// divided box.
+constexpr double kSought = 1e-7;
 
 using Box = std::vector<Bounds>;
 
@@ -53,7 +57,7 @@ class Division {
         x_(x.begin(), x.end()),
         sense_(problem.objective().sense == Sense::Minimize ? 1 : -1),
         best_(sense_ * objective_value(problem.objective(), x)),
-        tolerance_(kBoundTolerance * scales.objective * objective_measure(problem, scales, x)) {
+        tolerance_(kSought * scales.objective * objective_measure(problem, scales, x)) {
     take_rows();
   }
 
@@ -306,7 +310,7 @@ class Division {
     bool news = false;
     const Objective& objective = problem_.objective();
     const double value = sense_ * objective_value(objective, y);
-    if (!(value < best_ - 10 * tolerance_)) {
+    if (!(value < best_ - tolerance_)) {
       if (objective.part != Part::Value && std::isfinite(value)) {
         const Extreme peak = extreme_of(*objective.response.curve().trace(y), objective.part);
         const double sign = objective.part == Part::Lowest || peak.value < 0 ? -1 : 1;

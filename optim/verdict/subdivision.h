@@ -15,7 +15,7 @@ struct Subdivision {
   /// infinite where it was cut before there was a bound.
   double best_possible;
   /// A design that meets every limit, as far as it was looked at, and is better than the one asked
-  /// about by more than the tolerance of bounds.
+  /// about by more than the objective's default tolerance.
   std::optional<std::vector<double>> better = {};
   int boxes = 0;  ///< parts of the box that were looked at
   /// Whether it was stopped before it was done: the bound holds, as far as it had come.

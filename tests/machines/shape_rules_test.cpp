@@ -92,4 +92,20 @@ TEST_CASE("squares over concave functions, entropies and sums of exponentials ha
   }
 }
 
+TEST_CASE("what has no value where a constant is 0 has no shape", "[shapes]") {
+  const auto zero = [] { return Expression(0.0); };
+  const std::vector<Case> cases{
+      {"x / 0", [=](auto x, auto) { return x / zero(); }, Shape::General},
+      {"atan(x / 0)", [=](auto x, auto) { return atan(x / zero()); }, Shape::General},
+      {"x (1 / 0)", [=](auto x, auto) { return x * (Expression(1.0) / zero()); }, Shape::General},
+      {"x + log 0", [=](auto x, auto) { return x + log(zero()); }, Shape::General},
+      {"x / 2", [](auto x, auto) { return x / Expression(2.0); }, Shape::Linear}};
+  for (const Case& c : cases) {
+    INFO(c.text);
+    const Formula formula =
+        Formula::record(2, [&](std::span<const Expression> u) { return c.formula(u[0], u[1]); });
+    CHECK(shape_by_rules(formula, kInputs).shape == c.shape);
+  }
+}
+
 }  // namespace camlaw::problems::shape_rules_test

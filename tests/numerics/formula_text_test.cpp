@@ -73,6 +73,12 @@ TEST_CASE("formulas are read as people read them", "[formula]") {
   check("p^(1/3)", std::cbrt(0.4));
   check("p^p", std::pow(0.4, 0.4));
   check("q^-2", 1.0 / 9);
+  check("q^sqrt(4)", 9);
+  check("q^min(3, 2 + sqrt(4))", -27);
+  // Of -0, whose reciprocal is -infinity, root and size are 0.
+  check("atan(1 / abs(-(p - p)))", std::numbers::pi / 2);
+  check("atan(1 / sqrt(-(p - p)))", std::numbers::pi / 2);
+  check("atan(1 / along(p, -(p - p)))", std::numbers::pi / 2);
   check(".5 + 1e-3 + 2.", 2.501);
   check("30 deg", std::numbers::pi / 6);
   check("30°", std::numbers::pi / 6);
@@ -105,7 +111,8 @@ TEST_CASE("a part of a formula that has no value leaves the whole without one", 
   for (const char* text :
        {"sqrt(q)", "min(1, sqrt(q))", "max(sqrt(q), 1)", "sign(log(q))", "q^0.5",
         "where_positive(q, 1)", "select(log(q), 1, 1)", "0 * log(q)", "unless_zero(sqrt(q), 5)",
-        "sqrt(q)^0", "1^sqrt(q)", "root(z, 0, 3, z^2 + 1)", "root(z, 0, 3, z - sqrt(q))"}) {
+        "sqrt(q)^0", "1^sqrt(q)", "atan((p - p)^(-p))", "atan((p - p)^-0.5)",
+        "root(z, 0, 3, z^2 + 1)", "root(z, 0, 3, z - sqrt(q))"}) {
     INFO(text);
     CHECK(std::isnan(value_of_text(text)));
   }

@@ -65,6 +65,8 @@ TEST_CASE("an unknown name is refused with those that are near, or with all", "[
                     "no law is called 'cubc'; did you mean cubic? Use cubic, cosine");
   CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", known, "see the list"),
                     "no law is called 'wwww'; use cubic, cosine");
+  CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", {"cubic"}),
+                    "no law is called 'wwww'; the only one is cubic");
   std::vector<std::string> many;
   for (int i = 0; i < 90; ++i) many.push_back("cubic" + std::to_string(i));
   CHECK_THROWS_WITH(refuse_name("no law is called", "wwww", many, "see the list"),

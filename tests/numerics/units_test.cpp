@@ -98,6 +98,8 @@ TEST_CASE("prefixes of angles that nobody means are refused, and small grad name
   }
   CHECK_THAT(complaint(angle, "30 grad"), Contains("tilt") && Contains("deg") && Contains("gon"));
   CHECK_THROWS_AS(unit_as_written("grad", "deg"), std::invalid_argument);
+  CHECK_THAT(complaint(plain, "1e"), Contains("power of ten needs its exponent"));
+  CHECK_THAT(complaint(length, "5 PS"), Contains("petasiemens") && Contains("horsepower"));
   // Per second may be radians or turns.
   CHECK_THROWS_AS(parse_quantity("5 1/s", "rad/s", "rpm", "speed"), std::invalid_argument);
 }

@@ -103,7 +103,7 @@ void run_step(const BlockStep& step, const BlockSteps& all, BlockRows rows, std:
     case BlockCode::Negate:
       return many([=](std::size_t i) { return -at(a, i); });
     case BlockCode::Sqrt:
-      return many([=](std::size_t i) { return lanes::square_root(at(a, i)); });
+      return many([=](std::size_t i) { return lanes::square_root(at(a, i) + none); });
     case BlockCode::Sin:
       return at_angles<V>(a, points,
                           [=](std::size_t i, const V& sine, const V&) { store(sine, to + i); });
@@ -129,7 +129,7 @@ void run_step(const BlockStep& step, const BlockSteps& all, BlockRows rows, std:
     case BlockCode::Absolute:
       return many([=](std::size_t i) {
         const V x = at(a, i);
-        return x < 0.0 ? -x : x;
+        return x < 0.0 ? -x : x + none;
       });
     case BlockCode::BySide:
       return one([=](std::size_t i) {
@@ -138,7 +138,7 @@ void run_step(const BlockStep& step, const BlockSteps& all, BlockRows rows, std:
       });
     case BlockCode::Along:
       return one([=](std::size_t i) {
-        const V way = at(a, i), x = at(b, i), size = x < 0.0 ? -x : x;
+        const V way = at(a, i), x = at(b, i), size = x < 0.0 ? -x : x + none;
         const V signed_size = way == 0.0 ? none : (way < 0.0 ? -size : size);
         return way == way ? signed_size : way;
       });

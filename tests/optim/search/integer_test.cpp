@@ -125,9 +125,9 @@ TEST_CASE("branch and bound maximises too", "[optimise]") {
 
 TEST_CASE("branch and bound certifies nothing that it excluded by problems that are not convex",
           "[optimise]") {
-  // Least sin(n) for n of 0 to 3000: n = 11 is close to 7 pi/2, -0.99999.
+  // Least sin(n) for n of 0 to 30000: n = 11 is close to 7 pi/2, -0.99999.
   Problem problem;
-  problem.variables = {integer("n", 0, 3000, 7)};
+  problem.variables = {integer("n", 0, 30000, 7)};
   problem.objectives = {least(function({0}, [](const auto& u) { return sin(u[0]); }))};
   const Optimum optimum = optimise(problem);
   CHECK_FALSE(optimum.found.assessment.global);
@@ -166,6 +166,29 @@ TEST_CASE("no step in one integer or in two leads from what bounds do not settle
       }
     }
   }
+}
+
+TEST_CASE("integers alone are all tried where bounds say nothing and an evaluation is cheap",
+          "[optimise]") {
+  // Waves in each of three, whose best values lie apart from those of the steps about the start.
+  const auto waves = [](const auto& u) {
+    return 5.0 * sin(3.0 * u[0]) * sin(7.0 * u[1]) + 4.0 * sin(5.0 * u[1] + 2.0 * u[2]) +
+           0.1 * (u[0] - u[2]);
+  };
+  Problem problem;
+  problem.variables = {integer("a", 0, 12, 3), integer("b", 0, 12, 3), integer("c", 0, 12, 5)};
+  problem.objectives = {least(function({0, 1, 2}, waves))};
+  double best = kInfinity;
+  Point u(3);
+  for (u[0] = 0; u[0] <= 12; ++u[0]) {
+    for (u[1] = 0; u[1] <= 12; ++u[1]) {
+      for (u[2] = 0; u[2] <= 12; ++u[2]) best = std::min(best, waves(u));
+    }
+  }
+  const Optimum optimum = optimise(problem);
+  CHECK(optimum.found.assessment.objective.value == best);
+  CHECK(optimum.solved == 2197);  // more than of integers beside other variables
+  CHECK(optimum.found.assessment.global);
 }
 
 TEST_CASE("integer values at which the model is undefined are passed over", "[optimise]") {
