@@ -121,9 +121,15 @@ int run_front(const FrontCommand& options) {
   }
   const auto points = chosen(options, answer);
   if (options.result) {
-    if (points.size() != 1) {
+    if (points.empty()) {
       throw std::invalid_argument(
           "--result needs a design: give one of --knee, --weights and --point");
+    }
+    if (points.size() > 1) {
+      throw std::invalid_argument(fmt::format(
+          "--result writes one design, but {} are chosen; give one of --knee, --weights and "
+          "--point",
+          points.size()));
     }
     files.push_back({*options.result, point_result(answer, points.front().second).dump(2) + "\n"});
   }

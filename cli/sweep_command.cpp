@@ -20,6 +20,7 @@
 #include "output/answers/sweep_answer.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
+#include "problems/fronts/problem_settings.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/sweeps/sweep_worker.h"
@@ -42,9 +43,10 @@ problems::SweepSettings settings_of(const SweepCommand& options,
                                     const std::optional<std::string>& study) {
   const bool asks = !options.settings.empty() || options.sample || options.evaluates ||
                     options.cold || options.seed || !options.over.empty();
-  if (!asks && options.resume && study) {
+  if (options.resume && study) {
     const optim::StudySettings record = optim::StudyRecord::read(*study).settings();
-    if (problems::SweepStudy::is_sweep(record)) {
+    problems::check_kind(record, "a sweep");
+    if (!asks) {
       problems::SweepSettings settings = problems::SweepStudy::of(record).plan().settings();
       if (options.start) check_began_at(options.file, settings.set, *options.start);
       return settings;

@@ -31,6 +31,8 @@ struct Parameter {
   /// no piece together. 0: nothing is known.
   std::size_t reach = 0;
   std::string also = {};  ///< an older name that is accepted
+  /// The one value at which pieces of the law join that are two at any other.
+  std::optional<double> joins_at = {};
   /// Not set by itself: it has the value of that parameter of the machine which the law moves.
   std::optional<std::size_t> given_by = {};
 

@@ -57,14 +57,18 @@ inline Room sum_of_one(Room room) {
 template <class F>
 Family rest_to_rest(RestToRest about, F construct) {
   const std::size_t index = about.parameters.size();
-  about.parameters.push_back(
-      {kCrossover,
-       "1",
-       0.02,
-       0.98,
-       {0.5},
-       "where the acceleration of a symmetric law changes sign; 0.5 leaves every law unchanged, "
-       "and laws that are not symmetric are skewed in the same way"});
+  // Without a skew the law keeps its pieces.
+  constexpr double kNoSkew = 0.5;
+  Parameter crossover{
+      kCrossover,
+      "1",
+      0.02,
+      0.98,
+      {kNoSkew},
+      "where the acceleration of a symmetric law changes sign; 0.5 leaves every law unchanged, "
+      "and laws that are not symmetric are skewed in the same way"};
+  crossover.joins_at = kNoSkew;
+  about.parameters.push_back(std::move(crossover));
   return {std::move(about.name),
           std::move(about.aliases),
           std::move(about.formula),
@@ -76,7 +80,7 @@ Family rest_to_rest(RestToRest about, F construct) {
           [construct, index]<class S>(const Arguments<S>& a) -> Possible<Law<S>> {
             Possible<Law<S>> law = construct(a);
             const S& at = a.scalar(index);
-            if (!law || is_number(at, 0.5)) return law;
+            if (!law || is_number(at, kNoSkew)) return law;
             return skewed(*law, at);
           },
           {},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -68,10 +69,12 @@ class LawBinding {
   bool is_linear() const { return linear_; }
   /// The varying parameters of a design, in the order of variables().
   std::vector<double> values_at(std::span<const double> design) const;
-  /// The member at a design.
+  /// The member at a design. Its law has the same pieces as the laws that carry derivatives: by
+  /// them a joint is counted.
   Member member_at(std::span<const double> design) const {
     Member result = member_;
     result.arguments = arguments_of<double>(values_at(design));
+    keep_pieces(result.arguments);
     return result;
   }
   template <class S>
@@ -96,7 +99,9 @@ class LawBinding {
   /// The law for such values.
   template <class S>
   Possible<Law<S>> possible_law_of(std::span<const S> values) const {
-    return member_.family->possible(arguments_of(values));
+    Arguments<S> arguments = arguments_of(values);
+    keep_pieces(arguments);
+    return member_.family->possible(arguments);
   }
   /// The law with derivatives by the varying parameters, one for each kDualWidth of them; none
   /// where the values make no law.
@@ -126,6 +131,17 @@ class LawBinding {
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
 
  private:
+  /// Sets what varies, and stands where two pieces of the law would join, beside that by a unit of
+  /// the last place.
+  template <class S>
+  void keep_pieces(Arguments<S>& arguments) const {
+    for (const LawVariable& v : variables_) {
+      const auto& joins = member_.family->parameters[v.parameter].joins_at;
+      S& value = arguments.values()[v.parameter][v.element];
+      if (joins && is_number(value, *joins)) value = number<S>(std::nextafter(*joins, 1.0));
+    }
+  }
+
   template <class Look>
   MotionDerivatives seen(const Look& look, std::span<const double> values, int order) const;
   Member member_;

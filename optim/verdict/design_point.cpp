@@ -44,9 +44,10 @@ double merit(double distance, double room, double factor) {
 }  // namespace
 
 std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
-                                        const std::vector<Variation>& variations) {
-  // The steps settle linearly. One of 1/2048 of the way is taken whether it is better or not.
-  constexpr int kSteps = 100, kHalvings = 12;
+                                        const std::vector<Variation>& variations,
+                                        const DesignPointSearch& search) {
+  // A step of 1/2048 of the way is taken whether it is better or not.
+  constexpr int kHalvings = 12;
   // Chance leads beyond nine deviations once in 1e19. The value in the middle is rounded by less
   // than kSmall of it.
   constexpr double kFarthest = 9, kSmall = 1e-9;
@@ -54,9 +55,14 @@ std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
   const std::size_t n = x.size();
   Numbers u(n, 0.0), slopes(n, 0.0);
   double value = f(u, slopes);
-  const double at_start = value;
+  const double in_middle = value;
   if (!std::isfinite(value)) return {};
-  for (int step = 0; step < kSteps; ++step) {
+  if (!search.start.empty()) {
+    u = search.start;
+    value = f(u, slopes);
+    if (!std::isfinite(value)) return {};
+  }
+  for (int step = 0; step < search.most_steps; ++step) {
     const double steep = length(slopes);
     if (!(steep > 0 && std::isfinite(steep))) return {};
     double along = 0;
@@ -67,9 +73,9 @@ std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
     }
     double change = 0;
     for (std::size_t i = 0; i < n; ++i) change = std::max(change, std::abs(target[i] - u[i]));
-    const bool is_there = std::abs(value) <= kSmall * std::max(std::abs(at_start), steep);
+    const bool is_there = std::abs(value) <= kSmall * std::max(std::abs(in_middle), steep);
     if (change <= 1e-7 && is_there) {
-      return DesignPoint{u, std::copysign(length(u), at_start)};
+      return DesignPoint{u, std::copysign(length(u), in_middle)};
     }
     const double factor = 2 * length(u) / steep + 10 * std::max(1.0, length(target)) / steep;
     const double now = merit(length(u), value, factor);

@@ -19,9 +19,14 @@ struct DesignPoint {
 };
 /// A limit's room and its slopes by the variables of a design.
 using RoomSlopes = std::function<double(Design x, std::span<double> slopes)>;
-/// None where no such point is found.
+struct DesignPointSearch {
+  std::vector<double> start = {};  ///< in normal numbers; none: the middle of the variations
+  int most_steps = 100;            ///< the steps settle linearly
+};
+/// The one that the search reaches. None where no such point is found.
 std::optional<DesignPoint> design_point(const RoomSlopes& room, Design x,
-                                        const std::vector<Variation>& variations);
+                                        const std::vector<Variation>& variations,
+                                        const DesignPointSearch& search = {});
 
 /// The room and its slopes of one limit of a problem, at its worst place; tolerances as above.
 RoomSlopes room_slopes(const Problem& problem, std::size_t limit, Design x);

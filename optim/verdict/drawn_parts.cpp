@@ -14,11 +14,14 @@ namespace camlaw::optim {
 double Mixture::weight(std::span<const double> u) const {
   double sum = 0;
   for (std::size_t j = 0; j < centres.size(); ++j) {
+    // Written so that of a part about a point with the deviation 1 nothing cancels.
+    const double spread = spreads[j], narrower = 1 - 1 / (spread * spread);
     double exponent = 0;
     for (std::size_t i = 0; i < u.size(); ++i) {
-      exponent += centres[j][i] * (u[i] - centres[j][i] / 2);
+      const double centre = centres[j][i];
+      exponent += centre * (u[i] - centre / 2) * (1 - narrower) + narrower * u[i] * u[i] / 2;
     }
-    sum += shares[j] * std::exp(exponent);
+    sum += shares[j] * std::exp(exponent) / std::pow(spread, static_cast<double>(u.size()));
   }
   return 1 / sum;
 }
@@ -61,6 +64,20 @@ PartsDrawer::PartsDrawer(const RoomRows& rows, Design x, const std::vector<Varia
   if (varying_.empty()) throw std::invalid_argument("yield: nothing varies");
 }
 
+std::vector<double> PartsDrawer::room(std::span<const double> us) const {
+  const std::size_t m = dimensions(), count = us.size() / m;
+  std::vector<double> designs, room(limits() * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<double> design = x_;
+    for (std::size_t i = 0; i < m; ++i) {
+      design[varying_[i]] += variations_[varying_[i]].at(us[k * m + i]);
+    }
+    designs.insert(designs.end(), design.begin(), design.end());
+  }
+  rows_.room(designs, count, room);
+  return room;
+}
+
 std::optional<PartsCount> PartsDrawer::count(const PartsDraw& draw,
                                              const std::function<bool()>& stopped) const {
   try {
@@ -94,7 +111,8 @@ std::optional<PartsCount> PartsDrawer::count_all(const PartsDraw& draw,
         if (is_plain) {
           off = v.at_share(shares[k * m + i]);
         } else {
-          us[k * m + i] = draw.mixture.centres[draw.about][i] + normal_quantile(shares[k * m + i]);
+          us[k * m + i] = draw.mixture.centres[draw.about][i] +
+                          draw.mixture.spreads[draw.about] * normal_quantile(shares[k * m + i]);
           off = v.at(us[k * m + i]);
         }
         designs[k * n + varying_[i]] += off;

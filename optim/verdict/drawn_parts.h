@@ -14,10 +14,10 @@
 /// data, and what is counted follows from it to the last bit: so it does not matter who counts.
 namespace camlaw::optim {
 
-/// Where parts are drawn: about some points in normal numbers, with these shares.
+/// Where parts are drawn: about some points in normal numbers, with these shares and deviations.
 struct Mixture {
   std::vector<std::vector<double>> centres;
-  std::vector<double> shares;
+  std::vector<double> shares, spreads;
 
   /// The normal density over that of the mixture.
   double weight(std::span<const double> u) const;
@@ -61,6 +61,9 @@ class PartsDrawer {
   /// How many numbers vary.
   std::size_t dimensions() const { return varying_.size(); }
   std::size_t limits() const { return rows_.limits(); }
+  /// The room of each limit at parts in normal numbers, those that vary of one part behind those of
+  /// the one before: [limit * count + part], as RoomRows has it.
+  std::vector<double> room(std::span<const double> us) const;
   /// None where it is stopped, or the rooms are cut short.
   std::optional<PartsCount> count(const PartsDraw& draw,
                                   const std::function<bool()>& stopped) const;

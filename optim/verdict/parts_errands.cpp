@@ -18,8 +18,8 @@ namespace camlaw::optim {
 template <class Archive, class M>
 requires std::is_same_v<std::remove_const_t<M>, Mixture>
 void visit(Archive& archive, M& mixture) {
-  auto& [centres, shares] = mixture;
-  archive(centres), archive(shares);
+  auto& [centres, shares, spreads] = mixture;
+  archive(centres), archive(shares), archive(spreads);
 }
 
 template <class Archive, class D>
@@ -47,8 +47,9 @@ namespace {
 
 /// Whether a draw is one that the drawer knows how to make.
 bool fits(const PartsDraw& draw, const PartsDrawer& drawer) {
-  const auto& [centres, shares] = draw.mixture;
+  const auto& [centres, shares, spreads] = draw.mixture;
   return draw.about < centres.size() && shares.size() == centres.size() &&
+         spreads.size() == centres.size() &&
          std::all_of(centres.begin(), centres.end(),
                      [&](const auto& u) { return u.size() == drawer.dimensions(); });
 }

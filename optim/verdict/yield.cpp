@@ -24,16 +24,42 @@ constexpr std::size_t kMostInRound = 4096, kYieldRounds = 16;
 /// other at the end; but no more points than whose draws fit into some 100 MB.
 constexpr std::size_t kTogether = 4, kMostTogether = std::size_t{1} << 20;
 
-Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}}; }
+Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}, {1.0}}; }
 
-/// About what is meant a fifth of the samples, so that no weight is above five.
-Mixture about(const std::vector<DesignPoint>& points, std::size_t dimensions) {
-  constexpr double kMeant = 0.2;
+/// The point in the numbers that vary.
+Numbers varying_part(const DesignPoint& point, const std::vector<Variation>& variations) {
+  Numbers part;
+  for (std::size_t i = 0; i < variations.size(); ++i) {
+    if (variations[i].varies()) part.push_back(point.u[i]);
+  }
+  return part;
+}
+
+/// About what is meant a fifth of the samples, so that no weight is above five, and a tenth with
+/// the spread of what fails; the same share for each limit that has points (TV3).
+Mixture about(const FailureRegions& regions, const std::vector<Variation>& variations,
+              std::size_t dimensions) {
+  constexpr double kMeant = 0.2, kWide = 0.1;
   Mixture mixture = plain(dimensions);
   mixture.shares = {kMeant};
-  for (const DesignPoint& point : points) {
-    mixture.centres.push_back(point.u);
-    mixture.shares.push_back((1 - kMeant) / static_cast<double>(points.size()));
+  const auto add = [&](Numbers centre, double share, double spread) {
+    mixture.centres.push_back(std::move(centre));
+    mixture.shares.push_back(share);
+    mixture.spreads.push_back(spread);
+  };
+  add(Numbers(dimensions, 0.0), kWide, regions.spread);
+  const auto limits = std::count_if(regions.of_limit.begin(), regions.of_limit.end(),
+                                    [](const auto& points) { return !points.empty(); });
+  for (const std::vector<DesignPoint>& points : regions.of_limit) {
+    double sum = 0;
+    for (const DesignPoint& point : points) sum += normal_share(-std::abs(point.index));
+    for (const DesignPoint& point : points) {
+      // Half in equal parts, for what is farther may be wider.
+      const double likely = normal_share(-std::abs(point.index)) / sum;
+      const double share = (1 / static_cast<double>(points.size()) + likely) / 2;
+      add(varying_part(point, variations),
+          (1 - kMeant - kWide) * share / static_cast<double>(limits), 1);
+    }
   }
   return mixture;
 }
@@ -197,7 +223,9 @@ class Estimator {
       const std::size_t until = done_ + std::clamp(each / kTogether, kMostInRound, kMostTogether);
       for (std::size_t at = done_; at < std::min(each, until); at += rounds.back().points) {
         const std::size_t most = std::clamp(each / kYieldRounds, kMostInRound, kMostTogether);
-        const std::size_t points = std::min({each - at, std::max<std::size_t>(at, 1), most});
+        // At least one about each centre.
+        const std::size_t points =
+            std::min({each - at, std::max<std::size_t>(at, mixture_.centres.size()), most});
         for (PartsDraw& draw : round_of(mixture_, points, seed_, from_)) {
           draws.push_back(std::move(draw));
         }
@@ -245,35 +273,58 @@ class Estimator {
   std::size_t done_ = 0;
 };
 
-/// The points of different limits; those of equations that cannot break are none.
-std::vector<DesignPoint> points_of(const std::vector<RoomSlopes>& slopes, Design x,
-                                   const std::vector<Variation>& variations,
-                                   const std::function<bool()>& stopped, Yield& result) {
-  constexpr double kFarthest = 8;  // beyond that no share is left that counts
-  std::vector<DesignPoint> points;
-  for (const RoomSlopes& room : slopes) {
-    result.stopped = result.stopped || stopped();
-    if (result.stopped) break;
-    std::optional<DesignPoint> found;
-    try {
-      found = design_point(room, x, variations);
-    } catch (const Interrupted&) {
-      result.stopped = true;
-      break;
-    }
-    result.indices.push_back(found ? std::optional(found->index) : std::nullopt);
-    if (found && std::abs(found->index) < kFarthest) points.push_back(*found);
+/// The index of each limit; none of equations that cannot break.
+void add_indices(const std::vector<std::vector<DesignPoint>>& of_limit, Yield& result) {
+  for (const std::vector<DesignPoint>& points : of_limit) {
+    result.indices.push_back(points.empty() ? std::nullopt : std::optional(points.front().index));
   }
-  return points;
 }
 
-/// The point in the numbers that vary.
-DesignPoint varying_part(const DesignPoint& point, const std::vector<Variation>& variations) {
-  DesignPoint part{{}, point.index};
-  for (std::size_t i = 0; i < variations.size(); ++i) {
-    if (variations[i].varies()) part.u.push_back(point.u[i]);
+/// The regions to draw parts about; none where it is stopped.
+FailureRegions regions_of(const PartsDrawer& drawer, const std::vector<RoomSlopes>& slopes,
+                          Design x, const std::vector<Variation>& variations,
+                          const YieldOptions& options, Yield& result) {
+  constexpr double kFarthest = 8;  // beyond that no share is left that counts
+  // An eighth of all parts finds them.
+  constexpr std::size_t kShare = 8, kFewest = 192, kMost = 3072;
+  constexpr std::uint64_t kRegions = std::uint64_t{1} << 33U;
+  FailureRegions regions;
+  if (slopes.empty()) return regions;
+  try {
+    regions = failure_regions(drawer, slopes, x, variations,
+                              {std::clamp(options.samples / kShare, kFewest, kMost),
+                               mixed(options.seed, kRegions), options.stopped});
+  } catch (const Interrupted&) {
+    result.stopped = true;
+    return {};
   }
-  return part;
+  add_indices(regions.of_limit, result);
+  // The nearest ones, so few that some samples are drawn about each.
+  constexpr std::size_t kAboutEach = 4;
+  const std::size_t most =
+      std::max<std::size_t>(1, options.samples / (kRepetitions * kAboutEach * drawer.limits()));
+  for (std::vector<DesignPoint>& points : regions.of_limit) {
+    if (points.size() > most) points.resize(most);
+    std::erase_if(points, [](const DesignPoint& p) { return std::abs(p.index) >= kFarthest; });
+  }
+  return regions;
+}
+
+/// Without a look at parts: those that the limits' slopes lead to.
+void find_indices(const std::vector<RoomSlopes>& slopes, Design x,
+                  const std::vector<Variation>& variations, const std::function<bool()>& stopped,
+                  Yield& result) {
+  std::vector<std::vector<DesignPoint>> of_limit;
+  try {
+    for (const RoomSlopes& room : slopes) {
+      result.stopped = result.stopped || stopped();
+      if (result.stopped) break;
+      of_limit.push_back(failing_points(room, x, variations, {}));
+    }
+  } catch (const Interrupted&) {
+    result.stopped = true;
+  }
+  add_indices(of_limit, result);
 }
 
 }  // namespace
@@ -296,17 +347,19 @@ Yield yield(const PartsDrawer& drawer, const std::vector<RoomSlopes>& slopes, De
   const double rare = kRare * static_cast<double>(tried * kRepetitions);
   if (result.stopped || static_cast<double>(as_meant.failures()) >= rare) {
     result.stopped = result.stopped || !as_meant.draw_to(each);
-    if (!result.stopped) points_of(slopes, x, variations, options.stopped, result);
+    if (!result.stopped) find_indices(slopes, x, variations, options.stopped, result);
     as_meant.add_to(result);
     return result;
   }
-  std::vector<DesignPoint> points = points_of(slopes, x, variations, options.stopped, result);
-  for (DesignPoint& point : points) point = varying_part(point, variations);
-  result.by_importance = !points.empty() && !result.stopped;
+  const FailureRegions regions = regions_of(drawer, slopes, x, variations, options, result);
+  const bool has_points = std::any_of(regions.of_limit.begin(), regions.of_limit.end(),
+                                      [](const auto& points) { return !points.empty(); });
+  result.by_importance = has_points && !result.stopped;
   if (result.by_importance) {
     // Points of their own: few of the first failed, which is why these are drawn.
     constexpr std::uint64_t kOthers = std::uint64_t{1} << 32U;
-    Estimator near(about(points, drawer.dimensions()), mixed(options.seed, kOthers), count, limits);
+    Estimator near(about(regions, variations, drawer.dimensions()), mixed(options.seed, kOthers),
+                   count, limits);
     result.stopped = !near.draw_to(each);
     near.add_to(result);
   }

@@ -8,6 +8,7 @@
 
 #include "optim/verdict/design_point.h"
 #include "optim/verdict/drawn_parts.h"
+#include "optim/verdict/failure_regions.h"
 
 /// The share of all parts that meet every limit, by sampling (docs/theory.md, "Manufacturing
 /// tolerances").

@@ -122,6 +122,7 @@ optim::StudySettings FrontStudy::settings() const {
 
 void FrontStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings mine = settings(), its = record.settings();
+  check_kind(its, "a front");
   check_same_problem(its, mine);
   if (set_of(its) != bound_.statement().settings) {
     const auto words = [](const std::vector<std::string>& set) {

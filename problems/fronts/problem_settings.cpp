@@ -103,6 +103,15 @@ std::string_view kind_of_study(const optim::StudySettings& settings) {
   return settings.contains(kYieldSetting) ? "a yield" : "a front";
 }
 
+void check_kind(const optim::StudySettings& its, std::string_view wanted) {
+  const std::string_view kind = kind_of_study(its);
+  if (kind == wanted) return;
+  const char* command = kind == "a front" ? "pareto" : kind == "a sweep" ? "sweep" : "tolerance";
+  refuse_to_resume(
+      fmt::format("it is {}, not {}; 'camlaw {} FILE --db STUDY --resume' continues it", kind,
+                  wanted, command));
+}
+
 optim::StudySettings problem_settings(const ProblemStatement& statement) {
   optim::StudySettings result{
       {"problem", statement.text},

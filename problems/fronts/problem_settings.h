@@ -40,6 +40,8 @@ void check_laws(const std::string& its, const std::string& now);
 
 /// Throws std::invalid_argument: "the study cannot be resumed: " and why.
 [[noreturn]] void refuse_to_resume(const std::string& why);
+/// Refuses a study of another kind than `wanted`, and names the command that continues it.
+void check_kind(const optim::StudySettings& its, std::string_view wanted);
 /// Refuses a study that was made with another problem file.
 void check_same_problem(const optim::StudySettings& its, const optim::StudySettings& mine);
 /// Refuses one that was made with other laws, whose files beside the problem (laws, tables,

@@ -26,16 +26,25 @@ std::vector<double> values_of_parameters(const std::vector<DesignParameter>& par
   return values;
 }
 
-/// What a slope is but for rounding: nothing, where one percent of the parameter would change
-/// nothing of the number that can be told.
-double rounded_slope(double slope, double value, double parameter) {
-  constexpr double kTold = 1e-13;  // a few hundred units of the last place
-  return std::abs(slope * parameter) <= kTold * std::abs(value) && parameter != 0 ? 0 : slope;
+/// What a parameter is compared with: its value, of one near 0 a part of what it may be.
+double size_of_parameter(const DesignParameter& parameter) {
+  return std::max(std::abs(parameter.value), 1e-3 * std::min(parameter.high - parameter.low, 1.0));
 }
 
-Sensitivity sensitivity_of(double value, double parameter, std::pair<double, double> slopes) {
-  const double first = rounded_slope(slopes.first, value, parameter);
-  const double second = rounded_slope(slopes.second, value, parameter);
+/// The slope by a parameter of that size that rounding alone may leave, of a number with this value
+/// on a curve that is `largest` in size at most.
+double told_slope(double value, double largest, double size) {
+  // Sums of laws leave some thousand units of the last place. A value in a rest may be far smaller
+  // than those that its curve is computed from.
+  constexpr double kTold = 1e-11, kOfCurve = 1e-3;
+  return kTold * std::max(std::abs(value), kOfCurve * largest) / size;
+}
+
+/// Slopes of no more than `least` are none.
+Sensitivity sensitivity_of(double value, double parameter, std::pair<double, double> slopes,
+                           double least) {
+  const double first = std::abs(slopes.first) <= least ? 0 : slopes.first;
+  const double second = std::abs(slopes.second) <= least ? 0 : slopes.second;
   const double size = std::max(std::abs(first), std::abs(second));
   constexpr double kFound = 1e-6;  // a peak's place is found to the root of rounding
   const bool is_kink = second - first > kFound * size;
@@ -122,13 +131,13 @@ std::optional<double> slope_to(const DesignNumber& number, std::vector<double> x
 
 /// A derivative as it is where differences agree with it, else what they say.
 Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter,
-                    const std::vector<double>& x, std::size_t i, double value, Sensitivity exact) {
+                    const std::vector<double>& x, std::size_t i, double value, Sensitivity exact,
+                    double least) {
   // The error of a difference over this step is some 1e-4 of the slope of a smooth number and 1e-12
   // of its value by rounding. A slope that is a hundredth off is another one: a kink's, or that of
   // another peak.
   constexpr double kStep = 1e-4, kAgrees = 1e-2;
-  const double size =
-      std::max(std::abs(x[i]), 1e-3 * std::min(parameter.high - parameter.low, 1.0));
+  const double size = size_of_parameter(parameter);
   const double step = kStep * size;
   if (!(x[i] - step >= parameter.low && x[i] + step <= parameter.high)) return exact;
   const double noise = 1e-8 * std::abs(value) / size;
@@ -150,7 +159,7 @@ Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter
   // A peak's place is found to the root of rounding, and with it the terms that cancel there.
   constexpr double kCancelled = 1e-6;
   if (low == 0 && high == 0 && off <= kCancelled * std::abs(value) / size) {
-    return sensitivity_of(value, x[i], {0, 0});
+    return sensitivity_of(value, x[i], {0, 0}, least);
   }
   // Where the slope itself changes as a broken power does, such as that of a load's share of a life
   // at no load, differences come near it slowly.
@@ -160,7 +169,7 @@ Sensitivity checked(const DesignNumber& number, const DesignParameter& parameter
   const bool is_smooth = high - low <= kAgrees * scale;
   const double middle = (low + high) / 2;
   Sensitivity result =
-      sensitivity_of(value, x[i], {is_smooth ? middle : low, is_smooth ? middle : high});
+      sensitivity_of(value, x[i], {is_smooth ? middle : low, is_smooth ? middle : high}, least);
   result.by_difference = true;
   return result;
 }
@@ -190,13 +199,16 @@ LocalSensitivity local_sensitivity(const ProblemStatement& design) {
         "calculate");
   }
   const std::vector<double> x = values_of_parameters(result.parameters);
-  for (const DesignNumber& number : numbers) {
+  const std::vector<double> sizes = sizes_of(numbers, result.parameters);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const DesignNumber& number = numbers[k];
     NumberSensitivity own{
         number.name, number.unit, number.is_objective, number.function.value(x), {}};
     const auto slopes = number.slopes(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
+      const double least = told_slope(own.value, sizes[k], size_of_parameter(result.parameters[i]));
       own.by.push_back(checked(number, result.parameters[i], x, i, own.value,
-                               sensitivity_of(own.value, x[i], slopes[i])));
+                               sensitivity_of(own.value, x[i], slopes[i], least), least));
     }
     result.numbers.push_back(std::move(own));
   }

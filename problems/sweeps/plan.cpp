@@ -110,6 +110,12 @@ void add_settings(SweepSettings& settings, const std::vector<std::string>& assig
   }
 }
 
+void SweepPlan::take_units(const std::function<std::string(const std::string& name)>& unit_of) {
+  for (SweptName& name : names_) {
+    if (name.is_numeric && name.unit.empty()) name.unit = unit_of(name.name);
+  }
+}
+
 void check_set_or_swept(const SweepSettings& settings,
                         const std::vector<std::string>& assignments) {
   const auto is_swept = [&](std::string_view name) {

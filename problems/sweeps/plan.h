@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "problems/law_files/json_type.h"
 #include "problems/sweeps/axis.h"
 
@@ -53,6 +55,8 @@ class SweepPlan {
   const SweepSettings& settings() const { return settings_; }
   /// The axes, then the ranges of the sampling.
   const std::vector<SweptName>& names() const { return names_; }
+  /// Gives numbers that are swept without a unit the unit that they have in the problem.
+  void take_units(const std::function<std::string(const std::string& name)>& unit_of);
   std::size_t size() const { return size_; }
   /// Of each name. Combinations count with the last axis running fastest but for the samples, which
   /// run faster still.

@@ -84,6 +84,29 @@ std::vector<std::size_t> tried(std::size_t count, std::size_t most) {
   return all;
 }
 
+/// "stroke" of "stroke", "ranges.stroke.upper", "variation.stroke.lower" and "cases.fast.stroke".
+std::string parameter_of_swept(const std::string& name) {
+  for (const std::string_view table : {"ranges.", "variation."}) {
+    const std::size_t end = name.rfind('.');
+    if (name.starts_with(table) && end > table.size()) {
+      return name.substr(table.size(), end - table.size());
+    }
+  }
+  const std::string_view cases = "cases.";
+  const std::size_t dot = name.starts_with(cases) ? name.find('.', cases.size()) : name.npos;
+  return dot == name.npos ? name : name.substr(dot + 1);
+}
+
+/// Of a swept name that is of a parameter; of any other none.
+std::string unit_of_swept(const ProblemStatement& statement, const std::string& name) {
+  try {
+    const std::string unit = find_parameter(statement, parameter_of_swept(name)).unit;
+    return unit == "1" ? "" : unit;
+  } catch (const std::invalid_argument&) {  // the bound of a limit, an angle of a segment
+    return "";
+  }
+}
+
 /// Why a swept value is refused, with the value where the reason does not name it.
 std::string refusal(const std::string& name, const std::string& value, const std::string& why) {
   if (why.find(value) != std::string::npos) return why;
@@ -107,6 +130,7 @@ SweepStudy::SweepStudy(const std::string& text, const std::string& source,
   refuse_auto_knots(statement_, "a sweep");
   refuse_reliabilities(statement_, "a sweep");
   check_values();
+  plan_.take_units([&](const std::string& name) { return unit_of_swept(statement_, name); });
 }
 
 bool SweepStudy::is_sweep(const optim::StudySettings& settings) {
@@ -142,7 +166,7 @@ optim::StudySettings SweepStudy::settings() const {
 
 void SweepStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings mine = settings(), its = record.settings();
-  if (!is_sweep(its)) refuse_to_resume(fmt::format("it is {}, not a sweep", kind_of_study(its)));
+  check_kind(its, "a sweep");
   check_same_problem(its, mine);
   if (find_setting(its, "set") != mine.at("set") ||
       find_setting(its, kSweepSetting) != mine.at(kSweepSetting)) {

@@ -20,9 +20,7 @@ ToleranceStudy::ToleranceStudy(const ProblemStatement& design,
 
 void ToleranceStudy::check_same(const optim::StudyRecord& record) const {
   const optim::StudySettings its = record.settings();
-  if (kind_of_study(its) != kind_of_study(settings_)) {
-    refuse_to_resume(fmt::format("it is {}, not a yield", kind_of_study(its)));
-  }
+  check_kind(its, kind_of_study(settings_));
   check_same_problem(its, settings_);
   if (find_setting(its, "set") != settings_.at("set")) {
     refuse_to_resume("it belongs to another design: other values are set");

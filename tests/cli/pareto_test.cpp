@@ -515,7 +515,7 @@ TEST_CASE("a point of a front becomes a result for reports and exports", "[progr
   }
   CHECK_THAT(failed({"front", db, "--result", result}, 2), Contains("--knee"));
   CHECK_THAT(failed({"front", db, "--knee", "--point", "1", "--result", result}, 2),
-             Contains("one of"));
+             Contains("writes one design, but 2 are chosen; give one of"));
 }
 
 TEST_CASE("fewer than three points have no knee to choose", "[program]") {

@@ -125,6 +125,15 @@ TEST_CASE("an end of a range that the file lacks is swept beside the other", "[p
   CHECK(rows.size() == 3);
 }
 
+TEST_CASE("a swept number without a unit is headed by that of its parameter", "[program][sweep]") {
+  const ParsedJson json =
+      json_of({"sweep", kProblem, "--evaluate", "--set", "stroke=20,22", "--json"});
+  REQUIRE(json.at("combinations").size() == 2);
+  CHECK(json.at("combinations")[1].at("stroke [mm]") == 22);
+  const std::string text = done({"sweep", kProblem, "--evaluate", "--set", "stroke=20,22"});
+  CHECK_THAT(text, Contains("stroke [mm]"));
+}
+
 TEST_CASE("what a sweep cannot run through is refused in a line", "[program][sweep]") {
   CHECK_THAT(failed({"sweep", kProblem}, 2), Contains("nothing is swept"));
   CHECK_THAT(failed({"sweep", kProblem, "--over", "base_radius=30:60 mm"}, 2),

@@ -86,7 +86,9 @@ TEST_CASE("the record of another yield, or of none, is refused", "[program][stud
              Contains("the problem file is not the one"));
   CHECK_THAT(failed({"front", db}, 2), Contains("is a yield, not a front"));
   CHECK_THAT(failed({"sweep", kFile, "--set", "speed=100,150 rpm", "--db", db, "--resume"}, 2),
-             Contains("is a yield, not a sweep"));
+             Contains("is a yield, not a sweep") && Contains("'camlaw tolerance "));
+  CHECK_THAT(failed({"sweep", kFile, "--db", db, "--resume"}, 2),
+             Contains("is a yield, not a sweep") && !Contains("nothing is swept"));
   CHECK_THAT(
       failed({"pareto", testing::source("problems/cams/roller_front.toml"), "--db", db, "--resume"},
              2),

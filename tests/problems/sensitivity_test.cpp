@@ -486,4 +486,66 @@ TEST_CASE("every shipped problem with an objective has sensitivities", "[sensiti
   }
 }
 
+TEST_CASE("slopes at a joint of the law are those of this joint", "[sensitivity]") {
+  // (M9), (M37), (M38) at the lowest position: N = F_0 / cos alpha / (1 -+ mu tan alpha (2 a + l) /
+  // l) where the return ends and where the rise begins, with tan alpha = e / y_0. What is left of s
+  // there by rounding gives no slope by the spring's rate.
+  for (const std::string law : {"poly-3-4-5", "poly-4-5-6-7", "cycloidal", "modified-sine"}) {
+    INFO(law);
+    const ProblemStatement design = read_problem(R"toml(
+mechanism = "disc-cam-roller"
+[constants]
+base_radius = "40 mm"
+stroke = "20 mm"
+roller_radius = "8 mm"
+mass = "1 kg"
+spring_rate = "5 N/mm"
+spring_preload = "100 N"
+offset = "5 mm"
+overhang = "40 mm"
+guide_length = "60 mm"
+[[program.segments]]
+name = "rise"
+angle = "90 deg"
+law = ")toml" + law + R"toml("
+[[program.segments]]
+name = "high"
+angle = "60 deg"
+[[program.segments]]
+name = "return"
+angle = "90 deg"
+law = ")toml" + law + R"toml("
+[[program.segments]]
+name = "low"
+[variables.speed]
+lower = "10 rpm"
+upper = "200 rpm"
+start = "100 rpm"
+[objective]
+minimize = "speed"
+[[constraints]]
+response = "contact_force"
+lower = "0 N"
+)toml",
+                                                 "joint.toml");
+    const LocalSensitivity local = local_sensitivity(design);
+    const double height = std::sqrt(48 * 48 - 5 * 5), tangent = 5 / height;
+    const double force = 100 * std::sqrt(1 + tangent * tangent);
+    const double slope = force * tangent * (2 * 40 + 60) / 60;
+    const Sensitivity& friction = by(local, "lowest contact_force", "guide_friction");
+    CHECK(friction.low == Approx(-slope).epsilon(1e-6));
+    CHECK(friction.high == Approx(slope).epsilon(1e-6));
+    const Sensitivity& preload = by(local, "lowest contact_force", "spring_preload");
+    CHECK(preload.low == Approx(force / 100).epsilon(1e-9));
+    CHECK(preload.high == Approx(force / 100).epsilon(1e-9));
+    for (const char* nothing : {"spring_rate", "stroke", "rise_angle", "return_angle",
+                                "rise_crossover", "return_crossover"}) {
+      const Sensitivity& none = by(local, "lowest contact_force", nothing);
+      INFO(nothing);
+      CHECK(none.low == 0);
+      CHECK(none.high == 0);
+    }
+  }
+}
+
 }  // namespace camlaw::problems::sensitivity_test
