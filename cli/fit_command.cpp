@@ -12,12 +12,12 @@
 
 #include "cli/command.h"
 #include "cli/files.h"
+#include "cli/fit_program.h"
 #include "cli/inputs.h"
 #include "cli/progress_line.h"
 #include "cli/run_limits.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
-#include "fitting/cams/found_program.h"
 #include "fitting/motions/law_fit_service.h"
 #include "numerics/tables/assumed_units.h"
 #include "output/answers/fit_output.h"
@@ -174,9 +174,19 @@ void check_centre_alone(const FitCommand& options) {
   }
 }
 
-void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
-  if (options.response || !options.set.empty()) {
-    throw std::invalid_argument("--response and --set need --mechanism FILE");
+/// The command that shows what was written to --out: the program, or else the law.
+void say_next_of(const FitCommand& options, bool has_program) {
+  if (!options.out || options.json) return;
+  say_next(has_program ? "evaluate " + shell_word(in_out(options, "program.toml").string())
+                       : "law " + shell_word(in_out(options, "law.json").string()));
+}
+
+/// A motion; of a lift `machine` is that of its program, null where none was stated.
+void fit_samples(const FitCommand& options, const problems::SampleTable& table,
+                 const problems::ProblemStatement* machine) {
+  if (machine == nullptr && (options.response || !options.set.empty())) {
+    throw std::invalid_argument(
+        "--response and --set need --mechanism, the problem file or the name of the machine");
   }
   check_centre_alone(options);
   if (problems::goes_round(table)) {
@@ -185,7 +195,7 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
         "unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
-  check_files(options, {"fit.svg", "law.json"});
+  check_files(options, {"fit.svg", "law.json", "program.toml"});
   ProgressLine line(!options.json);
   optim::Crew crew = crew_of(options);
   const problems::MotionSamples& read = record.samples;
@@ -194,7 +204,11 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
       problems::fit_recorded_motion(std::move(record), laws_of(options),
                                     {how_of(options, line, crew), shifts(options, "centre")});
   line.clear();
-  give_samples(options, answer, {});
+  std::vector<OutputFile> files;
+  const auto program = program_of_lift(*answer.motion(), machine, options.out, answer.notes);
+  if (program) files = program_files(*options.out, *options.data, *program);
+  give_samples(options, answer, std::move(files));
+  say_next_of(options, program.has_value());
 }
 
 void fit_cam(const FitCommand& options, problems::SampleTable table) {
@@ -220,21 +234,15 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
   line.clear();
   std::vector<OutputFile> files;
   if (options.out) {
-    const auto program = problems::found_program(*answer.cam(), machine);
-    files.push_back({in_out(options, "program.toml"), program.problem});
-    for (const problems::ProgramLaw& law : program.laws) {
-      const Json provenance{{"fitted_to", answer.source}, {"law", "smoothing spline"}};
-      files.push_back({in_out(options, law.name.c_str()),
-                       problems::law_text(law.law, law.title, provenance.dump())});
-    }
+    files =
+        program_files(*options.out, *options.data, problems::found_program(*answer.cam(), machine));
   }
   give_samples(options, answer, std::move(files));
-  if (options.out && !options.json) {
-    say_next("evaluate " + shell_word(in_out(options, "program.toml").string()));
-  }
+  say_next_of(options, true);
 }
 
-void fit_recorded(const FitCommand& options, const problems::SampleTable& table) {
+void fit_recorded(const FitCommand& options, const problems::SampleTable& table,
+                  const problems::ProblemStatement& machine) {
   if (options.law) {
     throw std::invalid_argument(
         "--law is for a motion or a cam's profile; the law of a recorded curve is the machine's "
@@ -245,7 +253,6 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
         "--shift centre is for a motion or a cam's profile; for a recorded curve use --shift "
         "place,value");
   }
-  const problems::ProblemStatement machine = machine_of(options);
   check_files(options, {"fit.svg"});
   problems::RecordedCurve record =
       problems::recorded_curve(table, *machine.mechanism, options.response);
@@ -277,7 +284,11 @@ void fit_table(const FitCommand& options) {
     const bool is_profile =
         problems::shows_profile(table) || (options.mechanism && problems::goes_round(table));
     if (!options.response && is_profile) return fit_cam(options, table);
-    options.mechanism ? fit_recorded(options, table) : fit_samples(options, table);
+    if (!options.mechanism) return fit_samples(options, table, nullptr);
+    const problems::ProblemStatement machine = machine_of(options);
+    const bool is_lift = !options.response && problems::has_lift(table) &&
+                         !problems::has_recorded_curve(table, *machine.mechanism);
+    is_lift ? fit_samples(options, table, &machine) : fit_recorded(options, table, machine);
   } catch (const RefusedOutput&) {
     throw;  // it is no fault of the table
   } catch (const std::invalid_argument& error) {
@@ -290,7 +301,8 @@ void fit_table(const FitCommand& options) {
 int run_fit(const FitCommand& options) {
   if (options.constants.has_value() == options.data.has_value()) {
     throw std::invalid_argument(
-        "fit: give a table of samples, or printed constants, --constants \"C_v=1.6125,C_a=4.66\"");
+        "fit: give either a table of samples or printed constants, --constants "
+        "\"C_v=1.6125,C_a=4.66\"");
   }
   check_folder(options.out);
   const auto work = [](const FitCommand& own) {
@@ -333,8 +345,9 @@ Command fit_command() {
             "the printed constants, with all their digits: \"C_v=1.6125, C_a=4.66\""},
            {"--law", &options->law, takes::kLaw, "the law to fit; auto tries every law"},
            {"--mechanism", &options->mechanism, takes::kMechanism,
-            "a problem file or a mechanism's name: the machine whose curve was recorded, with the "
-            "unknown variables, or the follower of a measured cam"},
+            "a problem file or a mechanism's name: the follower of a measured cam, the machine "
+            "that a "
+            "lift is for, or the machine whose curve was recorded, with the unknown variables"},
            {"--set", &options->set, takes::kSetting,
             "a value of the machine, such as 'mass=1.2 kg'"},
            {"--response", &options->response, "NAME",

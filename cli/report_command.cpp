@@ -125,6 +125,17 @@ bool is_design(const std::string& input) {
   return extension == ".toml" || extension == ".json";
 }
 
+/// Refuses an input of which no report is made.
+void check_kind(const std::string& input) {
+  const std::string extension = ending_of(input);
+  if (extension == ".db" || is_design(input) || input == kStandardStream) return;
+  const bool is_page = extension == ".html" || extension == ".htm";
+  throw std::invalid_argument(
+      fmt::format("{}: {}a report is made from a problem file (.toml), a result (.json) or a study "
+                  "(.db)",
+                  input, is_page ? "this is a page, which may be a report already; " : ""));
+}
+
 JudgedPage page_of(const std::string& input, const std::vector<std::string>& settings) {
   const std::string extension = ending_of(input);
   if (extension == ".db" && !settings.empty()) {
@@ -133,9 +144,7 @@ JudgedPage page_of(const std::string& input, const std::vector<std::string>& set
         "problem file or a result");
   }
   if (extension == ".db") return study_page(input);
-  if (is_design(input) || input == kStandardStream) return design_page(input, settings);
-  throw std::invalid_argument(fmt::format(
-      "{}: a report needs a problem file (.toml), a result (.json) or a study (.db)", input));
+  return design_page(input, settings);
 }
 
 /// Refuses what cannot be put side by side.
@@ -213,7 +222,10 @@ int run_report(const ReportOptions& options) {
   }
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output) : usual_output(options.inputs);
-  for (const std::string& input : options.inputs) keep_input(input);
+  for (const std::string& input : options.inputs) {
+    check_kind(input);  // before the page's name, which would be that of a page given as input
+    keep_input(input);
+  }
   check_writable({output});
   check_ending(output);
   if (!options.output) keep_other_page(output);

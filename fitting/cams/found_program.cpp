@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "machines/model/known_names.h"
 #include "numerics/tables/turn.h"
@@ -89,7 +90,13 @@ FoundSizes sizes_of(const MeasuredCam& cam, const Turn& turn) {
   return {turn.highest - turn.lowest, cam.lift.base_radius(turn.lowest * cam.unit())};
 }
 
-std::string sizes_text(const FoundSizes& sizes, const ProblemStatement& machine) {
+/// What was found of a machine: of a lift alone no base radius.
+struct MachineSizes {
+  double stroke;
+  std::optional<double> base_radius;
+};
+
+std::string sizes_text(const MachineSizes& sizes, const ProblemStatement& machine) {
   std::string text;
   const auto& parameters = machine.mechanism->parameters;
   const auto stroke = stroke_of(*machine.mechanism);
@@ -98,7 +105,7 @@ std::string sizes_text(const FoundSizes& sizes, const ProblemStatement& machine)
     const MechanismParameter& p = parameters[i];
     double value = machine.constants[i];
     if (stroke == i) value = sizes.stroke;
-    if (base_radius == i) value = sizes.base_radius;
+    if (base_radius == i) value = sizes.base_radius.value_or(value);
     text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
                           : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
   }
@@ -111,20 +118,22 @@ std::string segment_text(const std::string& name, bool last, double angle) {
          (last ? "" : fmt::format("angle = \"{} deg\"\n", number(angle)));
 }
 
-}  // namespace
+/// What a file begins with, up to its segments.
+struct ProgramHead {
+  std::string what;     ///< "A measured cam"
+  std::string remarks;  ///< more comment lines, each with its end
+  MachineSizes sizes;
+};
 
-FoundSizes found_sizes(const CamFit& fit) { return sizes_of(fit.cam, turn_of(fit.cycle.fits)); }
-
-FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
-  const Turn turn = turn_of(fit.cycle.fits);
+FoundProgram program_of(const Turn& turn, const ProgramHead& head,
+                        const ProblemStatement& machine) {
   FoundProgram result;
   std::string& text = result.problem;
   text = fmt::format(
-      "# A measured cam. Its angle 0 is at {} deg of the measurement.\nformat = \"{}\"\ntitle = "
-      "\"A measured "
-      "cam\"\nmechanism = \"{}\"\n\n[constants]\n{}\n[program]\nmatched = \"displacement\"\n",
-      number(turn.phases.front().begin), kProblemFormat.text(), machine.mechanism->name,
-      sizes_text(sizes_of(fit.cam, turn), machine));
+      "# {0}. Its angle 0 is at {1} deg of the measurement.\n{2}format = \"{3}\"\ntitle = "
+      "\"{0}\"\nmechanism = \"{4}\"\n\n[constants]\n{5}\n[program]\nmatched = \"displacement\"\n",
+      head.what, number(turn.phases.front().begin), head.remarks, kProblemFormat.text(),
+      machine.mechanism->name, sizes_text(head.sizes, machine));
   for (std::size_t i = 0; i < turn.phases.size(); ++i) {
     const Phase& p = turn.phases[i];
     const bool last = i + 1 == turn.phases.size();
@@ -141,6 +150,57 @@ FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
     result.laws.push_back({std::move(law), *p.fit->smooth, fmt::format("smoothed {}", kind)});
   }
   return result;
+}
+
+}  // namespace
+
+FoundSizes found_sizes(const CamFit& fit) { return sizes_of(fit.cam, turn_of(fit.cycle.fits)); }
+
+FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
+  const Turn turn = turn_of(fit.cycle.fits);
+  const FoundSizes sizes = sizes_of(fit.cam, turn);
+  return program_of(turn, {"A measured cam", "", {sizes.stroke, sizes.base_radius}}, machine);
+}
+
+std::optional<std::string> why_no_program(const RecordedMotion& fit) {
+  const MotionSamples& samples = fit.record.samples;
+  if (samples.order != 0) return "the record is not one of a displacement";
+  if (samples.unit != "mm" && samples.unit != "deg") return "the lift is not in mm or deg";
+  if (cycle_period(samples) == 0) return "the angles do not cover a whole turn";
+  const bool is_whole =
+      std::none_of(fit.cycle.fits.begin(), fit.cycle.fits.end(),
+                   [](const auto& f) { return f.unfinished.begin || f.unfinished.end; });
+  if (fit.cycle.segments.empty() || fit.cycle.fits.size() < 2 || !is_whole) {
+    return "no rise and return were found in the turn";
+  }
+  return {};
+}
+
+FoundProgram found_program(const RecordedMotion& fit, const ProblemStatement& machine) {
+  if (const auto why = why_no_program(fit)) throw std::invalid_argument(*why);
+  const std::string& unit = fit.record.samples.unit;
+  const Mechanism& mechanism = *machine.mechanism;
+  const auto stroke = stroke_of(mechanism);
+  if (mechanism.moved_by != MovedBy::Program || !stroke) {
+    throw std::invalid_argument(
+        fmt::format("{} does not follow a program of rises and returns", mechanism.name));
+  }
+  const MechanismParameter& p = mechanism.parameters[*stroke];
+  if (p.unit != unit) {
+    throw std::invalid_argument(fmt::format("the lift is in {}, and the {} of {} is in {}", unit,
+                                            p.name, mechanism.name, p.unit));
+  }
+  const Turn turn = turn_of(fit.cycle.fits);
+  return program_of(turn,
+                    {"A measured lift",
+                     "# The lift tells the motion and its size; all other numbers of the machine "
+                     "are those of\n# the machine that was named, or defaults: change them.\n",
+                     {turn.highest - turn.lowest, {}}},
+                    machine);
+}
+
+std::string usual_machine(const std::string& lift_unit) {
+  return lift_unit == "deg" ? "disc-cam-oscillating-roller" : "disc-cam-roller";
 }
 
 }  // namespace camlaw::problems

@@ -59,6 +59,11 @@ std::string divided(const std::string& unit, const std::string& by, int order) {
 
 }  // namespace
 
+bool has_lift(const SampleTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(),
+                     [](const SampleColumn& column) { return order_of(column) == 0; });
+}
+
 MotionRecord motion_record(const SampleTable& table) {
   const SampleColumn& motion = motion_column(table);
   SampleTable own = numbers_of(table, {&place_column(table, &motion), &motion});

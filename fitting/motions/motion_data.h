@@ -18,6 +18,8 @@ namespace camlaw::problems {
 /// left out. Many samples are condensed(). Throws std::invalid_argument naming the column and the
 /// units that it may have.
 MotionRecord motion_record(const SampleTable& table);
+/// Whether a column is named as a displacement: lift, s, ...
+bool has_lift(const SampleTable& table);
 /// Of that the samples alone.
 MotionSamples motion_samples(const SampleTable& table);
 

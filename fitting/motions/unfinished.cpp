@@ -94,7 +94,8 @@ std::string edge_words(const LawFit& law) {
   for (const std::size_t end : {MotionLayout::kBegin, MotionLayout::kEnd}) {
     if (!parameters[end].at_bound) continue;
     return fmt::format(
-        "'{}' stands at {:.6g}, the edge of where it was looked for: no law that was tried follows "
+        "'{}' ended at {:.6g}, the edge of the range that was searched: no law that was tried "
+        "follows "
         "the samples from rest to rest",
         parameters[end].name, parameters[end].value);
   }
@@ -102,7 +103,7 @@ std::string edge_words(const LawFit& law) {
     const optim::FittedParameter& p = parameters[i];
     if (!p.at_bound || p.value == 0 || p.value == 1) continue;
     return fmt::format(
-        "'{}' stands at {:.6g}, the edge of its range: another law is probably behind the samples",
+        "'{}' ended at {:.6g}, the edge of its range: another law is probably behind the samples",
         p.name, p.value);
   }
   return "";

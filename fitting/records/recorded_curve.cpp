@@ -32,6 +32,18 @@ std::vector<std::string> curve_names(const Mechanism& mechanism) {
   return names;
 }
 
+/// "has the name of a curve of servo-axis, such as ...": what a column may be called.
+std::string which_curves(const Mechanism& mechanism) {
+  constexpr std::size_t kNamed = 6;
+  std::vector<std::string> curves = curve_names(mechanism);
+  if (curves.size() > kNamed) curves.resize(kNamed);
+  return fmt::format(
+      "has the name of a curve of {0}, such as {1} (all: 'camlaw mechanisms {0}'); with "
+      "--mechanism, name the column of the record after the curve that it holds, or call it lift "
+      "if it is the follower's motion",
+      mechanism.name, fmt::join(curves, ", "));
+}
+
 const SampleColumn& recorded_column(const SampleTable& table, const Mechanism& mechanism,
                                     const std::optional<std::string>& name) {
   const std::vector<std::string> curves = curve_names(mechanism);
@@ -48,9 +60,7 @@ const SampleColumn& recorded_column(const SampleTable& table, const Mechanism& m
   if (found.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: no column {}", table.source,
-                    name ? fmt::format("is called '{}'", *name)
-                         : fmt::format("has the name of a curve of {}; its curves are {}",
-                                       mechanism.name, fmt::join(curves, ", "))));
+                    name ? fmt::format("is called '{}'", *name) : which_curves(mechanism)));
   }
   if (found.size() > 1) {
     throw std::invalid_argument(
@@ -61,6 +71,13 @@ const SampleColumn& recorded_column(const SampleTable& table, const Mechanism& m
 }
 
 }  // namespace
+
+bool has_recorded_curve(const SampleTable& table, const Mechanism& mechanism) {
+  const std::vector<std::string> curves = curve_names(mechanism);
+  return std::any_of(table.columns.begin(), table.columns.end(), [&](const SampleColumn& column) {
+    return std::find(curves.begin(), curves.end(), plain(column.name)) != curves.end();
+  });
+}
 
 RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanism,
                              const std::optional<std::string>& name) {

@@ -20,6 +20,9 @@ struct RecordedCurve {
   std::size_t lacking = 0;   ///< rows of the table without a number
 };
 
+/// Whether a column is called as a curve of the machine.
+bool has_recorded_curve(const SampleTable& table, const Mechanism& mechanism);
+
 /// The column called as a curve of the machine (case, spaces and underscores do not matter), or as
 /// `name`, in any unit of its kind; the place is the column called angle, cam_angle, phi, theta, x,
 /// t or time, else the first. Many samples are condensed(). Throws std::invalid_argument: no such

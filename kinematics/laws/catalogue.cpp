@@ -138,15 +138,23 @@ Member Member::listed() const { return family->listed ? family->listed(arguments
 
 const Family& find_family(std::string_view name) {
   if (const Family* family = find_exact(name)) return *family;
-  std::vector<std::string> known;
-  for (const Family& family : catalogue()) {
-    known.push_back(family.name);
-    known.insert(known.end(), family.aliases.begin(), family.aliases.end());
-  }
-  std::vector<std::string> near = near_names(name, known);
-  for (std::string& one : near) {
-    const Family& family = *find_exact(one);
-    if (one != family.name) one += fmt::format(" ({})", family.name);
+  constexpr std::size_t kNamed = 3;
+  std::vector<std::string> near;
+  std::set<const Family*> named;  // each by the likest of its names
+  while (near.size() < kNamed) {
+    std::vector<std::string> known;
+    for (const Family& family : catalogue()) {
+      if (named.contains(&family)) continue;
+      known.push_back(family.name);
+      known.insert(known.end(), family.aliases.begin(), family.aliases.end());
+    }
+    const std::vector<std::string> likest = near_names(name, known);
+    if (likest.empty()) break;
+    const Family* const family = find_exact(likest.front());
+    named.insert(family);
+    near.push_back(likest.front() == family->name
+                       ? family->name
+                       : fmt::format("{} ({})", likest.front(), family->name));
   }
   throw std::invalid_argument(fmt::format("there is no law '{}'; {}'camlaw laws' lists all", name,
                                           near.empty() ? "" : did_you_mean(near) + " "));

@@ -217,7 +217,7 @@ Checks pivot_checks() {
            .is_upper = false,
            .bound = half_the_arm,
            .input = "arm_width",
-           .standard = "the axis of the pivot alone",
+           .standard = "an arm without width",
            .closure = Closure::Force}};
 }
 

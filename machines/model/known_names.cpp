@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "machines/model/main_sizes.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -36,6 +38,12 @@ bool is_of_jerk(const MechanismResponse& response) {
 
 bool is_pressure_angle(const MechanismResponse& response) {
   return response.name.find("pressure_angle") != std::string::npos;
+}
+
+bool is_main_size(std::string_view parameter) {
+  static constexpr std::array<std::string_view, 4> sizes{known::kStroke, known::kSwing,
+                                                         known::kBaseRadius, "roller_radius"};
+  return is_one_of(sizes, parameter.substr(parameter.rfind('.') + 1));  // npos + 1 is 0
 }
 
 bool is_allowable_pressure(std::string_view parameter) {

@@ -76,7 +76,7 @@ std::vector<std::string> known_responses(const Mechanism& mechanism) {
 }
 
 constexpr const char* kListing =
-    "'camlaw evaluate FILE' lists all, once this name is removed from the file";
+    "'camlaw evaluate FILE' lists all names, after this one is removed from the file";
 
 /// A curve asked for by one of the words for its parts; null response where it is none.
 ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
@@ -92,7 +92,7 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
       }
       if (curves.empty()) {
         throw std::invalid_argument(fmt::format(
-            "'{}': {} has no curves, so nothing of it has a {}value", name, mechanism.name, word));
+            "'{}': {} has no curves, and only a curve has a {}value", name, mechanism.name, word));
       }
       refuse_name(fmt::format("{} has no curve", mechanism.name), curve, curves, kListing);
     }

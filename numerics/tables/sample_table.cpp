@@ -253,7 +253,7 @@ SampleTable numbers_of(const SampleTable& table,
 SampleTable read_samples(const std::string& path) {
   if (path == "-") return read_from(std::cin, "standard input");
   if (std::filesystem::is_directory(path))
-    throw std::invalid_argument(path + ": it is a directory, not a table");
+    throw std::invalid_argument(path + ": it is a folder, not a table");
   errno = 0;
   std::ifstream file(path);
   if (!file) throw std::invalid_argument(path + ": " + problems::unreadable(errno));

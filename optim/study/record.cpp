@@ -55,7 +55,7 @@ std::string why(const SQLite::Exception& error) {
   return fmt::format("{}: {}", damaged ? "the file is damaged" : "it cannot be read", error.what());
 }
 
-constexpr const char* kThere = "the file exists already; resume the study, or name another file";
+constexpr const char* kThere = "the file exists already; resume its study, or name another file";
 constexpr const char* kForeign = "it is not a camlaw study; it was left unchanged";
 
 /// What an error in writing means.

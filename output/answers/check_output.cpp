@@ -183,9 +183,9 @@ CheckedProblem checked_problem(const ProblemStatement& statement, CheckAsked ask
     document.add(shapes);
     document.say(shape_legend(shapes));
   }
-  const Warnings doubts = doubts_of(statement);
-  document.say(warnings_text(doubts));
-  document.fact("warnings", doubts);
+  const Warnings warnings = warnings_of_file(statement);
+  document.say(warnings_text(warnings));
+  document.fact("warnings", warnings);
   if (asked.scaling) document.add(scaling_table(variants->problem(0)));
   if (asked.derivatives) {
     checked.agrees = add_derivatives(checked_by_differences(*variants),

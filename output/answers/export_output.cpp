@@ -73,8 +73,8 @@ std::vector<std::string> curve_lines(const Exported& e) {
   if (e.motion) {
     lines.push_back(motion_line(*e.motion));
     if (!e.motion->description.empty()) {
-      lines.push_back("written to the description in " + e.motion->description +
-                      "; not tested on a drive");
+      lines.push_back(
+          fmt::format("written as described in {}; not tested on a drive", e.motion->description));
     }
   }
   if (e.solid) {

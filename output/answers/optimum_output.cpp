@@ -11,6 +11,7 @@
 #include "output/answers/buildable_output.h"
 #include "output/answers/law_output.h"
 #include "output/answers/limit_text.h"
+#include "output/answers/next_better.h"
 #include "output/answers/objective_cases.h"
 #include "output/answers/open_objective.h"
 #include "output/answers/price_step.h"
@@ -114,8 +115,12 @@ std::string solver_words(const Answer& answer) {
 
 std::string how(const Answer& answer) {
   const optim::Found& found = answer.optimum.found;
-  std::string text = fmt::format("{} evaluations in {} solves, {:.3g} s; {}", found.evaluations,
-                                 found.solves, answer.optimum.wall_s, solver_words(answer));
+  const auto counted = [](auto count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string text =
+      fmt::format("{} in {}, {:.3g} s; {}", counted(found.evaluations, "evaluation"),
+                  counted(found.solves, "solve"), answer.optimum.wall_s, solver_words(answer));
   if (found.starts > 1) text += "\n" + words_of_starts(found);
   // Where all are settled, the verdict has these numbers.
   if (answer.optimum.combinations > 1 && !found.assessment.global) {
@@ -237,7 +242,8 @@ void add_design(const Answer& answer, Document& document) {
       std::isnan(a.objective.value) ? ObjectivePlace{} : objective_place(design, a.objective.angle);
   const OpenObjective open = open_objective(answer, design);
   const std::string shown = what_is_shown(answer);
-  document.say("\n" + (shown.empty() ? "" : shown + "\n") + design_text(answer, worst) + open.line);
+  document.say("\n" + (shown.empty() ? "" : shown + "\n") + design_text(answer, worst) +
+               next_better(answer) + open.line);
   document.fact("shown", shown);
   document.fact("objective", a.objective.value);
   document.fact("objective_name", objective_name(answer));

@@ -188,10 +188,10 @@ std::string outliers_text(const MotionFit& fit, const RecordedPlaces& places) {
         fmt::format("{} by {}", with_unit(number(places.of(samples.place[at])), samples.place_unit),
                     with_unit(in_digits(-fit.best().fit.residuals[at], 3), samples.unit)));
   }
-  return fmt::format("{} of {} samples are farther off than the {} that chance explains: {}{}\n",
-                     count, samples.place.size(),
-                     with_unit(in_digits(fit.outliers.bound, 3), samples.unit),
-                     fmt::join(worst, ", "), count > kShown ? ", ..." : "");
+  return fmt::format(
+      "{} of {} samples lie farther from the law than the {} that chance explains: {}{}\n", count,
+      samples.place.size(), with_unit(in_digits(fit.outliers.bound, 3), samples.unit),
+      fmt::join(worst, ", "), count > kShown ? ", ..." : "");
 }
 
 Json outliers_json(const MotionFit& fit, const RecordedPlaces& places) {
@@ -225,8 +225,8 @@ Document motion_document(const MotionFit& fit, const RecordedPlaces& places) {
   document.fact("prediction_error", fit.prediction_error);
   add_trust(fit.distrust, document);
   if (fit.distrust.empty() && !fit.as_good.empty()) {
-    document.say(
-        fmt::format("the samples fit these as well: {}\n", problems::first_names(fit.as_good)));
+    document.say(fmt::format("these laws fit the samples as well: {}\n",
+                             problems::first_names(fit.as_good)));
   }
   document.fact("as_good", fit.as_good);
   document.fact("untried", fit.untried);
@@ -235,7 +235,7 @@ Document motion_document(const MotionFit& fit, const RecordedPlaces& places) {
   if (fit.unfinished.end) unfinished.push_back("end");
   document.fact("unfinished", unfinished);
   if (fit.smooth) {
-    document.say("the law that is written is a smoothing spline through the samples\n");
+    document.say("the law of this motion is written as a smoothing spline through the samples\n");
   }
   document.fact("smoothed", fit.smooth.has_value());
   document.fact("identifiable", all_identifiable(best.fit));

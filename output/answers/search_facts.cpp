@@ -25,7 +25,7 @@ std::string words_of_starts(const optim::Found& found) {
     return fmt::format("none of {} starts led to a design within the limits", found.starts);
   if (found.agreed == 0 && is_feasible(found.assessment)) {
     return fmt::format(
-        "none of {} starts ended at this objective: it was found by sampling the rest of the box",
+        "none of {} starts ended at this objective; sampling the rest of the box found the design",
         found.starts);
   }
   return fmt::format("{} of {} starts ended at this objective", found.agreed, found.starts);

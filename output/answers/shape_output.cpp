@@ -109,11 +109,13 @@ std::string plain_word(const std::string& word) {
 
 /// What it means, with the term of optimisation.
 std::string meaning_of(const std::string& word) {
-  if (word == "linear") return "linear: it changes in proportion to them";
+  if (word == "linear") return "linear: equal steps of the variables change it equally";
   if (word == "curves upwards") return "curves upwards (convex): it has one valley";
   if (word == "curves downwards") return "curves downwards (concave): it has one hill";
-  if (word == "one valley") return "one valley (quasiconvex): it falls to it and rises from there";
-  if (word == "one hill") return "one hill (quasiconcave): it rises to it and falls from there";
+  if (word == "one valley")
+    return "one valley (quasiconvex): it falls to its lowest value and rises after it";
+  if (word == "one hill")
+    return "one hill (quasiconcave): it rises to its highest value and falls after it";
   if (word == "monotonic") return "monotonic (quasilinear): it only rises or only falls";
   return "";
 }
@@ -139,7 +141,7 @@ std::string shape_legend(const Table& shapes) {
   if (meanings.empty()) return "";
   return fmt::format("jointly: with everything that it depends on varying together; {}{}\n",
                      fmt::join(meanings, "; "),
-                     has_proof ? "; docs/theory.md has the proofs under their tags" : "");
+                     has_proof ? "; the tags name proofs in docs/theory.md" : "");
 }
 
 Table shape_table(const ProblemStatement& statement) {

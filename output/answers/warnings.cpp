@@ -2,6 +2,7 @@
 #include "output/answers/warnings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,11 +114,12 @@ void add_idle_variables(const optim::Optimum& optimum, Warnings& warnings) {
                         named, sought));
 }
 
-/// What would change a limit that no variable changes.
+/// The constants that would change a limit.
 struct Movers {
   std::vector<std::string> names;
   std::string
       example;  ///< of them the one to let vary: the last that the file states, else the first
+  std::vector<std::string> more, less;  ///< which help if larger, or smaller; no load of 0
 };
 
 bool is_machine_at_rest(const Law<double>& motion, double share) {
@@ -147,6 +149,7 @@ Movers movers_of(const Answer& answer, const problems::ResponseName& asked,
   const problems::LocalSensitivity local = problems::local_sensitivity(design);
   const auto numbers = problems::design_numbers(design, local.parameters);
   std::set<std::size_t> moving;
+  std::map<std::size_t, double> slopes;  // of the value where it breaks the limit
   for (const std::size_t i : asked.response->uses) {
     if (design.mechanism->parameters[i].integer) moving.insert(i);
   }
@@ -160,18 +163,37 @@ Movers movers_of(const Answer& answer, const problems::ResponseName& asked,
       const double slope = std::max({std::abs(by.slope), std::abs(by.low), std::abs(by.high)});
       const double least = kRounding * std::max(std::abs(limit.value), std::abs(limit.bound));
       if (!(slope * std::max(std::abs(parameter.value), 1.0) > least)) continue;
-      if (parameter.of_machine) moving.insert(*parameter.of_machine);
+      if (!parameter.of_machine || parameter.varies) continue;
+      moving.insert(*parameter.of_machine);
+      slopes[*parameter.of_machine] = by.low * by.high > 0 ? by.slope : 0;  // one sign, or none
     }
   }
   Movers result;
   for (const std::size_t i : moving) {
     result.names.push_back(design.mechanism->parameters[i].name);
+    const bool is_used = design.stated.contains(i) || design.constants[i] != 0;
     if (result.example.empty() || design.stated.contains(i)) result.example = result.names.back();
+    const double helps = (limit.is_upper ? -1 : 1) * slopes[i];
+    if (helps == 0 || !is_used) continue;
+    (helps > 0 ? result.more : result.less).push_back(result.names.back());
   }
   return result;
 }
 
-/// Of limits that cannot be met and that no variable changes: what would change them.
+/// "a larger spring_rate or spring_preload, or a smaller speed, helps"; empty where nothing is
+/// known to.
+std::string what_helps(const Movers& movers) {
+  const auto one_of = [](const char* how, const std::vector<std::string>& names) {
+    if (names.empty()) return std::string();
+    const std::string first = fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", "));
+    return fmt::format("a {} {}{}{}", how, first, first.empty() ? "" : " or ", names.back());
+  };
+  const std::string more = one_of("larger", movers.more), less = one_of("smaller", movers.less);
+  if (more.empty() && less.empty()) return "";
+  return fmt::format("{}{}{} helps", more, more.empty() || less.empty() ? "" : ", or ", less);
+}
+
+/// Of limits that cannot be met: which constants would change them.
 void add_what_changes(const Answer& answer, Warnings& warnings) {
   const problems::ProblemStatement& problem = answer.bound.statement();
   const optim::Optimum& optimum = answer.optimum;
@@ -187,7 +209,8 @@ void add_what_changes(const Answer& answer, Warnings& warnings) {
     const auto report = std::find_if(reports.begin(), reports.end(),
                                      [&](const auto& r) { return r.name == blamed && !r.met; });
     if (limit == limits.end() || stated == all.end() || report == reports.end()) continue;
-    if (any_varies(optimum.problem, optim::inputs_of(limit->response, optimum.problem))) continue;
+    const bool has_variables =
+        any_varies(optimum.problem, optim::inputs_of(limit->response, optimum.problem));
     Movers movers;
     try {
       movers = movers_of(answer, stated->response, *report);
@@ -195,6 +218,13 @@ void add_what_changes(const Answer& answer, Warnings& warnings) {
       continue;  // numbers without a value there: there is nothing to advise
     }
     if (movers.names.empty()) continue;
+    const std::string helps = what_helps(movers);
+    if (has_variables) {
+      if (!helps.empty()) {
+        warnings.push_back(fmt::format("{} depends on constants too: {}", blamed, helps));
+      }
+      continue;
+    }
     const auto place = report->worst_angle;
     const bool sees_motion = stated->response.response->sees_law &&
                              (!place || sees_motion_at(answer, limit->response, *place));
@@ -202,9 +232,9 @@ void add_what_changes(const Answer& answer, Warnings& warnings) {
     const bool one = movers.names.size() == 1;
     warnings.push_back(fmt::format(
         "{} depends on {}{}: let {} vary, as [variables.{}] with lower and upper in place of its "
-        "constant",
+        "constant{}",
         blamed, problems::listed(movers.names), place ? " where it is worst" : "",
-        one ? "it" : "one of them", movers.example));
+        one ? "it" : "one of them", movers.example, helps.empty() ? "" : "; " + helps));
   }
 }
 
@@ -217,14 +247,25 @@ void add_left_out(const problems::ProblemStatement& problem, Warnings& warnings)
                                  fmt::join(names, "; ")));
 }
 
-}  // namespace
-
+/// Of a problem's limits alone.
 Warnings doubts_of(const problems::ProblemStatement& problem) {
   try {
     return problems::doubtful_limits(problems::BoundProblem(problem, true));
   } catch (const std::invalid_argument&) {
     return {};  // more combinations than can be searched: that is said where one searches
   }
+}
+
+}  // namespace
+
+Warnings warnings_of_file(const problems::ProblemStatement& problem) {
+  Warnings warnings;
+  for (const problems::Caution& caution : problems::cautions_of_file(problem)) {
+    warnings.push_back(caution.text());
+  }
+  const Warnings doubts = doubts_of(problem);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  return warnings;
 }
 
 Warnings warnings_of(const problems::ProblemStatement& design) {

@@ -18,8 +18,8 @@ using Warnings = std::vector<std::string>;
 /// The word that stands before each.
 inline constexpr const char* kWarningWord = "caution";
 
-/// Of a problem's limits alone.
-Warnings doubts_of(const problems::ProblemStatement& problem);
+/// Of a problem file, before a design is judged: what it leaves open, and doubtful limits.
+Warnings warnings_of_file(const problems::ProblemStatement& problem);
 /// Of a design that nobody searched for.
 Warnings warnings_of(const problems::ProblemStatement& design);
 /// Of an answer; of one without a design, what concerns its limits.

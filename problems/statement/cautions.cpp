@@ -8,8 +8,11 @@
 
 #include "machines/contact/crowned_roller.h"
 #include "machines/model/known_names.h"
+#include "machines/model/main_sizes.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
+#include "problems/statement/doubtful_angles.h"
+#include "problems/statement/left_to_defaults.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/variation.h"
 
@@ -134,10 +137,41 @@ void add_of_varying_law(const ProblemStatement& design, std::vector<Caution>& fo
                    names + "; `camlaw tolerance` shows what it does to them"});
 }
 
+/// Where the objective or a limit depends on a main size that the file does not state.
+void add_of_defaults(const ProblemStatement& design, std::vector<Caution>& found) {
+  const bool asks = !design.objectives.empty() || !design.constraints.empty();
+  if (!asks || design.mechanism->moved_by != MovedBy::Program) return;  // of published machines
+  std::vector<std::string> names, values;
+  for (const std::size_t i : left_to_defaults(design)) {
+    const MechanismParameter& p = design.mechanism->parameters[i];
+    if (!is_main_size(p.name)) continue;
+    names.push_back(p.name);
+    values.push_back(fmt::format("{} = {}", p.name, with_unit(design.constants[i], p.unit)));
+  }
+  if (names.empty()) return;
+  const bool one = names.size() == 1;
+  found.push_back({fmt::format("{} {} not stated", listed(names), one ? "is" : "are"),
+                   fmt::format("the default{} {} {} used; state your own in [constants]",
+                               one ? "" : "s", listed(values), one ? "is" : "are")});
+}
+
+void add_of_units(const ProblemStatement& design, std::vector<Caution>& found) {
+  for (const std::string& doubt : doubtful_angles(design)) {
+    found.push_back({"a number without a unit is suspiciously small", doubt});
+  }
+}
+
 }  // namespace
 
-std::vector<Caution> cautions(const ProblemStatement& design) {
+std::vector<Caution> cautions_of_file(const ProblemStatement& problem) {
   std::vector<Caution> found;
+  add_of_units(problem, found);
+  add_of_defaults(problem, found);
+  return found;
+}
+
+std::vector<Caution> cautions(const ProblemStatement& design) {
+  std::vector<Caution> found = cautions_of_file(design);
   add_of_ends(design, found);
   add_of_crown(design, found);
   add_of_varying_law(design, found);

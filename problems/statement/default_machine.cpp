@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/default_machine.h"
 
+#include <filesystem>
+
 #include "machines/registry.h"
+#include "numerics/text/names.h"
 
 namespace camlaw::problems {
 
@@ -15,7 +18,16 @@ ProblemStatement default_machine(const Mechanism& mechanism) {
 
 ProblemStatement asked_machine(const std::string& name_or_file) {
   const Mechanism* named = known_mechanism(name_or_file);
-  return named != nullptr ? default_machine(*named) : read_problem_file(name_or_file);
+  if (named != nullptr) return default_machine(*named);
+  std::error_code ignored;
+  constexpr const char* kStandardInput = "-";
+  if (name_or_file != kStandardInput && !std::filesystem::exists(name_or_file, ignored)) {
+    std::vector<std::string> known;
+    for (const Mechanism& mechanism : mechanisms()) known.push_back(mechanism.name);
+    refuse_name("there is neither a mechanism nor a problem file", name_or_file, known,
+                "'camlaw mechanisms' lists the mechanisms");
+  }
+  return read_problem_file(name_or_file);
 }
 
 }  // namespace camlaw::problems

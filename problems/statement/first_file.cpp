@@ -145,7 +145,7 @@ ConstantsPart constants_part(const Mechanism& mechanism, const UsualProblem& usu
                part.fixed;
   if (!part.optional.empty()) {
     part.optional =
-        "\n# More numbers of the machine, in use with these values even while '#' stands before "
+        "\n# More numbers of the machine. It has these values even while '#' stands before "
         "them.\n" +
         part.optional;
   }
@@ -178,9 +178,8 @@ std::string law_part(const UsualProblem& usual) {
 std::string program_part(const UsualProblem& usual) {
   if (usual.segments.empty()) return "";
   std::string text =
-      "\n# The motion over one turn. A segment with a law moves, one without dwells; the last "
-      "takes "
-      "what\n# is left of 360 deg. To choose among laws: law = [\"cycloidal\", "
+      "\n# The motion over one turn. A segment with a law moves; a segment without one dwells. The "
+      "last\n# takes what is left of 360 deg. To choose among laws: law = [\"cycloidal\", "
       "\"modified-sine\"].\n";
   for (const auto& segment : usual.segments) {
     text += fmt::format("[[program.segments]]\nname = \"{}\"\n", segment.name);
@@ -226,8 +225,8 @@ std::string more_variables(const Mechanism& mechanism, const UsualProblem& usual
   std::string text;
   if (!usual.variables.empty()) {
     text =
-        "\n# To let one of [constants] vary, move it to a table of its own, as the one of "
-        "[variables]\n# above; to keep a variable, move it to [constants].\n";
+        "\n# To let a number of [constants] vary, move it to a table of its own, like those of "
+        "[variables]\n# above; to fix a variable, move it to [constants].\n";
   }
   if (parameter_called(mechanism, known::kSpeed)) {
     text +=
@@ -239,7 +238,7 @@ std::string more_variables(const Mechanism& mechanism, const UsualProblem& usual
 std::string objective_part(const Mechanism& mechanism, const UsualProblem& usual) {
   const ResponseName name = find_response(mechanism, usual.objective);
   const bool is_variable = name.response == nullptr;  // which has been described
-  return "\n# What is sought.\n" + (is_variable ? "" : sentence(words_on(mechanism, name))) +
+  return "\n# The objective.\n" + (is_variable ? "" : sentence(words_on(mechanism, name))) +
          fmt::format("[objective]\n{} = \"{}\"\n",
                      usual.sense == optim::Sense::Minimize ? "minimize" : "maximize",
                      usual.objective);
@@ -273,7 +272,7 @@ std::string buildable_part(const Mechanism& mechanism) {
 }
 
 std::string solver_part() {
-  return "\n# How the search is done; without these lines the program decides.\n"
+  return "\n# How to search; without these lines the program decides.\n"
          "#[solver]\n#starts = 8\n#time_limit = \"1 min\"\n";
 }
 

@@ -9,6 +9,7 @@
 #include "machines/model/given_law.h"
 #include "numerics/tables/turn.h"
 #include "problems/statement/choices.h"
+#include "problems/statement/doubtful_angles.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/program_choices.h"
@@ -238,6 +239,28 @@ void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
   }
 }
 
+/// What to say of angles that are plain numbers and, all together, at most a turn in radians: as
+/// degrees they would be a few hundredths of the cycle. Nothing of a program that states any of
+/// them with a unit, or by a time.
+std::optional<std::string> doubt_of_angles(const std::vector<Entry>& segments) {
+  constexpr double kTurnRadians = 6.3;  // 2 pi as people round it
+  double sum = 0;
+  std::string first;
+  for (const Entry& segment : segments) {
+    if (find(segment, "time") != nullptr) return {};
+    const Entry* angle = find(segment, "angle");
+    if (angle == nullptr) continue;
+    if (!angle->is_number()) return {};
+    sum += angle->number;
+    if (first.empty()) first = fmt::format("{:.6g}", angle->number);
+  }
+  if (first.empty() || sum > kTurnRadians) return {};
+  return fmt::format(
+      "angle = {0} is read as {0} deg; write \"{0} deg\" if that is meant, or "
+      "\"{0} rad\" or \"{0} rev\"",
+      first);
+}
+
 }  // namespace
 
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem) {
@@ -300,6 +323,23 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
     refuse(*list, not_fitting(one, all.size()));
   }
   problem.left_out = left_out_of(*list, stated, unfit, all.size());
+}
+
+std::vector<std::string> doubtful_angles(const ProblemStatement& problem) {
+  if (problem.text.empty()) return {};
+  std::vector<std::string> doubts;
+  const auto add_of = [&](const Entry& file, const std::string& cam) {
+    const Entry* program = find(file, "program");
+    if (program == nullptr || find(*program, "segments") == nullptr) return;
+    if (const auto doubt = doubt_of_angles(segment_tables(*program)))
+      doubts.push_back(cam + *doubt);
+  };
+  const Entry file = parse_toml(problem.text, problem.source);
+  add_of(file, "");
+  if (const Entry* cams = find(file, "cams")) {
+    for (const Entry& cam : cams->items) add_of(cam, cam.key + ": ");
+  }
+  return doubts;
 }
 
 void read_tolerances(const Entry& file, ProblemStatement& problem) {

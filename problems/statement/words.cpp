@@ -3,8 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <vector>
 
+#include "problems/statement/left_to_defaults.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 #include "problems/statement/profile_errors.h"
@@ -21,41 +22,17 @@ std::string tolerance_note(const std::optional<double>& tolerance, const std::st
   return tolerance ? fmt::format(" (tolerance {})", with_unit(*tolerance, unit)) : "";
 }
 
-/// The machine's parameters that the objective and the constraints depend on; all, where there are
-/// neither.
-std::set<std::size_t> used_parameters(const ProblemStatement& problem) {
-  std::set<std::size_t> used;
-  const auto use = [&](const ResponseName& name) {
-    if (name.response == nullptr) used.insert(name.parameter);
-    if (name.response != nullptr)
-      used.insert(name.response->uses.begin(), name.response->uses.end());
-  };
-  for (const ObjectiveStatement& o : problem.objectives) use(o.response);
-  for (const ConstraintStatement& constraint : problem.constraints) use(constraint.response);
-  if (!problem.objectives.empty() || !problem.constraints.empty()) return used;
-  for (std::size_t i = 0; i < problem.constants.size(); ++i) used.insert(i);
-  return used;
-}
-
 std::string constants_sentence(const ProblemStatement& problem) {
   std::vector<std::string> parts, defaults;
+  const std::vector<std::size_t> left = left_to_defaults(problem);
   for (const std::size_t i : used_parameters(problem)) {
-    const bool varies = std::any_of(problem.variables.begin(), problem.variables.end(),
-                                    [&](const auto& v) { return !v.of_law && v.parameter == i; });
+    if (!is_constant(problem, i)) continue;
     const MechanismParameter& p = problem.mechanism->parameters[i];
-    const bool by_case =
-        !problem.cases.empty() && std::any_of(problem.cases.front().parameters.begin(),
-                                              problem.cases.front().parameters.end(),
-                                              [&](const auto& set) { return set.first == i; });
-    const bool by_range =
-        std::any_of(problem.ranges.begin(), problem.ranges.end(),
-                    [&](const ParameterRange& range) { return range.parameter == i; });
-    const PartStatement* part = part_of(problem, i);
-    const bool is_chosen = part != nullptr && part->is_chosen();
-    if (varies || by_case || by_range || is_chosen) continue;
-    const bool is_default = !problem.stated.contains(i) && part == nullptr;
+    const bool is_default = std::find(left.begin(), left.end(), i) != left.end();
+    const bool by_motion = problem.told_by_motion.contains(i) && !problem.stated.contains(i);
     (is_default ? defaults : parts)
-        .push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
+        .push_back(fmt::format("{} = {}{}", p.name, with_unit(problem.constants[i], p.unit),
+                               by_motion ? " (from the motion)" : ""));
   }
   std::string words = parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
   if (!defaults.empty()) {
@@ -136,18 +113,20 @@ std::string laws_sentence(const ProblemStatement& problem) {
   }
   if (problem.mechanism->moved_by == MovedBy::Program) {
     if (problem.chooses_law()) {
-      return fmt::format("Choose among {} motion programs, the first of them {}.\n",
+      return fmt::format("Choose one of {} motion programs; the first is {}.\n",
                          problem.laws.size(), problem.laws.front().family->formula);
     }
     return fmt::format(
-        "The motion program is {}; displacements are in strokes: 0 is where the "
-        "stroke begins, 1 where it ends.\n",
+        "The motion program is {}; displacements are in strokes: 0 is where the stroke begins, and "
+        "1 "
+        "is where it ends.\n",
         problem.laws.front().family->formula);
   }
   for (const Member& law : problem.laws) laws.push_back(law_text(problem, law));
   if (laws.size() == 1) {
-    return fmt::format("The motion law is {}{}.\n", laws.front(),
-                       problem.finds_knots ? "; more knots are added where they gain" : "");
+    return fmt::format(
+        "The motion law is {}{}.\n", laws.front(),
+        problem.finds_knots ? "; the search adds knots where they improve the objective" : "");
   }
   return fmt::format("Choose the motion law among {}.\n", listed(laws));
 }
@@ -174,7 +153,7 @@ std::string timing_sentence(const ProblemStatement& problem) {
   return fmt::format(
       "At {:.6g} rpm a turn takes {:.6g} s{}{}.{}\n", timing.speed, timing.turn(),
       times.empty() ? "" : ": ", listed(times),
-      timing.follows ? " The times stay at other speeds, and the angles change." : "");
+      timing.follows ? " At other speeds the times stay the same, and the angles change." : "");
 }
 
 /// " (of polynomial-5)", where not every law has what varies.

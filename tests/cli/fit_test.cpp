@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -36,6 +37,21 @@ std::string rise() {
   return text;
 }
 
+/// A whole turn with a cycloidal rise over 90 deg, a dwell, a return over 90 deg and a dwell.
+std::string turn_of_lift(const std::string& lift, double stroke) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const auto cycloid = [](double u) { return u - std::sin(kTurn * u) / kTurn; };
+  std::string text = "angle [deg], " + lift + "\n";
+  for (int i = 0; i < 360; i += 3) {
+    const double s = i < 90    ? cycloid(i / 90.0)
+                     : i < 180 ? 1
+                     : i < 270 ? 1 - cycloid((i - 180) / 90.0)
+                               : 0;
+    text += fmt::format("{}, {:.5f}\n", i, stroke * s);
+  }
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("fit names the law behind samples, and writes its file", "[program]") {
@@ -57,6 +73,52 @@ TEST_CASE("fit names the law behind samples, and writes its file", "[program]") 
   CHECK(folder.content() == std::set<std::string>{"rise.csv", "out", "out/.camlaw.json",
                                                   "out/fit.json", "out/fit.svg", "out/law.json"});
   CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));
+}
+
+TEST_CASE("fit writes the program of a lift, for the machine that is named", "[program]") {
+  const Folder folder;
+  const std::string data = written(folder, "lift.csv", turn_of_lift("lift [mm]", 24));
+  const Words common{"fit", data, "--law", "cycloidal"};
+  const auto with = [&](Words more) {
+    Words words = common;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::string usual = done(with({"--out", folder / "usual"}));
+  CHECK_THAT(usual, Contains("program.toml takes disc-cam-roller with its default sizes") &&
+                        Contains("next: camlaw evaluate ") && Contains("usual/program.toml"));
+  const std::string flat = done(with(
+      {"--mechanism", "disc-cam-flat", "--set", "base_radius=55 mm", "--out", folder / "flat"}));
+  CHECK_THAT(flat, !Contains("default sizes"));
+  const ParsedJson found =
+      ParsedJson::parse(done({"evaluate", folder / "flat/program.toml", "--json"}));
+  bool seen = false;
+  for (const ParsedJson& response : found["responses"]) {
+    if (response["name"] != "displacement") continue;
+    seen = true;
+    CHECK(response["highest"].get<double>() == Approx(24).margin(1e-3));
+    CHECK(response["lowest"].get<double>() == Approx(0).margin(1e-3));
+  }
+  CHECK(seen);
+  CHECK_THAT(read(folder / "flat/program.toml"),
+             Contains("base_radius = \"55 mm\"") && Contains("law = \"cycloidal\""));
+  // The lift of an arm is an angle, and a machine with another stroke is refused.
+  CHECK_THAT(failed(with({"--mechanism", "disc-cam-oscillating-roller"}), 2),
+             Contains("the lift is in mm, and the swing of disc-cam-oscillating-roller is in deg"));
+  CHECK_THAT(failed(with({"--mechanism", "geneva"}), 2),
+             Contains("geneva does not follow a program"));
+  CHECK_THAT(failed({"fit", data, "--mechanism", "disc-cam-rolller"}, 2),
+             Contains("neither a mechanism nor a problem file 'disc-cam-rolller'; did you mean "
+                      "disc-cam-roller"));
+}
+
+TEST_CASE("fit says what a record with --mechanism may be called", "[program]") {
+  const Folder folder;
+  const std::string data = written(folder, "force.csv", turn_of_lift("push [N]", 24));
+  const std::string said = failed({"fit", data, "--mechanism", "disc-cam-roller"}, 2);
+  CHECK_THAT(said, Contains("no column has the name of a curve of disc-cam-roller, such as ") &&
+                       Contains("'camlaw mechanisms disc-cam-roller'") && Contains("call it lift"));
+  CHECK(said.size() < 500);  // not every curve that there is
 }
 
 TEST_CASE("fit has one line for one motion, whatever its names", "[program]") {

@@ -519,7 +519,40 @@ TEST_CASE("of a limit that no variable changes it is said what would change it",
       outcome.out,
       Contains("follower_force depends on stroke, speed, mass, spring_rate, spring_preload, load "
                "and the motion where it is worst: let one of them vary, as "
-               "[variables.spring_preload]"));
+               "[variables.spring_preload]") &&
+          Contains("; a larger spring_rate or spring_preload, or a smaller stroke, speed or mass "
+                   "helps"));
+}
+
+TEST_CASE("of limits that contradict one another it is said which constants help", "[program]") {
+  // The force at a given speed grows with the angle of the rise, which is bounded.
+  const Folder folder;
+  const std::string file = written(
+      folder,
+      "mechanism = 'disc-cam-roller'\n[constants]\nstroke = 20\nspeed = 900\nmass = 1\n"
+      "spring_preload = 50\n[program]\nsegments = [{name = 'rise', angle = 110, law = "
+      "'modified-sine'}, {law = 'cycloidal'}]\n[variables.rise_angle]\nlower = 90\nupper = 130\n"
+      "[objective]\nminimize = 'rise_angle'\n[[constraints]]\nresponse = 'follower_force'\n"
+      "lower = 0\n");
+  const Outcome outcome = run({"optimize", file});
+  CHECK(outcome.status == 3);
+  CHECK_THAT(outcome.out,
+             Contains("follower_force depends on constants too: a larger "
+                      "spring_rate or spring_preload, or a smaller stroke, speed or mass helps"));
+}
+
+TEST_CASE("an objective that is a whole number says why the next better one is not possible",
+          "[program]") {
+  // n >= 3.5 by the product with x, which is at most 2.
+  const Folder folder;
+  const std::string file = written(
+      folder,
+      "[machine]\nname = 'boxes'\n[machine.parameters.n]\ndefault = 5\n"
+      "[machine.parameters.x]\ndefault = 1\n[responses.room]\nformula = 'n * x'\n"
+      "[variables.n]\ntype = 'integer'\nlower = 1\nupper = 9\n[variables.x]\nlower = 0.5\n"
+      "upper = 2\n[objective]\nminimize = 'n'\n[[constraints]]\nresponse = 'room'\nlower = 7\n");
+  const std::string said = done({"optimize", file});
+  CHECK_THAT(said, Contains("n = 4") && Contains("n = 3 is not possible: "));
 }
 
 TEST_CASE("what would change a limit at rest is what the response has a slope by there",

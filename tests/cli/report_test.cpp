@@ -307,6 +307,11 @@ TEST_CASE("a report does not go over its own input", "[cli][report]") {
 
 TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
   const Folder folder;
+  const std::string page = folder / "page.html";
+  std::ofstream(page) << "<html></html>";
+  CHECK_THAT(failed({"report", page}, 2),
+             Contains("page.html: this is a page") && Contains("made from a problem file (.toml)"));
+  CHECK(read(page) == "<html></html>");
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
   CHECK_THAT(failed({"report", folder / "law.csv"}, 2), Contains(".toml"));
   CHECK_THAT(failed({"report", shipped("cams/roller_least_base.toml"), "-o", folder / "x.pdf"}, 2),

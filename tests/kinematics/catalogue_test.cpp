@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "numerics/scalar/dual.h"
 
@@ -11,6 +12,36 @@ namespace camlaw::catalogue_test {
 namespace {
 
 using Catch::Contains;
+
+TEST_CASE("a law that is near by several of its names is suggested once", "[catalogue]") {
+  for (const char* typed : {"modsine", "modified sinus", "cicloidal"}) {
+    INFO(typed);
+    std::string said;
+    try {
+      find_family(typed);
+    } catch (const std::invalid_argument& error) {
+      said = error.what();
+    }
+    const std::string suggested = said.substr(said.find("did you mean"));
+    std::set<std::string> families;
+    int count = 0;
+    for (const Family& family : catalogue()) {
+      std::set<std::string> names{family.name};
+      names.insert(family.aliases.begin(), family.aliases.end());
+      for (const std::string& name : names) {
+        const std::string own = name == family.name ? name : name + " (" + family.name + ")";
+        const bool is_there = suggested.find(" " + own + ",") != std::string::npos ||
+                              suggested.find(" " + own + " or") != std::string::npos ||
+                              suggested.find(" " + own + "?") != std::string::npos;
+        if (!is_there) continue;
+        families.insert(family.name);
+        ++count;
+      }
+    }
+    CHECK(count == 3);
+    CHECK(families.size() == 3);
+  }
+}
 
 TEST_CASE("Names and aliases of the catalogue are unique", "[catalogue]") {
   std::map<std::string, std::string> owner;

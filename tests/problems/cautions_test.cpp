@@ -20,10 +20,11 @@ std::string cam(const std::string& mechanism, const std::string& rest) {
          rest;
 }
 
-std::vector<std::string> said(const std::string& text) {
+/// The cautions, of which those about sizes that are not stated have a test of their own.
+std::vector<std::string> said(const std::string& text, bool of_defaults = false) {
   std::vector<std::string> all;
   for (const Caution& caution : cautions(read_problem(text, "f.toml"))) {
-    all.push_back(caution.text());
+    if (caution.what.ends_with("not stated") == of_defaults) all.push_back(caution.text());
   }
   return all;
 }
@@ -112,6 +113,48 @@ TEST_CASE("a contact of a crowned roller beyond its formulas is named, where the
       with("disc-cam-roller", "crown_radius = 1\nbase_radius = 2000\nroller_radius = 2000\n", "");
   REQUIRE(sharp.size() == 1);
   CHECK_THAT(sharp[0], Contains("crown_elongation is 0.0"));
+}
+
+TEST_CASE("a main size that counts and is not stated is named with its default", "[cautions]") {
+  const std::string limit = "[[constraints]]\nresponse = 'pressure_angle'\nupper = 30\n";
+  const auto of_cam = [](const std::string& rest) {
+    return said(cam("disc-cam-roller", rest), true);
+  };
+  const auto found = of_cam(limit + "[constants]\nbase_radius = '50 mm'\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] ==
+        "stroke and roller_radius are not stated: the defaults stroke = 20 mm and roller_radius = "
+        "10 mm are used; state your own in [constants]");
+  const std::string sizes = "[constants]\nstroke = 30\nroller_radius = 8\n";
+  const std::string varies = "[variables.base_radius]\nlower = 20\nupper = 90\n";
+  CHECK(of_cam(limit + sizes + varies).empty());
+  CHECK(of_cam(limit + sizes).size() == 1);
+  // The force does not depend on the radii, and without a limit nothing is asked of the sizes.
+  const std::string force = "[[constraints]]\nresponse = 'follower_force'\nlower = 0\n";
+  CHECK(of_cam(force + "[constants]\nstroke = 30\n").empty());
+  CHECK(of_cam("").empty());
+  // The numbers of a published machine are its own.
+  CHECK(said("mechanism = 'spine-cutter'\n[law]\nname = 'cosine'\n[objective]\nminimize = "
+             "'peak_inertia_force'\n",
+             true)
+            .empty());
+}
+
+TEST_CASE("angles that are plain numbers and hardly degrees are named", "[cautions]") {
+  const auto turn = [](const std::string& first, const std::string& second = "") {
+    const std::string rest = second.empty() ? "" : "angle = " + second + ", ";
+    return said(
+        "mechanism = 'disc-cam-roller'\n[program]\nsegments = [{name = 'rise', angle = " + first +
+        ", law = 'cycloidal'}, {" + rest + "name = 'back', law = 'cycloidal'}, {name = 'low'}]\n");
+  };
+  const auto found = turn("1.9", "2.1");
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], Contains("angle = 1.9 is read as 1.9 deg") && Contains("\"1.9 rad\""));
+  CHECK(turn("0.25").size() == 1);
+  CHECK(turn("'1.9 deg'").empty());
+  CHECK(turn("1.9", "'2.1 deg'").empty());
+  CHECK(turn("2", "120").empty());  // a short segment beside a long one
+  CHECK(turn("80").empty());
 }
 
 TEST_CASE("a limit with a wrong unit is named, with what it was read as", "[cautions]") {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <stdexcept>
 
 #include "problems/statement/statement.h"
 #include "tests/problems/complaint.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::problems::statement_errors_test {
 namespace {
@@ -15,7 +17,7 @@ struct Case {
   std::vector<std::string> fragments;
 };
 
-using testing::complaint;
+using Catch::Contains, testing::complaint;
 
 void check(const std::vector<Case>& cases) {
   for (const Case& c : cases) {
@@ -469,6 +471,23 @@ TEST_CASE("options of one solver are those that it has", "[statement][solvers]")
        {"[solver]\nname = 'slsqp'\n[solver.crs2]\npopulation = 0",
         ":7: solver.crs2.population: ",
         {"an integer from 1"}}}));
+}
+
+TEST_CASE("a file of another kind is called what it is", "[statement]") {
+  const testing::Folder folder;
+  const auto said = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return complaint([&] { read_problem_file(folder / name); });
+  };
+  CHECK_THAT(said("r.json", "{\n \"format\": \"camlaw result 1\"}"),
+             Contains("it is a result, not a problem file; 'camlaw evaluate ") &&
+                 Contains("camlaw verify "));
+  CHECK_THAT(said("r.json", "{\"a\": 1}"), Contains("it is JSON, not a problem file"));
+  CHECK_THAT(said("p.html", "<!doctype html>\n"), Contains("it is a page (HTML or XML)"));
+  CHECK_THAT(said("lift.csv", "angle [deg], lift [mm]\n0, 0\n"),
+             Contains("it is a table, not a problem file; 'camlaw fit "));
+  CHECK(said("p.toml", "mechanism = 'disc-cam-roller'\n").find("not a problem file") ==
+        std::string::npos);
 }
 
 }  // namespace camlaw::problems::statement_errors_test

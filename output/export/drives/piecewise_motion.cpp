@@ -267,8 +267,9 @@ QuinticMotion quintics_within(const WrittenMotion& exact, double tolerance, int 
   const std::vector<double> joints = joints_apart(motion.trace->breaks(), 10 * kLeast * cycle);
   if (joints.size() > most + 1) {
     throw std::invalid_argument(fmt::format(
-        "{} has {} pieces, each of which takes a polynomial, and the drive has {}; no --tolerance "
-        "helps, but points do, or a law of fewer pieces",
+        "{} is a motion of {} pieces, such as one between each two rows of a table, and the drive "
+        "takes at most {} polynomials, one for each piece; a larger --tolerance does not help: "
+        "write points, such as --format table, or use a law of fewer pieces",
         motion.slave_heading(), joints.size() - 1, most));
   }
   double inner = 0.95 * tolerance;

@@ -235,7 +235,7 @@ TEST_CASE("of those who begin one study at once one does, and the others are tol
     for (std::thread& one : all) one.join();
     CHECK(std::count(said.begin(), said.end(), "") == 1);
     const std::string why =
-        path + ": the file exists already; resume the study, or name another file";
+        path + ": the file exists already; resume its study, or name another file";
     CHECK(std::count(said.begin(), said.end(), why) == kAtOnce - 1);
     CHECK(folder.content() == std::set<std::string>{"s.db"});
     CHECK(StudyRecord::read(path).settings() == kSettings);
