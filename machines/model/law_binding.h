@@ -10,6 +10,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "numerics/scalar/dual.h"
+#include "numerics/scalar/scalar.h"
 
 namespace camlaw::problems {
 
@@ -131,14 +132,15 @@ class LawBinding {
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
 
  private:
-  /// Sets what varies, and stands where two pieces of the law would join, beside that by a unit of
-  /// the last place.
+  /// Moves a varying parameter by a unit of the last place where two pieces of the law would join at
+  /// its value.
   template <class S>
   void keep_pieces(Arguments<S>& arguments) const {
     for (const LawVariable& v : variables_) {
       const auto& joins = member_.family->parameters[v.parameter].joins_at;
       S& value = arguments.values()[v.parameter][v.element];
-      if (joins && is_number(value, *joins)) value = number<S>(std::nextafter(*joins, 1.0));
+      if (!joins || !camlaw::is_number(value, *joins)) continue;
+      value = camlaw::number<S>(std::nextafter(*joins, 1.0));
     }
   }
 
