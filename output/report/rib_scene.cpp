@@ -177,7 +177,8 @@ struct Development {
   /// Of a roller gear lengths are those of the circle about the turret's axis.
   DrawnPoint at(const BesideCam& p) const {
     const SpunPoint s = cam.seen(p);
-    if (cam.is_barrel()) return {radius * std::atan2(s.right, s.near), height + s.up};
+    // Rollers of a barrel have their middles in the plane that touches this surface.
+    if (cam.is_barrel()) return {s.right, height + s.up};
     const double beside = cam.turret.centre.x - std::hypot(s.right, s.near);
     return {radius * std::atan2(-s.near, s.right),
             height + cam.turret.radius * std::atan2(s.up, beside)};

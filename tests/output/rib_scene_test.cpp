@@ -66,9 +66,11 @@ TEST_CASE("the drawn edges of a rib are where rollers touch it and do not cut", 
   }
 }
 
+// The edges are drawn through places six degrees apart, of a globoidal cam with a distortion
+// besides.
 TEST_CASE("a drawn roller lies between the edges of its groove", "[cli][report]") {
   for (const auto& [name, margin] : {std::pair("index_drives/globoidal_eight", 0.6),
-                                     std::pair("index_drives/barrel_eight", 0.15)}) {
+                                     std::pair("index_drives/barrel_eight", 0.3)}) {
     const problems::ProblemStatement design = shipped(name);
     const Picture picture(design);
     const double radius = problems::constant_of(design, "roller_radius");
