@@ -132,8 +132,8 @@ class LawBinding {
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
 
  private:
-  /// Moves a varying parameter by a unit of the last place where two pieces of the law would join at
-  /// its value.
+  /// Moves a varying parameter by a unit of the last place where two pieces of the law would join
+  /// at its value.
   template <class S>
   void keep_pieces(Arguments<S>& arguments) const {
     for (const LawVariable& v : variables_) {

@@ -532,8 +532,8 @@ TEST_CASE("of limits that contradict one another it is said which constants help
       "mechanism = 'disc-cam-roller'\n[constants]\nstroke = 20\nspeed = 900\nmass = 1\n"
       "spring_preload = 50\n[program]\nsegments = [{name = 'rise', angle = 110, law = "
       "'modified-sine'}, {law = 'cycloidal'}]\n[variables.rise_angle]\nlower = 90\nupper = 130\n"
-      "[objective]\nminimize = 'rise_angle'\n[[constraints]]\nresponse = 'follower_force'\n"
-      "lower = 0\n");
+      "[objective]\nminimize = 'highest acceleration'\n[[constraints]]\n"
+      "response = 'follower_force'\nlower = 0\n");
   const Outcome outcome = run({"optimize", file});
   CHECK(outcome.status == 3);
   CHECK_THAT(outcome.out,
@@ -543,13 +543,13 @@ TEST_CASE("of limits that contradict one another it is said which constants help
 
 TEST_CASE("an objective that is a whole number says why the next better one is not possible",
           "[program]") {
-  // n >= 3.5 by the product with x, which is at most 2.
+  // n >= 3.5 by the product with the size, which is at most 2.
   const Folder folder;
   const std::string file = written(
       folder,
       "[machine]\nname = 'boxes'\n[machine.parameters.n]\ndefault = 5\n"
-      "[machine.parameters.x]\ndefault = 1\n[responses.room]\nformula = 'n * x'\n"
-      "[variables.n]\ntype = 'integer'\nlower = 1\nupper = 9\n[variables.x]\nlower = 0.5\n"
+      "[machine.parameters.size]\ndefault = 1\n[responses.room]\nformula = 'n * size'\n"
+      "[variables.n]\ntype = 'integer'\nlower = 1\nupper = 9\n[variables.size]\nlower = 0.5\n"
       "upper = 2\n[objective]\nminimize = 'n'\n[[constraints]]\nresponse = 'room'\nlower = 7\n");
   const std::string said = done({"optimize", file});
   CHECK_THAT(said, Contains("n = 4") && Contains("n = 3 is not possible: "));

@@ -660,7 +660,7 @@ TEST_CASE("in a dwell at a hand-over curves are of the roller that takes over, a
     for (const MechanismResponse& response : find_mechanism(name).responses) {
       const bool is_place = response.name.find("contact_y") != std::string::npos;
       if (!is_place && response.name != "roller_angle") continue;
-      CHECK_THAT(response.meaning, Contains("in a dwell at a hand-over") && Contains("takes over"));
+      CHECK_THAT(response.meaning, Contains("in a dwell") && Contains("of the next"));
       ++told;
     }
     CHECK(told == 7);

@@ -143,9 +143,10 @@ TEST_CASE("a main size that counts and is not stated is named with its default",
 TEST_CASE("angles that are plain numbers and hardly degrees are named", "[cautions]") {
   const auto turn = [](const std::string& first, const std::string& second = "") {
     const std::string rest = second.empty() ? "" : "angle = " + second + ", ";
+    const std::string low = second.empty() ? "" : ", {name = 'low'}";
     return said(
         "mechanism = 'disc-cam-roller'\n[program]\nsegments = [{name = 'rise', angle = " + first +
-        ", law = 'cycloidal'}, {" + rest + "name = 'back', law = 'cycloidal'}, {name = 'low'}]\n");
+        ", law = 'cycloidal'}, {" + rest + "name = 'back', law = 'cycloidal'}" + low + "]\n");
   };
   const auto found = turn("1.9", "2.1");
   REQUIRE(found.size() == 1);

@@ -189,7 +189,7 @@ TEST_CASE("a power with an exponent that varies has a value at 0 where the expon
   CHECK(root.proved);
   CHECK(own("s^p").proved);
   CHECK(std::isnan(own("s^(p - 2)").highest));  // 0^0
-  CHECK(own("s^(-p)").highest == std::numeric_limits<double>::infinity());
+  CHECK(std::isnan(own("s^(-p)").highest));     // no value at the rest
   CHECK(std::isnan(own("(s - 0.5)^p").highest));
   // A limit at the rest has slopes that a search can use.
   const auto found = solved("s^(1.5 + p / 10)",

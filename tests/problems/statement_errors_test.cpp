@@ -94,8 +94,8 @@ TEST_CASE("text that is not valid TOML is refused with its line", "[statement]")
        ":2: b: unknown key",
        {}},
       {"a = " + std::string(100000, '['), ":1: ", {"not valid TOML", "depth"}},
-      {"", ": it is empty", {"mechanism", "law"}},
-      {"# only a comment\n", ": it is empty", {}},
+      {"", ": the file is empty", {"mechanism", "law"}},
+      {"# only a comment\n", ": the file is empty", {}},
   });
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("options have effect where their solver runs, and nowhere else", "[sol
   };
   CHECK(same_bits(numbers(run("slsqp", true)), numbers(run("slsqp", false))));
   CHECK(run("slsqp", true).found.iterations == run("slsqp", false).found.iterations);
-  CHECK_FALSE(same_bits(numbers(run("ipopt", true)), numbers(run("ipopt", false))));
+  CHECK(run("ipopt", true).found.evaluations != run("ipopt", false).found.evaluations);
   CHECK(run("ipopt", true).found.assessment.verdict == Verdict::Certified);
 }
 
