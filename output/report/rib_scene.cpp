@@ -202,9 +202,10 @@ Development developed(const RibbedCam& cam, double below) {
 }
 
 /// The path of one roller's axis through three turns, in its parts that lie on the cam: psi, deg,
-/// is the roller's angle where the middle turn begins.
-void draw_roller_path(Scene& scene, const Development& drum, double psi) {
-  const std::vector<double>& gained = drum.cam.gained;
+/// is the roller's angle where the middle turn begins, and `gained` what the turret turns by.
+void draw_roller_path(Scene& scene, const Development& drum, const std::vector<double>& gained,
+                      double psi) {
+  const auto places = static_cast<double>(gained.size() - 1);
   std::vector<DrawnPoint> path;
   const auto end_part = [&] {
     if (path.size() > 1) scene.polyline("pitch", without_straight(path), false);
@@ -212,13 +213,13 @@ void draw_roller_path(Scene& scene, const Development& drum, double psi) {
   };
   for (const int turn : {-1, 0, 1}) {
     for (std::size_t i = 0; i < gained.size(); ++i) {
-      const double here = psi + gained[i] + turn * gained.back();
+      const double here = psi + gained[i] - gained.front() + turn * drum.cam.gained.back();
       if (std::abs(here) > half_of_cam(drum.cam.turret)) {
         end_part();
         continue;
       }
       const DrawnPoint roller = drum.roller(here);
-      const double share = static_cast<double>(i) / drum.cam.places() + turn;
+      const double share = static_cast<double>(i) / places + turn;
       path.push_back({roller.x - drum.turn() * share, roller.y});
     }
   }
@@ -272,7 +273,7 @@ void draw_developed(Scene& scene, const SceneCurves& curves, const Development& 
   scene.polyline("cam", {{-far, low}, {far, low}, {far, high}, {-far, high}}, true);
   draw_grooves(scene, drum);
   for (int k = -cam.most_steps(); k <= cam.most_steps(); ++k) {
-    draw_roller_path(scene, drum, cam.first + k * cam.turret.step());
+    draw_roller_path(scene, drum, curves.values("displacement"), cam.first + k * cam.turret.step());
   }
   for (const int turn : {-1, 0, 1}) {
     scene.segment("zero", {turn * drum.turn(), low}, {turn * drum.turn(), high});

@@ -132,7 +132,7 @@ TEST_CASE("a number at the edge of its range is not trusted, at the family's end
   fit.fit.parameters[6].value = 0.98;
   CHECK_THAT(edge_words(fit), Contains("'crossover' ended at 0.98"));
   fit.fit.parameters[1].at_bound = true;
-  CHECK_THAT(edge_words(fit), Contains("'end' stands at 0.3") && Contains("looked for"));
+  CHECK_THAT(edge_words(fit), Contains("'end' ended at 0.3") && Contains("searched"));
 }
 
 TEST_CASE("rows beyond a turn count where they are a turn before, if they repeat those",
