@@ -42,7 +42,8 @@ const Solver& finisher(const Setting& setting) {
 }
 
 /// Conditions that held in the scales of a search may not hold in those of the design it led to:
-/// then the search goes on from there.
+/// then the search goes on from there. Where that leads away, scales are once more the design's
+/// own: from the slope of a steep function they may be orders of magnitude off.
 void settle_in_own_scales(const Setting& setting, Trail& trail) {
   if (!trail.is_within_limits()) return;
   Assessment& best = trail.found.assessment;
@@ -54,7 +55,10 @@ void settle_in_own_scales(const Setting& setting, Trail& trail) {
   const Solver& solver = finisher(setting);
   if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
   Reached reached;
-  attempt(trail.found.x, solver, setting, trail, reached);
+  const std::vector<double> from = trail.found.x;
+  attempt(from, solver, setting, trail, reached);
+  const bool has_moved = trail.found.x != from;
+  if (has_moved && trail.is_within_limits()) trail.scales = scales(setting.problem, trail.found.x);
 }
 
 /// Judges the best design, with proofs. What its solve has told may not do where other designs and

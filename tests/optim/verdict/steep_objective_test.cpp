@@ -30,9 +30,9 @@ T bowl(const T& x, double rate) {
 
 template <class F>
 Steep steep(const char* text, Sense sense, double lower, double upper, double start, F f,
-            double best) {
+            double best, Shape shape = Shape::General) {
   const Function of = function<Interval, Slope>(
-      {0}, [f](const auto& u) { return f(u[0]); }, Shape::General);
+      {0}, [f](const auto& u) { return f(u[0]); }, shape);
   Problem problem;
   problem.variables = {{.name = "q", .lower = lower, .upper = upper, .start = start}};
   problem.objectives = {sense == Sense::Minimize ? least(of) : most(of)};
@@ -59,6 +59,10 @@ std::vector<Steep> cases() {
   const auto waves = []<class T>(const T& q) {
     return bowl(q - number<T>(1), 10) * (number<T>(2) + cos(q));
   };
+  const auto slopes = []<class T>(const T& q) {
+    return exp(number<T>(6.6) * (q - number<T>(3.644))) +
+           exp(number<T>(-36.2) * (q - number<T>(2.593)));
+  };
   return {steep(
               "exp(6 q^2)", Sense::Minimize, 0, 5, 5,
               []<class T>(const T& q) { return exp(number<T>(6) * q * q); }, 1),
@@ -75,7 +79,10 @@ std::vector<Steep> cases() {
               -2),
           steep(
               "2 cosh(40 (q - 1))", Sense::Minimize, 0, 3, 2.5,
-              []<class T>(const T& q) { return bowl(q - number<T>(1), 40); }, 2)};
+              []<class T>(const T& q) { return bowl(q - number<T>(1), 40); }, 2),
+          // Convex by its shape: no box is divided, and one start is enough.
+          steep("exp(6.6 (q - 3.644)) + exp(-36.2 (q - 2.593))", Sense::Minimize, 0.1, 4.3, 0.1,
+                slopes, least_of(slopes, 0.1, 4.3), Shape::Convex)};
 }
 
 }  // namespace
@@ -91,6 +98,26 @@ TEST_CASE("of a steep function the optimum is found, and global to a small share
     REQUIRE(a.best_possible);
     CHECK(std::abs(*a.best_possible - c.best) <= 1e-5 * std::abs(c.best));
   }
+}
+
+TEST_CASE("an answer is judged in the scales of where the last search led", "[bound][scales]") {
+  // From the start exp(-38.7 (q - 2.673)) falls by 43 orders of magnitude; one search is not
+  // enough. The parts of q and r are least apart: at q = 2.84, and at r^4 = 32.124 / 3.
+  const auto f = []<class U>(const U& u) {
+    using T = std::remove_cvref_t<decltype(u[0])>;
+    return exp(number<T>(7.6) * (u[0] - number<T>(3.884))) +
+           exp(number<T>(-38.7) * (u[0] - number<T>(2.673))) + number<T>(32.124) / u[1] +
+           u[1] * u[1] * u[1];
+  };
+  Problem problem;
+  problem.variables = {{.name = "q", .lower = 0.1, .upper = 4.8, .start = 0.1},
+                       {.name = "r", .lower = 0.1, .upper = 1.7, .start = 0.121}};
+  problem.objectives = {least(function<Interval, Slope>({0, 1}, f, Shape::Convex))};
+  const double r = std::min(1.7, std::pow(32.124 / 3, 0.25));
+  const double best = least_of([&](double q) { return f(Point{q, r}); }, 0.1, 4.8);
+  const Assessment a = optimise(problem).found.assessment;
+  CHECK(a.objective.value == Approx(best).epsilon(1e-7));
+  CHECK(a.objective.tolerance <= 1e-5 * best);
 }
 
 TEST_CASE("no design on the slope of a steep function is an optimum", "[verdict][scales]") {
